@@ -1,0 +1,12 @@
+# Debian's packages; scripts/setup installs them. OpenEXR and Imath come through pkg-config because their
+# CMake files ask for the Python bindings too.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(Imath REQUIRED IMPORTED_TARGET Imath)
+pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(TBB REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(assimp REQUIRED)
+find_package(PNG REQUIRED)

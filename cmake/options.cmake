@@ -1,0 +1,15 @@
+# What every target is compiled with: link granada_options.
+add_library(granada_options INTERFACE)
+target_include_directories(granada_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+# One stated baseline and no contraction or fast-math, so that an image depends on its seed alone and not on
+# what the compiler makes of an expression on one machine. Embree picks its own instruction set at run time.
+target_compile_options(granada_options INTERFACE
+  -march=x86-64-v3 -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+
+if(GRANADA_SANITIZERS)
+  target_compile_options(granada_options INTERFACE
+    -fsanitize=${GRANADA_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(granada_options INTERFACE -fsanitize=${GRANADA_SANITIZERS})
+endif()

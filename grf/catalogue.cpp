@@ -1,0 +1,220 @@
+#include "grf/catalogue.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "grf/visit.h"
+
+namespace grf {
+namespace {
+
+std::string with_suggestion(std::string message, std::string_view word,
+                            const std::vector<std::string>& candidates) {
+  const std::string suggestion = did_you_mean(word, candidates);
+  return suggestion.empty() ? message : message + ": " + suggestion;
+}
+
+std::vector<std::string> keywords_of(const std::vector<ModelInfo>& models) {
+  std::vector<std::string> keywords;
+  for (const ModelInfo& model : models) keywords.emplace_back(model.keyword);
+  return keywords;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+bool in_range(float value, const ParameterInfo& parameter) {
+  return value >= parameter.minimum && value <= parameter.maximum;
+}
+
+/// What the value should have been, or nothing if it is right.
+std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& parameter) {
+  const auto* number = std::get_if<float>(&value);
+  if (parameter.kind == ParameterKind::Boolean) {
+    const bool zero_or_one = number != nullptr && (*number == 0 || *number == 1);
+    if (std::holds_alternative<bool>(value) || zero_or_one) return std::nullopt;
+    return "true, false, 1 or 0 was expected";
+  }
+  const std::string range = fmt::format("from {} to {}", parameter.minimum, parameter.maximum);
+  if (number != nullptr) {
+    if (in_range(*number, parameter)) return std::nullopt;
+    return fmt::format("{} is out of range: a number {} was expected", *number, range);
+  }
+  const auto* colour = std::get_if<Colour>(&value);
+  if (parameter.kind != ParameterKind::Reflectance) return fmt::format("a number {} was expected", range);
+  if (colour == nullptr) return fmt::format("a number, or a triple of numbers, {} was expected", range);
+  for (const float component : {colour->x, colour->y, colour->z}) {
+    if (!in_range(component, parameter)) {
+      return fmt::format("{} is out of range: numbers {} were expected", component, range);
+    }
+  }
+  return std::nullopt;
+}
+
+void check_arguments(const Model& model, const ModelInfo& info, Diagnostics& diagnostics) {
+  std::set<std::string_view> given;
+  for (const Argument& argument : model.arguments) {
+    const ParameterInfo* parameter = info.find(argument.name);
+    if (parameter == nullptr) {
+      std::vector<std::string> names;
+      for (const ParameterInfo& known : info.parameters) names.emplace_back(known.name);
+      const std::string known = names.empty() ? "it has none" : "it has " + joined(names);
+      diagnostics.error(argument.location, with_suggestion(fmt::format("'{}' has no parameter '{}', {}",
+                                                                       info.keyword, argument.name, known),
+                                                           argument.name, names));
+    } else if (!given.insert(parameter->name).second) {
+      diagnostics.error(argument.location, fmt::format("the parameter '{}' is given twice", parameter->name));
+    } else if (const auto wrong = wrong_value(argument.value, *parameter)) {
+      diagnostics.error(argument.location,
+                        fmt::format("'{}' of '{}': {}", parameter->name, info.keyword, *wrong));
+    }
+  }
+}
+
+class Check {
+ public:
+  Check(const Catalogue& catalogue, Diagnostics& diagnostics)
+      : catalogue_(catalogue), diagnostics_(diagnostics) {}
+
+  void run(const Scene& scene) {
+    SceneVisitor visitor;
+    visitor.mesh = [this](const Mesh& mesh, const Placement& placement, const Block& block) {
+      check_mesh(mesh, *placement.scope, block);
+    };
+    visitor.definition = [this](const Definition& definition, const Placement& placement) {
+      check_definition(definition, *placement.scope);
+    };
+    visitor.light = [this](const AreaLight& light, const Placement&, const Block& block) {
+      if (light.radiance) check_colour(*light.radiance, block.location, "radiance");
+    };
+    visit(scene, visitor);
+  }
+
+ private:
+  void check_model(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
+                   const Scope& scope) {
+    if (find_model(models, model.keyword) != nullptr) {
+      check(model, models, kind, diagnostics_);
+      return;
+    }
+    std::vector<std::string> candidates = keywords_of(models);
+    const std::vector<std::string> defined = scope.names();
+    candidates.insert(candidates.end(), defined.begin(), defined.end());
+    diagnostics_.error(model.location, with_suggestion(fmt::format("unknown {} '{}'", kind, model.keyword),
+                                                       model.keyword, candidates));
+  }
+
+  // The default of absent BRDFs is one that nobody wrote down, so a file that relies on it hears of it, once.
+  void warn_of_default(const Mesh& mesh, const Block& block) {
+    const std::string file = block.location.file ? block.location.file->path : std::string();
+    if (files_with_default_.contains(file)) return;
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      if (mesh.surface(i).brdf || mesh.surface(i).emission) continue;
+      files_with_default_.insert(file);
+      diagnostics_.warning(block.location, "faces without a BRDF: they are diffuse with kd=0.5");
+      return;
+    }
+  }
+
+  void check_mesh(const Mesh& mesh, const Scope& scope, const Block& block) {
+    for (const Surface& surface : mesh.surfaces) {
+      if (surface.brdf) check_attribute(*surface.brdf, catalogue_.brdfs, "BRDF", scope);
+      if (surface.pdf) check_attribute(*surface.pdf, catalogue_.pdfs, "PDF", scope);
+      const auto* colour = surface.colour ? std::get_if<Colour>(&*surface.colour) : nullptr;
+      if (colour != nullptr) check_colour(*colour, block.location, "colour");
+      if (surface.emission) check_colour(*surface.emission, block.location, "radiance");
+    }
+    warn_of_default(mesh, block);
+  }
+
+  template <class Attribute>
+  void check_attribute(const Attribute& attribute, const std::vector<ModelInfo>& models,
+                       std::string_view kind, const Scope& scope) {
+    const auto* reference = std::get_if<Reference>(&attribute);
+    if (reference == nullptr) {
+      check_model(std::get<0>(attribute), models, kind, scope);
+    } else if (scope.find(reference->name) == nullptr) {
+      diagnostics_.error(reference->location, with_suggestion(fmt::format("no {} called '{}' is defined here",
+                                                                          kind, reference->name),
+                                                              reference->name, scope.names()));
+    }
+  }
+
+  void check_definition(const Definition& definition, const Scope& scope) {
+    if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
+      check_model(*brdf, catalogue_.brdfs, "BRDF", scope);
+    } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
+      check_model(*pdf, catalogue_.pdfs, "PDF", scope);
+    } else if (const auto* colour = std::get_if<Colour>(&definition.body)) {
+      check_colour(*colour, definition.location, "colour");
+    }
+  }
+
+  void check_colour(const Colour& colour, const SourceLocation& location, std::string_view what) {
+    if (colour.x < 0 || colour.y < 0 || colour.z < 0) {
+      diagnostics_.error(location, fmt::format("a {} of ({}, {}, {}): components of 0 or more were expected",
+                                               what, colour.x, colour.y, colour.z));
+    } else if (what == "colour" && std::max({colour.x, colour.y, colour.z}) > 1) {
+      diagnostics_.warning(location,
+                           "a colour over 1: such a surface can reflect more light than it receives");
+    }
+  }
+
+  const Catalogue& catalogue_;
+  Diagnostics& diagnostics_;
+  std::set<std::string> files_with_default_;
+};
+
+}  // namespace
+
+bool ParameterInfo::is_called(std::string_view word) const {
+  return same_keyword(name, word) ||
+         std::any_of(aliases.begin(), aliases.end(),
+                     [word](std::string_view alias) { return same_keyword(alias, word); });
+}
+
+const ParameterInfo* ModelInfo::find(std::string_view word) const {
+  const auto found =
+      std::find_if(parameters.begin(), parameters.end(),
+                   [word](const ParameterInfo& parameter) { return parameter.is_called(word); });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+const ModelInfo* find_model(const std::vector<ModelInfo>& models, std::string_view keyword) {
+  const auto found = std::find_if(models.begin(), models.end(), [keyword](const ModelInfo& model) {
+    return same_keyword(model.keyword, keyword);
+  });
+  return found == models.end() ? nullptr : &*found;
+}
+
+const Argument* find_argument(const Model& model, const ParameterInfo& parameter) {
+  const auto found =
+      std::find_if(model.arguments.begin(), model.arguments.end(),
+                   [&](const Argument& argument) { return parameter.is_called(argument.name); });
+  return found == model.arguments.end() ? nullptr : &*found;
+}
+
+bool check(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
+           Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  const ModelInfo* info = find_model(models, model.keyword);
+  if (info != nullptr) {
+    check_arguments(model, *info, diagnostics);
+  } else {
+    diagnostics.error(model.location, with_suggestion(fmt::format("unknown {} '{}'", kind, model.keyword),
+                                                      model.keyword, keywords_of(models)));
+  }
+  return diagnostics.error_count() == errors_before;
+}
+
+bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  Check(catalogue, diagnostics).run(scene);
+  return diagnostics.error_count() == errors_before;
+}
+
+}  // namespace grf

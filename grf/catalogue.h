@@ -1,0 +1,72 @@
+// What models there are: descriptor tables that the reflectance library fills, and the check of a scene
+// against them. The table of a model drives the check, command lines, documents and the editor's forms.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
+
+namespace grf {
+
+enum class ParameterKind {
+  Number,
+  Reflectance,  ///< a number, or an RGB triple of numbers in the same range
+  Boolean,
+};
+
+/// How a slider for the parameter should move.
+enum class ParameterScale { Linear, Logarithmic };
+
+struct ParameterInfo {
+  std::string_view name;
+  std::vector<std::string_view> aliases;
+  ParameterKind kind = ParameterKind::Number;
+  float minimum = 0;
+  float maximum = 1;
+  float default_value = 0;
+  std::string_view default_from;  ///< the parameter whose value is the default; empty: default_value
+  ParameterScale scale = ParameterScale::Linear;
+  std::string_view unit;
+  std::string_view help;
+
+  bool is_called(std::string_view word) const;
+};
+
+struct ModelInfo {
+  std::string_view keyword;
+  std::string_view title;
+  std::string_view paper;
+  std::vector<ParameterInfo> parameters;
+  // The reason why a model lacks a property, or, of a property that holds for some parameters only, when.
+  // Empty: it has the property.
+  std::string_view not_isotropic;
+  std::string_view not_reciprocal;
+  std::string_view not_conserving;
+
+  const ParameterInfo* find(std::string_view word) const;
+};
+
+struct Catalogue {
+  std::vector<ModelInfo> brdfs;
+  std::vector<ModelInfo> pdfs;
+};
+
+const ModelInfo* find_model(const std::vector<ModelInfo>& models, std::string_view keyword);
+
+/// The argument of a model for a parameter, by name or alias, or null.
+const Argument* find_argument(const Model& model, const ParameterInfo& parameter);
+
+/// Reports unknown keywords, unknown and repeated parameters, and values of the wrong kind or out of
+/// range, at their place, with the nearest names that exist; and what an author may not have meant, as
+/// warnings. Returns false if there was an error.
+bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics);
+
+/// The same for one model that stands in no scene. `kind` is `BRDF` or `PDF`, for the messages.
+bool check(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
+           Diagnostics& diagnostics);
+
+}  // namespace grf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grf/source_location.h"
+
+namespace grf {
+
+enum class Severity { Note, Warning, Error };
+
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  SourceLocation location;
+  std::string message;
+  std::string excerpt;  ///< the source line, kept when the diagnostic was made
+};
+
+/// Collects what is wrong with users' input. Never exits and never throws for a user's mistake.
+class Diagnostics {
+ public:
+  /// No more errors than this are kept: later ones are mostly consequences of earlier ones.
+  static constexpr std::size_t MaximumErrors = 20;
+
+  void error(SourceLocation location, std::string message);
+  void warning(SourceLocation location, std::string message);
+  /// Says something that is neither right nor wrong, such as the name of a file that was rewritten.
+  void note(SourceLocation location, std::string message);
+
+  bool has_errors() const { return error_count_ > 0; }
+  std::size_t error_count() const { return error_count_; }
+  std::size_t warning_count() const;
+  /// True once MaximumErrors were reported: whoever is reading may stop.
+  bool is_full() const { return error_count_ >= MaximumErrors; }
+  const std::vector<Diagnostic>& entries() const { return entries_; }
+
+  /// `file:line:column: error: message`, the source line, a caret under the column, and the chain of
+  /// includes, for each entry.
+  std::string to_text() const;
+
+ private:
+  void add(Severity severity, SourceLocation location, std::string message);
+
+  std::vector<Diagnostic> entries_;
+  std::size_t error_count_ = 0;
+};
+
+/// The text of one diagnostic, as `Diagnostics::to_text` prints it.
+std::string to_text(const Diagnostic& diagnostic);
+
+/// "did you mean 'ward'?" with up to three of the candidates that are near the word, or an empty string.
+/// Nearness is the Damerau-Levenshtein distance, without regard to case.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace grf

@@ -1,0 +1,41 @@
+// Spelling rules of GRF words, used by the lexer, the parser, the writer and the catalogue.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grf {
+
+// ASCII alone, and without the locale: a scene means the same on every machine.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr bool is_word_start(char c) {
+  const char lower = lower_case(c);
+  return (lower >= 'a' && lower <= 'z') || c == '_' || c == '$';
+}
+constexpr bool is_word_character(char c) { return is_word_start(c) || is_digit(c); }
+
+/// Keywords and parameter names are the same word whatever their case.
+constexpr bool same_keyword(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (lower_case(a[i]) != lower_case(b[i])) return false;
+  }
+  return true;
+}
+
+std::string lower_case(std::string_view word);
+
+/// True if the word may name a definition: a letter, `_` or `$`, then letters, digits, `_`, `$`, and not
+/// one of `begin end def none use true false`.
+bool is_identifier(std::string_view word);
+
+/// An identifier that stands for any text: every character that an identifier cannot have is written
+/// `$hex$` by its code in hexadecimal, and so is `$` itself, so that the text can be had back. An empty
+/// text gives `$$`; a first digit and a reserved word are escaped too.
+std::string to_identifier(std::string_view text);
+
+/// The text that `to_identifier` made an identifier of.
+std::string from_identifier(std::string_view identifier);
+
+}  // namespace grf

@@ -1,0 +1,154 @@
+#include "grf/lexer.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "grf/keywords.h"
+
+namespace grf {
+namespace {
+
+constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
+// The printed examples of the thesis have these, since its word processor put them there.
+constexpr std::array<std::string_view, 2> TypographicQuotes = {"\xE2\x80\x9C", "\xE2\x80\x9D"};
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
+
+}  // namespace
+
+Lexer::Lexer(std::shared_ptr<const std::string> text, std::shared_ptr<const SourceFile> file)
+    : text_(std::move(text)), file_(std::move(file)) {
+  position_ = text_->data();
+  end_ = position_ + text_->size();
+  if (text_->starts_with(ByteOrderMark)) position_ += ByteOrderMark.size();
+  line_begin_ = position_;
+  ahead_ = scan();
+}
+
+Token Lexer::next() {
+  const Token token = ahead_;
+  line_of_last_ = token.line;
+  ahead_ = scan();
+  return token;
+}
+
+Token Lexer::peek_second() {
+  const char* position = position_;
+  const char* line_begin = line_begin_;
+  const std::uint32_t line = line_;
+  const std::size_t comments = comments_.size();
+  const Token second = scan();
+  position_ = position;
+  line_begin_ = line_begin;
+  line_ = line;
+  comments_.resize(comments);
+  return second;
+}
+
+SourceLocation Lexer::location(const Token& token) const {
+  const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  const auto column = std::count_if(token.line_begin, token.begin, is_character) + 1;
+  return {file_, token.line, static_cast<std::uint32_t>(column)};
+}
+
+void Lexer::skip_space_and_comments() {
+  while (position_ != end_) {
+    if (*position_ == '\n') {
+      ++position_;
+      ++line_;
+      line_begin_ = position_;
+    } else if (is_space(*position_)) {
+      ++position_;
+    } else if (*position_ == '/' && end_ - position_ > 1 && position_[1] == '/') {
+      const char* line_end = std::find(position_, end_, '\n');
+      std::string_view text(position_ + 2, static_cast<std::size_t>(line_end - position_ - 2));
+      if (text.ends_with('\r')) text.remove_suffix(1);
+      comments_.push_back({text, line_});
+      position_ = line_end;
+    } else {
+      return;
+    }
+  }
+}
+
+Token Lexer::finish(TokenKind kind, const char* begin, std::string_view text) const {
+  return {kind, text, line_, begin, line_begin_};
+}
+
+Token Lexer::scan() {
+  skip_space_and_comments();
+  const char* begin = position_;
+  if (position_ == end_) return finish(TokenKind::EndOfFile, begin, {});
+  const char c = *position_;
+  if (is_word_start(c)) {
+    position_ = std::find_if_not(position_, end_, is_word_character);
+    return finish(TokenKind::Word, begin, {begin, static_cast<std::size_t>(position_ - begin)});
+  }
+  if (is_digit(c) || c == '-' || c == '+' || c == '.') return scan_number();
+  if (c == '(' || c == ')' || c == ',' || c == '=') {
+    ++position_;
+    return finish(TokenKind::Punctuation, begin, {begin, 1});
+  }
+  if (c == '"') return scan_string("\"");
+  const std::string_view rest(position_, static_cast<std::size_t>(end_ - position_));
+  for (const std::string_view quote : TypographicQuotes) {
+    if (rest.starts_with(quote)) return scan_string(quote);
+  }
+  // A whole UTF-8 character, so that a message shows it and not a part of it.
+  do ++position_;
+  while (position_ != end_ && (static_cast<unsigned char>(*position_) & 0xC0U) == 0x80U);
+  return finish(TokenKind::Invalid, begin, {begin, static_cast<std::size_t>(position_ - begin)});
+}
+
+Token Lexer::scan_number() {
+  const char* begin = position_;
+  const auto skip_digits = [this] {
+    const char* first = position_;
+    while (position_ != end_ && is_digit(*position_)) ++position_;
+    return position_ - first;
+  };
+  const auto at = [this](std::string_view characters) {
+    return position_ != end_ && characters.find(*position_) != std::string_view::npos;
+  };
+  if (at("+-")) ++position_;
+  auto digits = skip_digits();
+  if (at(".")) {
+    ++position_;
+    digits += skip_digits();
+  }
+  bool valid = digits > 0;
+  if (valid && at("eE")) {
+    ++position_;
+    if (at("+-")) ++position_;
+    valid = skip_digits() > 0;
+  }
+  const char* number_end = position_;
+  if (valid && at("fFdD")) ++position_;
+  if (position_ != end_ && is_word_character(*position_)) {
+    position_ = std::find_if_not(position_, end_, is_word_character);
+    valid = false;
+  }
+  if (!valid) number_end = position_;
+  return finish(valid ? TokenKind::Number : TokenKind::Invalid, begin,
+                {begin, static_cast<std::size_t>(number_end - begin)});
+}
+
+Token Lexer::scan_string(std::string_view quote) {
+  const char* begin = position_;
+  position_ += quote.size();
+  const char* line_end = std::find(position_, end_, '\n');
+  const std::string_view rest(position_, static_cast<std::size_t>(line_end - position_));
+  std::size_t length = rest.find(quote);
+  if (quote != "\"") {
+    for (const std::string_view other : TypographicQuotes) length = std::min(length, rest.find(other));
+  }
+  if (length == std::string_view::npos) {
+    position_ = line_end;
+    return finish(TokenKind::Invalid, begin, {begin, static_cast<std::size_t>(line_end - begin)});
+  }
+  position_ += length + quote.size();
+  return finish(TokenKind::String, begin, rest.substr(0, length));
+}
+
+}  // namespace grf

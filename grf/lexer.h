@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grf/source_location.h"
+
+namespace grf {
+
+enum class TokenKind { EndOfFile, Word, Number, String, Punctuation, Invalid };
+
+/// A piece of the text. Views and positions are into the lexer's text: nothing is allocated for a token.
+struct Token {
+  TokenKind kind = TokenKind::EndOfFile;
+  std::string_view text;        ///< a string's without its quotes
+  std::uint32_t line = 1;       ///< from 1
+  const char* begin = nullptr;  ///< the first character in the text, a quote included
+  const char* line_begin = nullptr;
+
+  bool is(char punctuation) const { return kind == TokenKind::Punctuation && text.front() == punctuation; }
+};
+
+struct CommentToken {
+  std::string_view text;  ///< without `//`
+  std::uint32_t line = 1;
+};
+
+/// Cuts GRF text into tokens, one token ahead (`grf-format`, section 1: words).
+class Lexer {
+ public:
+  /// The text is kept alive by the lexer; a byte-order mark is skipped.
+  Lexer(std::shared_ptr<const std::string> text, std::shared_ptr<const SourceFile> file);
+
+  const Token& peek() const { return ahead_; }
+  Token next();
+  /// The token after the one ahead. Costs a second scan: not for lists of numbers.
+  Token peek_second();
+
+  /// Comments met up to the token ahead, that nobody took or dropped yet.
+  std::vector<CommentToken>& comments() { return comments_; }
+  std::uint32_t line_of_last() const { return line_of_last_; }
+
+  SourceLocation location(const Token& token) const;
+
+ private:
+  void skip_space_and_comments();
+  Token scan();
+  Token scan_number();
+  Token scan_string(std::string_view quote);
+  Token finish(TokenKind kind, const char* begin, std::string_view text) const;
+
+  std::shared_ptr<const std::string> text_;
+  std::shared_ptr<const SourceFile> file_;
+  const char* position_;
+  const char* end_;
+  const char* line_begin_;
+  std::uint32_t line_ = 1;
+  std::uint32_t line_of_last_ = 1;
+  std::vector<CommentToken> comments_;
+  Token ahead_;
+};
+
+}  // namespace grf

@@ -1,0 +1,22 @@
+// The one vector library of the project: Imath, under names of our own.
+#pragma once
+
+#include <ImathBox.h>
+#include <ImathMatrix.h>
+#include <ImathVec.h>
+
+namespace grf {
+
+using Vec2f = Imath::V2f;
+using Vec3f = Imath::V3f;
+using Vec3d = Imath::V3d;
+using Box3f = Imath::Box3f;
+
+/// Row-vector convention, as everywhere in Imath: a point is transformed by `point * matrix`,
+/// and `a * b` acts like a first, then b.
+using Matrix44d = Imath::M44d;
+
+/// Linear RGB. Reflectances are 0..1, radiances W/(sr m2) and >= 0.
+using Colour = Imath::V3f;
+
+}  // namespace grf

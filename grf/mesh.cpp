@@ -1,0 +1,49 @@
+#include "grf/mesh.h"
+
+#include <algorithm>
+
+namespace grf {
+
+void Mesh::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index) {
+  corners.insert(corners.end(), face_corners.begin(), face_corners.end());
+  face_offsets.push_back(static_cast<std::uint32_t>(corners.size()));
+  surface_of_face.push_back(surface_index);
+}
+
+bool operator==(const Mesh& a, const Mesh& b) {
+  const bool same_shape = a.name == b.name && a.comments == b.comments && a.positions == b.positions &&
+                          a.normals == b.normals && a.colours == b.colours && a.corners == b.corners &&
+                          a.face_offsets == b.face_offsets && a.surfaces.front() == b.surfaces.front();
+  if (!same_shape) return false;
+  std::uint32_t known_a = 0;
+  std::uint32_t known_b = 0;  // the last pair found equal: faces come in runs
+  for (std::size_t i = 0; i < a.face_count(); ++i) {
+    const std::uint32_t surface_a = a.surface_of_face[i];
+    const std::uint32_t surface_b = b.surface_of_face[i];
+    if (surface_a == known_a && surface_b == known_b) continue;
+    if (a.surfaces[surface_a] != b.surfaces[surface_b]) return false;
+    known_a = surface_a;
+    known_b = surface_b;
+  }
+  return true;
+}
+
+SurfaceIndex::SurfaceIndex(Mesh& mesh) : mesh_(&mesh) {
+  for (std::uint32_t i = 0; i < mesh.surfaces.size(); ++i) {
+    by_hash_.emplace(hash_value(mesh.surfaces[i]), i);
+  }
+}
+
+std::uint32_t SurfaceIndex::index_of(const Surface& surface) {
+  const std::size_t hash = hash_value(surface);
+  const auto [first, last] = by_hash_.equal_range(hash);
+  const auto known =
+      std::find_if(first, last, [&](const auto& entry) { return mesh_->surfaces[entry.second] == surface; });
+  if (known != last) return known->second;
+  const auto index = static_cast<std::uint32_t>(mesh_->surfaces.size());
+  mesh_->surfaces.push_back(surface);
+  by_hash_.emplace(hash, index);
+  return index;
+}
+
+}  // namespace grf

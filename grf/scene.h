@@ -1,0 +1,108 @@
+// A scene as its author wrote it: a plain value, a tree of blocks. A copy is a snapshot; meshes and
+// included files are shared by copies until one of them is edited.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "grf/comments.h"
+#include "grf/math.h"
+#include "grf/mesh.h"
+#include "grf/model.h"
+#include "grf/shared.h"
+#include "grf/source_location.h"
+
+namespace grf {
+
+struct Block;
+
+/// What stands between the `begin` and `end` of a scope, or in a file.
+struct BlockList {
+  std::vector<Block> blocks;
+  std::vector<std::string> end_comments;  ///< after the last block
+
+  friend bool operator==(const BlockList& a, const BlockList& b);
+};
+
+/// A parallelogram that emits from the side to which edge1 x edge2 points.
+struct AreaLight {
+  Vec3f corner;
+  Vec3f edge1;
+  Vec3f edge2;
+  std::optional<Colour> radiance;  ///< W/(sr m2); absent: 1
+
+  bool operator==(const AreaLight&) const = default;
+};
+
+/// What an included file held when it was read, so that saving rewrites only files that changed.
+struct IncludeOrigin {
+  std::string path;  ///< canonical; empty for an include that was not read from a file
+  Shared<BlockList> contents;
+
+  /// Where a thing came from makes it no other thing.
+  bool operator==(const IncludeOrigin&) const { return true; }
+};
+
+/// A file whose blocks stand in the place of the include.
+struct Include {
+  std::string file;  ///< as written, relative to the folder of the file that names it
+  Shared<BlockList> contents;
+  IncludeOrigin origin;
+
+  bool operator==(const Include&) const = default;
+};
+
+/// One step of a transform: factors, angles in radians about x, then y, then z, or an offset.
+struct TransformStep {
+  enum class Kind { Scale, Rotation, Translation };
+  Kind kind = Kind::Translation;
+  Vec3f value;
+
+  bool operator==(const TransformStep&) const = default;
+};
+
+/// Steps act on the body in the order written.
+struct Transform {
+  std::vector<TransformStep> steps;
+  BlockList body;
+
+  bool operator==(const Transform&) const = default;
+};
+
+struct Definition {
+  std::string name;
+  std::variant<Colour, BrdfModel, PdfModel> body;
+  Comments comments;
+  SourceLocation location;
+
+  bool operator==(const Definition&) const = default;
+};
+
+/// Names that hold for the body, and for the files included from there.
+struct DefinitionScope {
+  std::vector<Definition> definitions;
+  BlockList body;
+
+  bool operator==(const DefinitionScope&) const = default;
+};
+
+struct Block {
+  std::variant<Shared<Mesh>, AreaLight, Include, Transform, DefinitionScope> content;
+  Comments comments;
+  SourceLocation location;
+
+  bool operator==(const Block&) const = default;
+};
+
+struct Scene {
+  BlockList contents;
+
+  bool operator==(const Scene&) const = default;
+};
+
+/// The matrix of a list of transform steps, in double so that nested ones lose nothing.
+Matrix44d matrix_of(const std::vector<TransformStep>& steps);
+
+}  // namespace grf

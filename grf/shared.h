@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+namespace grf {
+
+/// A value whose copies share memory until one of them is edited. Copies compare as their values do.
+/// Copies in different threads may be read at once; a single object must not be edited meanwhile.
+template <class T>
+class Shared {
+ public:
+  Shared() : value_(std::make_shared<T>()) {}
+  Shared(T value) : value_(std::make_shared<T>(std::move(value))) {}  // NOLINT: a value is one of its kind
+
+  const T& operator*() const { return *value_; }
+  const T* operator->() const { return value_.get(); }
+
+  /// The value, to be changed: first copied if others share it.
+  T& edit() {
+    if (value_.use_count() > 1) value_ = std::make_shared<T>(*value_);
+    return *value_;
+  }
+
+  friend bool operator==(const Shared& a, const Shared& b) {
+    return a.value_ == b.value_ || *a.value_ == *b.value_;
+  }
+
+ private:
+  std::shared_ptr<T> value_;
+};
+
+}  // namespace grf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+
+#include "grf/math.h"
+#include "grf/scene.h"
+
+namespace grf {
+
+/// The figures of a scene. What is placed several times counts as often; lengths are in world units.
+struct Summary {
+  std::size_t meshes = 0;
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::size_t triangles = 0;  ///< what the faces give when they are cut into triangles
+  std::size_t lights = 0;     ///< light blocks, and meshes with faces that emit
+  std::size_t brdfs = 0;      ///< definitions, and different ones that faces have on the spot
+  std::size_t pdfs = 0;
+  std::size_t boundary_edges = 0;     ///< edges of one face; vertices at one place count as one
+  std::size_t nonmanifold_edges = 0;  ///< edges of more than two faces
+  Box3f bounds;                       ///< empty if there is nothing
+  double area = 0;
+};
+
+Summary summarize(const Scene& scene);
+
+/// Twice the area of a polygon as a vector along its normal (Newell's method), for any polygon.
+Vec3d doubled_area_vector(const Mesh& mesh, std::size_t face, const Matrix44d& to_world);
+
+}  // namespace grf

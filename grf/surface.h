@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "grf/math.h"
+#include "grf/model.h"
+#include "grf/source_location.h"
+
+namespace grf {
+
+/// The name of a definition in scope.
+struct Reference {
+  std::string name;
+  SourceLocation location;
+
+  bool operator==(const Reference&) const = default;
+};
+
+using ColourAttribute = std::variant<Colour, Reference>;
+using BrdfAttribute = std::variant<BrdfModel, Reference>;
+using PdfAttribute = std::variant<PdfModel, Reference>;
+
+/// What faces share. An attribute that is absent was not given, and its default holds: colour 1,
+/// BRDF diffuse with kd = 0.5, the BRDF's own sampling scheme, no emission.
+struct Surface {
+  std::optional<ColourAttribute> colour;
+  std::optional<BrdfAttribute> brdf;
+  std::optional<PdfAttribute> pdf;
+  std::optional<Colour> emission;  ///< radiance from the front, W/(sr m2)
+
+  bool operator==(const Surface&) const = default;
+};
+
+/// Equal surfaces have equal hashes.
+std::size_t hash_value(const Surface& surface);
+
+}  // namespace grf

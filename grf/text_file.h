@@ -1,0 +1,29 @@
+// Whole files in and out, with what can go wrong said in words.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "grf/diagnostics.h"
+
+namespace grf {
+
+/// The bytes of a regular file, or a diagnostic at `asked_for_at` (or, if that names no file, at the file
+/// itself): missing, a directory, a pipe or device, unreadable.
+std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
+                                             const SourceLocation& asked_for_at = {});
+
+/// Replaces the file by the bytes, or leaves it as it was and says why: a temporary file beside it is
+/// filled, forced to the disk and renamed over it.
+bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);
+
+/// The path of a file that is named in another one: relative names start at that one's folder, and both
+/// kinds of separators are understood.
+std::string path_beside(const std::string& naming_file, std::string_view name);
+
+/// One spelling for each file, whether or not it exists.
+std::string canonical_path(const std::string& path);
+
+}  // namespace grf

@@ -1,0 +1,361 @@
+#include "grf/write.h"
+
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "grf/text_file.h"
+#include "grf/visit.h"
+
+namespace grf {
+namespace {
+
+// fmt writes the fewest digits that read back to the same float, without regard to the locale.
+void put(std::string& text, const Vec3f& v) {
+  fmt::format_to(std::back_inserter(text), "({}, {}, {})", v.x, v.y, v.z);
+}
+
+std::string quoted(const std::string& string) {
+  const bool has_quote = string.find('"') != std::string::npos;
+  return has_quote ? "\u201C" + string + "\u201D" : '"' + string + '"';
+}
+
+class Writer {
+ public:
+  /// The definitions in force where the text will stand.
+  explicit Writer(Scope scope = {}) : scope_(std::move(scope)) {}
+
+  void blocks(const BlockList& list) {
+    for (const Block& block : list.blocks) {
+      comments_before(block.comments);
+      std::visit([this](const auto& content) { put_block(content); }, block.content);
+      end_line(block.comments);
+    }
+    for (const std::string& comment : list.end_comments) line("//" + comment);
+  }
+
+  /// A file of no bytes at all is taken for a mistake when it is read.
+  std::string take_text() { return text_.empty() ? "\n" : std::move(text_); }
+
+ private:
+  void put_block(const Shared<Mesh>& mesh);
+  void put_block(const AreaLight& light);
+  void put_block(const Include& include) { begin_line("include " + quoted(include.file)); }
+  void put_block(const Transform& transform);
+  void put_block(const DefinitionScope& definitions);
+
+  void put_definition(const Definition& definition, bool first);
+  void put_body(const BlockList& body);
+  void put_vertices(const Mesh& mesh);
+  void put_faces(const Mesh& mesh);
+  void put_attributes(const Surface& surface, const MeshComments& comments);
+  void put_changes(const Surface& before, const Surface& after);
+  void put_attribute(const ColourAttribute& colour);
+  void put_attribute(const BrdfAttribute& brdf) { put_model("brdf ", brdf); }
+  void put_attribute(const PdfAttribute& pdf) { put_model("pdf ", pdf); }
+  void put_attribute(const Colour& emission);
+  template <class Attribute>
+  void put_model(const char* keyword, const Attribute& attribute);
+  template <class Attribute>
+  void put_own(const std::optional<Attribute>& attribute, const Comments& comments);
+  template <class Attribute>
+  void put_change(const char* keyword, const std::optional<Attribute>& before,
+                  const std::optional<Attribute>& after);
+  std::string unambiguous(const Model& model) const;
+
+  void comments_before(const Comments& comments) {
+    for (const std::string& comment : comments.before) line("//" + comment);
+  }
+  void begin_line(std::string_view words) {
+    text_.append(2 * indentation_, ' ');
+    text_ += words;
+  }
+  void end_line() { text_ += '\n'; }
+  void end_line(const Comments& comments) {
+    if (!comments.behind.empty()) text_ += "  //" + comments.behind;
+    text_ += '\n';
+  }
+  void line(std::string_view words) {
+    begin_line(words);
+    end_line();
+  }
+
+  std::string text_;
+  std::size_t indentation_ = 0;
+  Scope scope_;
+};
+
+void Writer::put_block(const AreaLight& light) {
+  line("light begin");
+  ++indentation_;
+  if (light.radiance) {
+    begin_line("rgb ");
+    put(text_, *light.radiance);
+    end_line();
+  }
+  for (const Vec3f& v : {light.corner, light.edge1, light.edge2}) {
+    begin_line("");
+    put(text_, v);
+    end_line();
+  }
+  --indentation_;
+  begin_line("end");
+}
+
+void Writer::put_block(const Transform& transform) {
+  begin_line("transform");
+  for (const TransformStep& step : transform.steps) {
+    switch (step.kind) {
+      case TransformStep::Kind::Scale:
+        text_ += " scale ";
+        break;
+      case TransformStep::Kind::Rotation:
+        text_ += " rotation ";
+        break;
+      case TransformStep::Kind::Translation:
+        text_ += " translation ";
+        break;
+    }
+    put(text_, step.value);
+  }
+  text_ += " begin\n";
+  put_body(transform.body);
+}
+
+void Writer::put_block(const DefinitionScope& definitions) {
+  bool first = true;
+  for (const Definition& definition : definitions.definitions) {
+    put_definition(definition, first);
+    first = false;
+  }
+  for (const Definition& definition : definitions.definitions) scope_.enter(definition);
+  line("begin");
+  put_body(definitions.body);
+  scope_.leave(definitions.definitions.size());
+}
+
+// What is before the first `def` belongs to the block as a whole, so comments of the first definition stand
+// between `def` and its name.
+void Writer::put_definition(const Definition& definition, bool first) {
+  if (first && !definition.comments.before.empty()) {
+    line("def");
+    ++indentation_;
+    comments_before(definition.comments);
+    begin_line(definition.name);
+    --indentation_;
+  } else {
+    comments_before(definition.comments);
+    begin_line("def " + definition.name);
+  }
+  text_ += " = ";
+  if (const auto* colour = std::get_if<Colour>(&definition.body)) {
+    text_ += "rgb ";
+    put(text_, *colour);
+  } else if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
+    text_ += "brdf " + to_text(*brdf);
+  } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
+    text_ += "pdf " + to_text(*pdf);
+  }
+  end_line(definition.comments);
+}
+
+void Writer::put_body(const BlockList& body) {
+  ++indentation_;
+  blocks(body);
+  --indentation_;
+  begin_line("end");
+}
+
+void Writer::put_block(const Shared<Mesh>& shared_mesh) {
+  const Mesh& mesh = *shared_mesh;
+  line(mesh.name.empty() ? "begin mesh" : "begin mesh " + quoted(mesh.name));
+  ++indentation_;
+  put_attributes(mesh.surfaces.front(), mesh.comments);
+  comments_before(mesh.comments.vertices);
+  put_vertices(mesh);
+  comments_before(mesh.comments.faces);
+  put_faces(mesh);
+  for (const std::string& comment : mesh.comments.end) line("//" + comment);
+  --indentation_;
+  begin_line("end mesh");
+}
+
+void Writer::put_vertices(const Mesh& mesh) {
+  line("begin vertexs");
+  ++indentation_;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    begin_line("");
+    if (mesh.normals.has(i)) {
+      text_ += "normal ";
+      put(text_, mesh.normals[i]);
+      text_ += ' ';
+    }
+    if (mesh.colours.has(i)) {
+      text_ += "rgb ";
+      put(text_, mesh.colours[i]);
+      text_ += ' ';
+    }
+    put(text_, mesh.positions[i]);
+    end_line();
+  }
+  --indentation_;
+  begin_line("end vertexs");
+  end_line(mesh.comments.vertices);
+}
+
+void Writer::put_faces(const Mesh& mesh) {
+  line("begin faces");
+  ++indentation_;
+  std::uint32_t current = 0;
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    if (mesh.surface_of_face[i] != current) {
+      put_changes(mesh.surfaces[current], mesh.surface(i));
+      current = mesh.surface_of_face[i];
+    }
+    begin_line("");
+    fmt::format_to(std::back_inserter(text_), "({})\n", fmt::join(mesh.face(i), ", "));
+  }
+  --indentation_;
+  begin_line("end faces");
+  end_line(mesh.comments.faces);
+}
+
+template <class Attribute>
+void Writer::put_own(const std::optional<Attribute>& attribute, const Comments& comments) {
+  if (!attribute) return;
+  comments_before(comments);
+  begin_line("");
+  put_attribute(*attribute);
+  end_line(comments);
+}
+
+void Writer::put_attributes(const Surface& surface, const MeshComments& comments) {
+  put_own(surface.colour, comments.colour);
+  put_own(surface.brdf, comments.brdf);
+  put_own(surface.pdf, comments.pdf);
+  put_own(surface.emission, comments.emission);
+}
+
+template <class Attribute>
+void Writer::put_change(const char* keyword, const std::optional<Attribute>& before,
+                        const std::optional<Attribute>& after) {
+  if (before == after) return;
+  begin_line("");
+  if (after) {
+    put_attribute(*after);
+  } else {
+    text_ += std::string(keyword) + " none";
+  }
+  end_line();
+}
+
+void Writer::put_changes(const Surface& before, const Surface& after) {
+  put_change("rgb", before.colour, after.colour);
+  put_change("brdf", before.brdf, after.brdf);
+  put_change("pdf", before.pdf, after.pdf);
+  put_change("light", before.emission, after.emission);
+}
+
+void Writer::put_attribute(const ColourAttribute& colour) {
+  text_ += "rgb ";
+  if (const auto* reference = std::get_if<Reference>(&colour)) {
+    text_ += reference->name;
+  } else {
+    put(text_, std::get<Colour>(colour));
+  }
+}
+
+void Writer::put_attribute(const Colour& emission) {
+  text_ += "light rgb ";
+  put(text_, emission);
+}
+
+template <class Attribute>
+void Writer::put_model(const char* keyword, const Attribute& attribute) {
+  text_ += keyword;
+  if (const auto* reference = std::get_if<Reference>(&attribute)) {
+    text_ += reference->name;
+  } else {
+    text_ += unambiguous(std::get<0>(attribute));
+  }
+}
+
+// A keyword without parameters reads as a reference where a definition has the same spelling. Definitions
+// are case-sensitive and keywords are not, so another spelling says the keyword.
+std::string Writer::unambiguous(const Model& model) const {
+  std::string text = to_text(model);
+  if (!model.arguments.empty()) return text;
+  for (std::size_t i = 0; i < text.size() && scope_.find(text) != nullptr; ++i) {
+    const char lower = lower_case(text[i]);
+    const bool is_letter = lower >= 'a' && lower <= 'z';
+    if (is_letter) text[i] = text[i] == lower ? static_cast<char>(lower - 'a' + 'A') : lower;
+  }
+  return text;
+}
+
+/// Writes the files that a scene includes, where they are not what was read from there.
+class IncludeWriter {
+ public:
+  explicit IncludeWriter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  bool blocks(const BlockList& list, const std::string& path) {
+    bool written = true;
+    for (const Block& block : list.blocks) {
+      if (const auto* include = std::get_if<Include>(&block.content)) {
+        written &= put(*include, path_beside(path, include->file));
+      } else if (const auto* transform = std::get_if<Transform>(&block.content)) {
+        written &= blocks(transform->body, path);
+      } else if (const auto* definitions = std::get_if<DefinitionScope>(&block.content)) {
+        for (const Definition& definition : definitions->definitions) scope_.enter(definition);
+        written &= blocks(definitions->body, path);
+        scope_.leave(definitions->definitions.size());
+      }
+    }
+    return written;
+  }
+
+ private:
+  bool put(const Include& include, const std::string& path) {
+    const IncludeOrigin& origin = include.origin;
+    bool written = true;
+    if (origin.path != canonical_path(path) || !(origin.contents == include.contents)) {
+      diagnostics_.note(whole_file(path), "the included file is written too");
+      Writer writer(scope_);
+      writer.blocks(*include.contents);
+      written = replace_file(path, writer.take_text(), diagnostics_);
+    }
+    return blocks(*include.contents, path) && written;
+  }
+
+  Diagnostics& diagnostics_;
+  Scope scope_;
+};
+
+}  // namespace
+
+std::string to_text(const Scene& scene) {
+  Writer writer;
+  writer.blocks(scene.contents);
+  return writer.take_text();
+}
+
+std::string to_text(const Model& model) {
+  std::string text = model.keyword;
+  for (const Argument& argument : model.arguments) {
+    text += ' ' + argument.name + '=';
+    if (const auto* number = std::get_if<float>(&argument.value)) text += fmt::format("{}", *number);
+    if (const auto* flag = std::get_if<bool>(&argument.value)) text += *flag ? "true" : "false";
+    if (const auto* colour = std::get_if<Colour>(&argument.value)) put(text, *colour);
+  }
+  return text;
+}
+
+bool write(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
+  return replace_file(path, to_text(scene), diagnostics) &&
+         IncludeWriter(diagnostics).blocks(scene.contents, path);
+}
+
+}  // namespace grf

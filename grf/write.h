@@ -1,0 +1,21 @@
+// Writing a scene as GRF text: one style, deterministic bytes, the fewest digits that read back.
+#pragma once
+
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
+
+namespace grf {
+
+/// The text of a scene's own file. Included files are named in it, not written out.
+std::string to_text(const Scene& scene);
+
+/// A BRDF as it stands after the word `brdf`.
+std::string to_text(const Model& model);
+
+/// Replaces the file, and the included files whose contents are no longer what is on the disk (each with a
+/// note that names it). A file that cannot be written stays as it was, and the diagnostics say why.
+bool write(const Scene& scene, const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace grf
