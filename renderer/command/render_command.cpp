@@ -1,0 +1,250 @@
+#include "renderer/command/render_command.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "grf/catalogue.h"
+#include "grf/read.h"
+#include "renderer/command/progress_bar.h"
+#include "renderer/options/op_file.h"
+#include "renderer/reflectance/scheme.h"
+#include "renderer/transport/render.h"
+
+namespace command {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using grf::Diagnostics;
+using options::RenderOptions;
+using transport::CompiledScene;
+
+bool is_op_file(const std::string& path) { return std::filesystem::path(path).extension() == ".op"; }
+
+/// A flag's words: `800x600` are two.
+std::vector<std::string> words_of(const options::OptionInfo& option, const std::string& text) {
+  const std::size_t x = text.find('x');
+  if (!std::holds_alternative<options::SizeOption>(option.value) || x == std::string::npos) return {text};
+  return {text.substr(0, x), text.substr(x + 1)};
+}
+
+bool apply_flags(const RenderArguments& arguments, RenderOptions& render_options) {
+  bool right = true;
+  for (const options::OptionInfo& option : options::option_table()) {
+    const auto given = arguments.flags.find(std::string(option.flag));
+    if (option.flag.empty() || given == arguments.flags.end()) continue;
+    const auto problem = set_option(render_options, option, words_of(option, given->second));
+    if (problem) fmt::print(stderr, "error: {} {}\n", option.flag, *problem);
+    right = right && !problem;
+  }
+  return right;
+}
+
+/// What the file says; a GRF file says which scene alone.
+std::optional<RenderOptions> read_options(const std::string& path, Diagnostics& diagnostics) {
+  if (is_op_file(path)) return options::read_op_file(path, diagnostics);
+  RenderOptions render_options;
+  render_options.scene = path;
+  return render_options;
+}
+
+/// An image that cannot be kept is better known before the render than after it.
+bool can_write(const std::string& output, Diagnostics& diagnostics) {
+  if (transport::image_format_of(output) == nullptr) {
+    std::string known;
+    for (const auto& format : transport::image_formats()) known += fmt::format(" .{}", format.extension);
+    diagnostics.error(grf::whole_file(output),
+                      "unknown type of image: the extension has to be one of" + known);
+    return false;
+  }
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  const std::string folder_name = folder.empty() ? "." : folder.string();
+  if (::access(folder_name.c_str(), W_OK | X_OK) == 0) return true;
+  diagnostics.error(grf::whole_file(output), fmt::format("cannot write into the folder '{}'", folder_name));
+  return false;
+}
+
+std::optional<CompiledScene> load(const std::string& path, Diagnostics& diagnostics) {
+  const auto scene = grf::read(path, diagnostics);
+  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
+  auto compiled = transport::compile(*scene, diagnostics);
+  if (compiled && compiled->triangle_count() == 0) {
+    diagnostics.error(grf::whole_file(path),
+                      "the scene has nothing to render: a mesh or a light was expected");
+    return std::nullopt;
+  }
+  return compiled;
+}
+
+transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3f& bounds) {
+  transport::RenderSettings settings;
+  settings.width = render_options.size.width;
+  settings.height = render_options.size.height;
+  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+  settings.view = transport::view_of(bounds, render_options.field_of_view, aspect);
+  if (render_options.viewer) settings.view.eye = *render_options.viewer;
+  if (render_options.target) settings.view.target = *render_options.target;
+  settings.view.up = render_options.up;
+  settings.path.background = render_options.background;
+  settings.path.depth = render_options.depth;
+  settings.samples = render_options.samples;
+  settings.seed = render_options.seed;
+  settings.threads = render_options.threads;
+  return settings;
+}
+
+/// SIGINT and SIGTERM, held back from all threads that start from now on, so that one thread can wait for
+/// them: no handler interrupts anything half done.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigemptyset(&set_);
+    sigaddset(&set_, SIGINT);
+    sigaddset(&set_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &set_, &before_);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  /// Waits for a signal for at most this long; true if one came.
+  bool wait(std::chrono::milliseconds time) const {
+    const timespec timeout = {time.count() / 1000, (time.count() % 1000) * 1'000'000};
+    return sigtimedwait(&set_, nullptr, &timeout) > 0;
+  }
+
+ private:
+  sigset_t set_ = {};
+  sigset_t before_ = {};
+};
+
+/// Runs the render to its end, or to a signal; true if it was interrupted.
+bool run(transport::Render& render) {
+  const HeldSignals signals;
+  std::atomic<bool> ended = false;
+  std::exception_ptr failure;
+  std::thread worker([&] {
+    try {
+      render.run();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    ended = true;
+  });
+  ProgressBar bar;
+  bool interrupted = false;
+  while (!ended) {
+    if (signals.wait(std::chrono::milliseconds(20))) {
+      interrupted = true;
+      render.stop();
+    }
+    bar.show(render.progress());
+  }
+  worker.join();
+  if (failure) std::rethrow_exception(failure);
+  return interrupted;
+}
+
+std::size_t peak_memory_bytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
+                          double setup_seconds, const std::vector<std::string>& effects) {
+  const double seconds = render.seconds();
+  const auto error = render.film().estimated_error();
+  const double pixels = static_cast<double>(render_options.size.width) * render_options.size.height;
+  nlohmann::json summary;
+  summary["output"] = render_options.output;
+  summary["width"] = render_options.size.width;
+  summary["height"] = render_options.size.height;
+  summary["samples"] = render.is_stopped() ? static_cast<double>(render.path_count()) / pixels
+                                           : static_cast<double>(render_options.samples);
+  summary["setup_seconds"] = setup_seconds;
+  summary["render_seconds"] = seconds;
+  summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
+  summary["rays_per_second"] = static_cast<double>(render.ray_count()) / seconds;
+  summary["estimated_error"] = error ? nlohmann::json(*error) : nlohmann::json(nullptr);
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary["effects"] = effects;
+  return summary;
+}
+
+void print(const nlohmann::json& summary, bool json) {
+  if (json) {
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
+  const auto number = [&](const char* name) { return summary[name].get<double>(); };
+  fmt::print("{}: {}x{} pixels, {:.4g} samples a pixel\n", summary["output"].get<std::string>(),
+             summary["width"].get<int>(), summary["height"].get<int>(), number("samples"));
+  fmt::print("  setup {}, render {} ({:.2f} million paths and {:.2f} million rays a second)\n",
+             duration_text(number("setup_seconds")), duration_text(number("render_seconds")),
+             number("paths_per_second") / 1e6, number("rays_per_second") / 1e6);
+  if (!summary["estimated_error"].is_null()) {
+    fmt::print("  estimated error {:.2f} %\n", 100 * number("estimated_error"));
+  }
+  fmt::print("  peak memory {:.0f} MB, effects: {}\n", number("peak_memory_bytes") / 1e6,
+             fmt::join(summary["effects"].get<std::vector<std::string>>(), ", "));
+}
+
+void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
+
+/// Keeps the image and says how it went.
+ExitCode finish(const transport::Render& render, const RenderOptions& render_options, double setup_seconds,
+                const CompiledScene& scene, bool json, bool interrupted) {
+  Diagnostics outcome;
+  if (render.rejected_samples() > 0) {
+    outcome.warning({},
+                    fmt::format("{} samples were not finite and count as black", render.rejected_samples()));
+  }
+  const bool written = transport::write_image(render.film().mean(), render_options.output, outcome);
+  print(outcome);
+  if (!written) return ExitCode::BadInput;
+  print(summary_of(render, render_options, setup_seconds, scene.effects().names()), json);
+  return interrupted ? ExitCode::Interrupted : ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode render(const RenderArguments& arguments) {
+  const auto start = Clock::now();
+  Diagnostics diagnostics;
+  auto render_options = read_options(arguments.scene, diagnostics);
+  std::optional<CompiledScene> scene;
+  if (render_options) {
+    if (!apply_flags(arguments, *render_options)) return ExitCode::BadCommandLine;
+    if (render_options->output.empty()) {
+      render_options->output =
+          std::filesystem::path(render_options->scene).replace_extension(".exr").string();
+    }
+    if (can_write(render_options->output, diagnostics)) scene = load(render_options->scene, diagnostics);
+  }
+  print(diagnostics);
+  if (!scene) return ExitCode::BadInput;
+  const transport::RenderSettings settings = settings_of(*render_options, scene->bounds());
+  if (settings.view.eye == settings.view.target) {
+    fmt::print(stderr,
+               "error: BPT_Viewer and BPT_VLook are the same point: there is no direction to look in\n");
+    return ExitCode::BadInput;
+  }
+  transport::Render render(*scene, settings);
+  const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const bool interrupted = run(render);
+  return finish(render, *render_options, setup_seconds, *scene, arguments.json, interrupted);
+}
+
+}  // namespace command

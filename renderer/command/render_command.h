@@ -1,0 +1,20 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "renderer/command/exit_code.h"
+
+namespace command {
+
+/// What `bpt render` was told.
+struct RenderArguments {
+  std::string scene;                         ///< an OP file, or a GRF scene
+  std::map<std::string, std::string> flags;  ///< options of the table by their flags, as `--samples`
+  bool json = false;
+};
+
+/// Renders, writes the image and a summary. SIGINT and SIGTERM end it early with the image so far.
+ExitCode render(const RenderArguments& arguments);
+
+}  // namespace command

@@ -1,0 +1,132 @@
+#include "renderer/options/op_file.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "grf/text_file.h"
+
+namespace options {
+namespace {
+
+struct Word {
+  std::string text;
+  std::uint32_t column = 1;
+};
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+
+/// A comment starts a line or follows white space, so that `a#b` and `http://x` are words.
+bool starts_comment(std::string_view rest) { return rest.starts_with('#') || rest.starts_with("//"); }
+
+/// Words of a line; a quoted one may contain spaces.
+std::vector<Word> words_of(std::string_view line) {
+  std::vector<Word> words;
+  std::size_t i = 0;
+  while (true) {
+    while (i < line.size() && is_space(line[i])) ++i;
+    if (i == line.size() || starts_comment(line.substr(i))) return words;
+    const auto column = static_cast<std::uint32_t>(i + 1);
+    std::size_t end = i;
+    if (line[i] == '"') {
+      end = line.find('"', i + 1);
+      words.push_back(
+          {std::string(line.substr(i + 1, end == std::string_view::npos ? end : end - i - 1)), column});
+      i = end == std::string_view::npos ? line.size() : end + 1;
+      continue;
+    }
+    while (end < line.size() && !is_space(line[end])) ++end;
+    words.push_back({std::string(line.substr(i, end - i)), column});
+    i = end;
+  }
+}
+
+class OpReader {
+ public:
+  OpReader(const std::string& path, std::shared_ptr<const std::string> text, grf::Diagnostics& diagnostics)
+      : path_(path),
+        text_(std::move(text)),
+        file_(std::make_shared<grf::SourceFile>(grf::SourceFile{path, {}, text_})),
+        diagnostics_(diagnostics) {}
+
+  std::optional<RenderOptions> run() {
+    std::string_view rest = *text_;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    for (line_ = 1; !rest.empty(); ++line_) {
+      const std::size_t end = rest.find('\n');
+      read_line(words_of(rest.substr(0, end)));
+      rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    }
+    if (options_.scene.empty() && !diagnostics_.has_errors()) {
+      diagnostics_.error({file_, 0, 0},
+                         "no scene is named: a line 'BPT_Scene' and the path of a GRF file was expected");
+    }
+    if (diagnostics_.has_errors()) return std::nullopt;
+    return options_;
+  }
+
+ private:
+  grf::SourceLocation at(const Word& word) const { return {file_, line_, word.column}; }
+
+  /// The option that the line is about, and how many words its key has: underscores may be spaces.
+  std::pair<const OptionInfo*, std::size_t> key_of(const std::vector<Word>& words) const {
+    std::string key;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      key += (i > 0 ? "_" : "") + words[i].text;
+      if (const OptionInfo* option = find_option(key)) return {option, i + 1};
+    }
+    return {nullptr, 0};
+  }
+
+  void read_line(const std::vector<Word>& words) {
+    if (words.empty()) return;
+    const auto [option, key_words] = key_of(words);
+    if (option == nullptr) return report_unknown(words[0]);
+    if (const auto [first, is_new] = lines_.emplace(option, line_); !is_new) {
+      diagnostics_.error(at(words[0]),
+                         fmt::format("{} is given twice, first in line {}", option->key, first->second));
+      return;
+    }
+    std::vector<std::string> values;
+    for (std::size_t i = key_words; i < words.size(); ++i) values.push_back(words[i].text);
+    const auto* path = std::get_if<PathOption>(&option->value);
+    if (path != nullptr && values.size() == 1) values[0] = grf::path_beside(path_, values[0]);
+    if (const auto problem = set_option(options_, *option, values)) {
+      const Word& place = words.size() > key_words ? words[key_words] : words[0];
+      diagnostics_.error(at(place), fmt::format("{}: {}", option->key, *problem));
+    }
+  }
+
+  void report_unknown(const Word& word) {
+    std::vector<std::string> keys;
+    for (const OptionInfo& option : option_table()) keys.emplace_back(option.key);
+    const std::string suggestion = grf::did_you_mean(word.text, keys);
+    diagnostics_.error(at(word), fmt::format("unknown option '{}'{}", word.text,
+                                             suggestion.empty() ? "" : ": " + suggestion));
+  }
+
+  const std::string& path_;
+  std::shared_ptr<const std::string> text_;
+  std::shared_ptr<const grf::SourceFile> file_;
+  grf::Diagnostics& diagnostics_;
+  RenderOptions options_;
+  std::map<const OptionInfo*, std::uint32_t> lines_;
+  std::uint32_t line_ = 1;
+};
+
+}  // namespace
+
+std::optional<RenderOptions> read_op_file(const std::string& path, grf::Diagnostics& diagnostics) {
+  auto text = grf::read_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  if (text->empty()) {
+    diagnostics.error(grf::whole_file(path), "the file is empty: options, one a line, were expected");
+    return std::nullopt;
+  }
+  return OpReader(path, std::move(text), diagnostics).run();
+}
+
+}  // namespace options

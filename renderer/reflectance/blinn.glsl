@@ -1,0 +1,4 @@
+vec3 blinn(vec3 u, vec3 v, real n, vec3 ks, vec3 kd) {
+  if (below_horizon(u, v)) return vec3(0);
+  return bounded(kd / PI + ks * half_power(u, v, n));
+}

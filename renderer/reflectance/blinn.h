@@ -1,0 +1,70 @@
+#pragma once
+
+#include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/mixture.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct BlinnFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/blinn.glsl"
+#include "renderer/reflectance/common.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// The lobe (n.h)^n, not normalised; Blinn's own model of 1977, with facets and Fresnel, is `torrance`.
+struct Blinn {
+  float n = 100;
+  Rgb ks = Rgb(0.4F);
+  Rgb kd = Rgb(0.6F);
+
+  static ModelTable<Blinn> table() {
+    return {
+        "blinn",
+        "Blinn-Phong",
+        "Blinn 1977",
+        {number_parameter(&Blinn::n, "n", 0, 1e6F, "exponent of the lobe", grf::ParameterScale::Logarithmic),
+         reflectance_parameter(&Blinn::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
+         reflectance_parameter(&Blinn::kd, "kd", "albedo of the diffuse part")},
+        {},
+        {},
+        "reflects more than it receives where kd + 8 pi ks (n+2^(-n/2))/((n+2)(n+4)) > 1: the lobe is not "
+        "normalised"};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::BlinnFormula<Real>().blinn(u, v, Real(n), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
+    // cos(delta) = (1 - xi)^(1/(n+1)), by way of 1 - cos, which narrow lobes need.
+    const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
+    const float sine = std::sqrt(below_one * (2 - below_one));
+    return reflected(u, from_angles(1 - below_one, sine, 2 * Pi * xi.y));
+  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+    return (n + 1) / (8 * Pi * cosine_of_half(u, v)) * glsl::BlinnFormula<float>().half_power(u, v, n);
+  }
+  float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
+    return 8 * Pi * cosine_of_half(u, v) / (n + 1) * v.z;
+  }
+  float lobe_albedo(const Vec3f&) const {
+    return std::min(1.0F, 8 * Pi * (n + std::exp2(-n / 2)) / ((n + 2) * (n + 4)));
+  }
+
+  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    return sample_mixture(*this, u, xi);
+  }
+  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
+};
+
+}  // namespace reflectance

@@ -1,0 +1,62 @@
+#include "renderer/reflectance/brdf.h"
+
+#include "grf/keywords.h"
+#include "renderer/reflectance/each_type.h"
+
+namespace reflectance {
+std::optional<Brdf> make_brdf(const grf::Model& data) {
+  std::optional<Brdf> brdf;
+  EachType<Brdf>::any([&](auto model) {
+    using Model = decltype(model);
+    if (!grf::same_keyword(Model::table().keyword, data.keyword)) return false;
+    brdf = make<Model>(data);
+    return true;
+  });
+  return brdf;
+}
+
+Brdf default_brdf() { return Diffuse(); }
+
+bool has_mirror(const Brdf& brdf) {
+  return std::visit(
+      [](const auto& model) {
+        return requires { model.mirror(Vec3f()); };
+      },
+      brdf);
+}
+
+bool has_density(const Brdf& brdf) { return !std::holds_alternative<Specular>(brdf); }
+
+bool has_diffuse_part(const Brdf& brdf) {
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.kd; }) return !is_black(model.kd);
+        return false;
+      },
+      brdf);
+}
+
+bool has_glossy_part(const Brdf& brdf) {
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.lobe_albedo(Vec3f()); }) return !is_black(model.ks);
+        return false;
+      },
+      brdf);
+}
+
+bool is_anisotropic(const Brdf& brdf) {
+  const auto* ward = std::get_if<Ward>(&brdf);
+  return ward != nullptr && ward->sx != ward->sy;
+}
+
+std::vector<grf::ModelInfo> brdf_infos() {
+  std::vector<grf::ModelInfo> infos;
+  EachType<Brdf>::any([&](auto model) {
+    infos.push_back(info_of<decltype(model)>());
+    return false;
+  });
+  return infos;
+}
+
+}  // namespace reflectance

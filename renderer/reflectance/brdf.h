@@ -1,0 +1,57 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "grf/catalogue.h"
+#include "renderer/reflectance/blinn.h"
+#include "renderer/reflectance/diffuse.h"
+#include "renderer/reflectance/lewis.h"
+#include "renderer/reflectance/phong.h"
+#include "renderer/reflectance/specular.h"
+#include "renderer/reflectance/ward.h"
+
+namespace reflectance {
+
+/// All models: the one list that a new model is added to.
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward>;
+
+/// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
+/// have been checked against the catalogue.
+std::optional<Brdf> make_brdf(const grf::Model& model);
+
+/// What a face without a BRDF has: diffuse with kd = 0.5.
+Brdf default_brdf();
+
+inline Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf);
+}
+
+/// The weight of the Dirac part of a model, 0 for those that have none.
+template <class Model>
+Rgb mirror(const Model& model, const Vec3f& u) {
+  if constexpr (requires { model.mirror(u); }) {
+    return model.mirror(u);
+  } else {
+    return Rgb(0);
+  }
+}
+
+/// True if the model has a Dirac part.
+bool has_mirror(const Brdf& brdf);
+
+/// True if there is anything besides a Dirac part.
+bool has_density(const Brdf& brdf);
+
+/// True if there is a part that reflects the same radiance in all directions.
+bool has_diffuse_part(const Brdf& brdf);
+
+/// True if there is a lobe: a part that is neither diffuse nor a Dirac part.
+bool has_glossy_part(const Brdf& brdf);
+
+/// True if turning both directions about the normal changes the value.
+bool is_anisotropic(const Brdf& brdf);
+
+std::vector<grf::ModelInfo> brdf_infos();
+
+}  // namespace reflectance

@@ -1,0 +1,25 @@
+// What several models share. All directions are unit vectors in the local frame, z along the normal, u
+// towards the eye and v towards the light.
+
+// A cosine this small counts as the horizon: no denominator of a formula can then overflow.
+bool below_horizon(vec3 u, vec3 v) { return !(u.z > 1e-12f && v.z > 1e-12f); }
+
+// The last step of every model: nothing that leaves it is infinite, negative or not a number.
+real bounded_channel(real f) { return f > 0 ? min(f, real(1e30f)) : real(0); }
+vec3 bounded(vec3 f) { return vec3(bounded_channel(f.x), bounded_channel(f.y), bounded_channel(f.z)); }
+
+// tan^2 of the angle between the normal and h = u + v, which need not be of unit length.
+real tan2_of_half(vec3 h) { return (h.x * h.x + h.y * h.y) / (h.z * h.z); }
+
+// (u . r)^n, r the mirror direction of v. From the distance of u and r, since the cosine has lost the digits
+// that a large n asks for.
+real mirror_power(vec3 u, vec3 v, real n) {
+  real x = u.x + v.x;
+  real y = u.y + v.y;
+  real z = u.z - v.z;
+  real d2 = x * x + y * y + z * z;
+  return d2 >= 2 ? real(0) : exp(n * log1p(-d2 / 2));
+}
+
+// (n . h)^n
+real half_power(vec3 u, vec3 v, real n) { return exp(-n / 2 * log1p(tan2_of_half(u + v))); }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct DiffuseFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/diffuse.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// Lambert: the same radiance in all directions.
+struct Diffuse {
+  Rgb kd = Rgb(0.5F);
+
+  static ModelTable<Diffuse> table() {
+    return {"diffuse", "Lambert", "Lambert 1760", {reflectance_parameter(&Diffuse::kd, "kd", "albedo")}};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::DiffuseFormula<Real>().diffuse(u, v, Vec3<Real>(kd));
+  }
+
+  float albedo_estimate(const Vec3f&) const { return mean(kd); }
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    const Vec3f v = cosine_direction(xi.direction);
+    if (u.z <= 0 || v.z <= 0) return std::nullopt;
+    return DirectionSample{v, kd, cosine_density(v)};
+  }
+  float density(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_density(v) : 0; }
+};
+
+}  // namespace reflectance

@@ -1,0 +1,75 @@
+// Directions in the local frame (z along the normal), and ways to draw them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "grf/math.h"
+
+namespace reflectance {
+
+using grf::Vec2f;
+using grf::Vec3f;
+
+/// Linear RGB reflectance, BRDF value or weight.
+using Rgb = Imath::V3f;
+
+constexpr float Pi = std::numbers::pi_v<float>;
+
+inline float mean(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
+inline float largest(const Rgb& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
+inline bool is_black(const Rgb& rgb) { return rgb.x <= 0 && rgb.y <= 0 && rgb.z <= 0; }
+
+/// The mirror direction of u.
+inline Vec3f mirrored(const Vec3f& u) { return {-u.x, -u.y, u.z}; }
+
+/// u reflected at a facet whose normal is h: unit if both are.
+inline Vec3f reflected(const Vec3f& u, const Vec3f& h) { return 2 * u.dot(h) * h - u; }
+
+/// u.h = v.h, h being the unit vector half-way between u and v.
+inline float cosine_of_half(const Vec3f& u, const Vec3f& v) { return (u + v).length() / 2; }
+
+/// The direction at an angle to the axis whose cosine and sine are given, at azimuth phi about it.
+inline Vec3f from_angles(float cosine, float sine, float phi) {
+  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
+}
+
+/// An orthonormal frame about a unit vector, without the poor digits of crossing with a fixed axis
+/// (Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin 2017, "Building an orthonormal basis,
+/// revisited").
+struct Frame {
+  Vec3f x, y, z;
+
+  explicit Frame(const Vec3f& normal) : z(normal) {
+    const float sign = std::copysign(1.0F, z.z);
+    const float a = -1 / (sign + z.z);
+    const float b = z.x * z.y * a;
+    x = {1 + sign * z.x * z.x * a, sign * b, -sign * z.x};
+    y = {b, sign + z.y * z.y * a, -z.y};
+  }
+
+  Vec3f to_local(const Vec3f& world) const { return {world.dot(x), world.dot(y), world.dot(z)}; }
+  Vec3f to_world(const Vec3f& local) const { return local.x * x + local.y * y + local.z * z; }
+};
+
+/// Two uniform numbers in [0,1) to a point of the unit disc, keeping areas and neighbourhoods
+/// (Shirley and Chiu 1997, "A low distortion map between disk and square").
+inline Vec2f to_disc(const Vec2f& xi) {
+  const float a = 2 * xi.x - 1;
+  const float b = 2 * xi.y - 1;
+  if (a == 0 && b == 0) return {0, 0};
+  const bool wide = std::abs(a) > std::abs(b);
+  const float radius = wide ? a : b;
+  const float phi = wide ? Pi / 4 * (b / a) : Pi / 2 - Pi / 4 * (a / b);
+  return {radius * std::cos(phi), radius * std::sin(phi)};
+}
+
+/// A direction with density cos(theta)/pi.
+inline Vec3f cosine_direction(const Vec2f& xi) {
+  const Vec2f point = to_disc(xi);
+  return {point.x, point.y, std::sqrt(std::max(0.0F, 1 - point.dot(point)))};
+}
+inline float cosine_density(const Vec3f& v) { return std::max(0.0F, v.z) / Pi; }
+
+}  // namespace reflectance

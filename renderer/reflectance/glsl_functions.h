@@ -1,0 +1,47 @@
+// What formulas may use besides arithmetic: the functions and types of GLSL 3.30, under GLSL's names, for
+// C++ in float and in double. glsl_functions.glsl is the other half. A formula is a struct of this namespace
+// whose template parameter is called `real`, with `vec3` and `PI` beside it, that includes common.glsl and
+// the model's text as its member functions.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include <ImathVec.h>
+
+namespace reflectance::glsl {
+
+inline int floatBitsToInt(float x) { return std::bit_cast<std::int32_t>(x); }
+inline float intBitsToFloat(int x) { return std::bit_cast<float>(x); }
+
+using std::abs;
+using std::exp;
+using std::sqrt;
+
+template <class Real>
+Real min(Real a, Real b) {
+  return a < b ? a : b;
+}
+template <class Real>
+Real max(Real a, Real b) {
+  return a > b ? a : b;
+}
+template <class Real>
+Imath::Vec3<Real> min(const Imath::Vec3<Real>& a, Real b) {
+  return {min(a.x, b), min(a.y, b), min(a.z, b)};
+}
+
+/// Functions that GLSL lacks, written in it: in float both languages run this text.
+struct FloatFunctions {
+  using real = float;
+#include "renderer/reflectance/float_functions.glsl"
+};
+
+inline float log1p(float x) { return FloatFunctions().log1p_of(x); }
+inline double log1p(double x) { return std::log1p(x); }
+
+template <class real>
+constexpr real Pi = real(3.14159265358979323846L);
+
+}  // namespace reflectance::glsl

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/mixture.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct LewisFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/lewis.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// The Phong lobe, normalised: reciprocal, with an albedo of at most kd + ks. About the mirror direction, and
+/// not about h as printed, where the same factor would reflect up to four times what is received.
+struct Lewis {
+  float n = 100;
+  Rgb ks = Rgb(0.4F);
+  Rgb kd = Rgb(0.6F);
+
+  static ModelTable<Lewis> table() {
+    return {
+        "lewis",
+        "Normalised Phong lobe",
+        "Lewis 1993",
+        {number_parameter(&Lewis::n, "n", 0, 1e6F, "exponent of the lobe", grf::ParameterScale::Logarithmic),
+         reflectance_parameter(&Lewis::ks, "ks", "albedo of the lobe at normal incidence"),
+         reflectance_parameter(&Lewis::kd, "kd", "albedo of the diffuse part")},
+        {},
+        {},
+        {}};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::LewisFormula<Real>().lewis(u, v, Real(n), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return cosine_lobe_direction(u, n, xi); }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
+  float lobe_ratio(const Vec3f&, const Vec3f& v) const { return (n + 2) / (n + 1) * v.z; }
+  float lobe_albedo(const Vec3f&) const { return 1; }
+
+  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    return sample_mixture(*this, u, xi);
+  }
+  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
+};
+
+}  // namespace reflectance

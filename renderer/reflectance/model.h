@@ -1,0 +1,153 @@
+// What every BRDF model is made of. A model is a pair of files: `ward.glsl` has its formula, written once for
+// GLSL and C++, and `ward.h` a struct like this:
+//
+//   struct Ward {
+//     float sx = 0.2F;                        // parameters, with their defaults
+//     static ModelTable<Ward> table();        // names, ranges and what the model is
+//     template <class Real> Vec3<Real> evaluate(u, v) const;
+//     Rgb mirror(u) const;                    // only where there is a Dirac part
+//     float albedo_estimate(u) const;         // mean reflectance without the Dirac part, for picking parts
+//     std::optional<DirectionSample> sample(u, xi) const;   // its own closed form
+//     float density(u, v) const;
+//   };
+//
+// The contract, which all models and sampling schemes keep: local frame, z = normal; u towards the eye, v
+// towards the light, both unit and pointing away from the surface. `evaluate` is f in 1/sr, finite and >= 0,
+// RGB, without cosine and without the Dirac part; 0 where a direction is at or under the horizon. `mirror(u)`
+// is the weight w of the Dirac part w delta(v - r_u)/cos(theta_v). `density` is per solid angle, of exactly
+// what `sample` draws. An empty sample is one that carries nothing.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "grf/catalogue.h"
+#include "grf/model.h"
+#include "renderer/reflectance/geometry.h"
+
+namespace reflectance {
+
+template <class Real>
+using Vec3 = Imath::Vec3<Real>;
+
+/// Three independent uniform numbers in [0,1): one to choose a part with, two for a direction.
+struct Uniforms {
+  Vec2f direction;
+  float choice = 0;
+};
+
+struct DirectionSample {
+  Vec3f direction;
+  Rgb weight;  ///< f cos(theta_v) / density
+  float density = 0;
+};
+
+/// One row of a model's table: the field, and all that is said of it but its default, which is the field's.
+template <class Model>
+struct Parameter {
+  std::variant<float Model::*, Rgb Model::*, bool Model::*> field;
+  grf::ParameterInfo info;
+};
+
+template <class Model>
+struct ModelTable {
+  std::string_view keyword;
+  std::string_view title;
+  std::string_view paper;
+  std::vector<Parameter<Model>> parameters;
+  std::string_view not_isotropic = {};  ///< see grf::ModelInfo
+  std::string_view not_reciprocal = {};
+  std::string_view not_conserving = {};
+};
+
+inline void describe(grf::ParameterInfo& entry, float default_value) {
+  entry.kind = grf::ParameterKind::Number;
+  entry.default_value = default_value;
+}
+inline void describe(grf::ParameterInfo& entry, const Rgb& default_value) {
+  entry.kind = grf::ParameterKind::Reflectance;
+  entry.default_value = default_value.x;
+}
+inline void describe(grf::ParameterInfo& entry, bool default_value) {
+  entry.kind = grf::ParameterKind::Boolean;
+  entry.default_value = default_value ? 1.0F : 0.0F;
+}
+
+/// The descriptor of a model for those who do not know its type.
+template <class Model>
+grf::ModelInfo info_of() {
+  const ModelTable<Model> table = Model::table();
+  grf::ModelInfo info{table.keyword,       table.title,          table.paper,         {},
+                      table.not_isotropic, table.not_reciprocal, table.not_conserving};
+  static const Model defaults;
+  for (const Parameter<Model>& parameter : table.parameters) {
+    info.parameters.push_back(parameter.info);
+    grf::ParameterInfo& entry = info.parameters.back();
+    std::visit([&](auto field) { describe(entry, defaults.*field); }, parameter.field);
+  }
+  return info;
+}
+
+inline void assign(float& field, const grf::Value& value) {
+  if (const auto* number = std::get_if<float>(&value)) field = *number;
+}
+inline void assign(Rgb& field, const grf::Value& value) {
+  if (const auto* number = std::get_if<float>(&value)) field = Rgb(*number);
+  if (const auto* rgb = std::get_if<grf::Colour>(&value)) field = *rgb;
+}
+inline void assign(bool& field, const grf::Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) field = *flag;
+  if (const auto* number = std::get_if<float>(&value)) field = *number != 0;
+}
+
+/// A model from its data, which `grf::check` found right: values that are left out take their defaults.
+template <class Model>
+Model make(const grf::Model& data) {
+  Model model;
+  const ModelTable<Model> table = Model::table();
+  const auto argument_of = [&](std::string_view name) -> const grf::Argument* {
+    for (const Parameter<Model>& parameter : table.parameters) {
+      if (parameter.info.is_called(name)) return grf::find_argument(data, parameter.info);
+    }
+    return nullptr;
+  };
+  for (const Parameter<Model>& parameter : table.parameters) {
+    const grf::Argument* argument = grf::find_argument(data, parameter.info);
+    if (argument == nullptr && !parameter.info.default_from.empty()) {
+      argument = argument_of(parameter.info.default_from);
+    }
+    if (argument == nullptr) continue;
+    std::visit([&](auto field) { assign(model.*field, argument->value); }, parameter.field);
+  }
+  return model;
+}
+
+// Rows of tables.
+
+template <class Model>
+Parameter<Model> reflectance_parameter(Rgb Model::*field, std::string_view name, std::string_view help,
+                                       std::vector<std::string_view> aliases = {}) {
+  grf::ParameterInfo info;
+  info.name = name;
+  info.aliases = std::move(aliases);
+  info.help = help;
+  return {field, std::move(info)};
+}
+
+template <class Model>
+Parameter<Model> number_parameter(float Model::*field, std::string_view name, float minimum, float maximum,
+                                  std::string_view help,
+                                  grf::ParameterScale scale = grf::ParameterScale::Linear) {
+  grf::ParameterInfo info;
+  info.name = name;
+  info.minimum = minimum;
+  info.maximum = maximum;
+  info.scale = scale;
+  info.help = help;
+  return {field, std::move(info)};
+}
+
+}  // namespace reflectance

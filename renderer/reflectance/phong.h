@@ -1,0 +1,59 @@
+#pragma once
+
+#include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/mixture.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct PhongFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/phong.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// The Phong lobe as published: its specular term is a BRDF value as it stands, neither normalised nor
+/// divided by the light's cosine (which the rendering equation has). `lewis` is the normalised one.
+struct Phong {
+  float n = 100;
+  Rgb ks = Rgb(0.4F);
+  Rgb kd = Rgb(0.6F);
+
+  static ModelTable<Phong> table() {
+    return {
+        "phong",
+        "Phong",
+        "Phong 1975",
+        {number_parameter(&Phong::n, "n", 0, 1e6F, "exponent of the lobe", grf::ParameterScale::Logarithmic),
+         reflectance_parameter(&Phong::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
+         reflectance_parameter(&Phong::kd, "kd", "albedo of the diffuse part")},
+        {},
+        {},
+        "reflects more than it receives where kd + 2 pi ks/(n+2) > 1: the lobe is not normalised"};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::PhongFormula<Real>().phong(u, v, Real(n), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return cosine_lobe_direction(u, n, xi); }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
+  float lobe_ratio(const Vec3f&, const Vec3f& v) const { return 2 * Pi / (n + 1) * v.z; }
+  float lobe_albedo(const Vec3f&) const { return 2 * Pi / (n + 2); }
+
+  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    return sample_mixture(*this, u, xi);
+  }
+  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
+};
+
+}  // namespace reflectance

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/mixture.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct WardFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/ward.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// Ward's lobe of Gaussian slopes, fitted to measurements; isotropic where sx = sy.
+struct Ward {
+  float sx = 0.2F;
+  float sy = 0.2F;
+  Rgb ks = Rgb(0.5F);
+  Rgb kd = Rgb(0.5F);
+
+  static ModelTable<Ward> table() {
+    using grf::ParameterScale;
+    Parameter<Ward> y =
+        number_parameter(&Ward::sy, "sy", 1e-4F, 10, "RMS slope along y", ParameterScale::Logarithmic);
+    y.info.default_from = "sx";
+    return {"ward",
+            "Ward",
+            "Ward 1992",
+            {number_parameter(&Ward::sx, "sx", 1e-4F, 10, "RMS slope along x", ParameterScale::Logarithmic),
+             y, reflectance_parameter(&Ward::ks, "ks", "albedo of a narrow lobe at normal incidence"),
+             reflectance_parameter(&Ward::kd, "kd", "albedo of the diffuse part")},
+            "isotropic where sx = sy",
+            {},
+            "the lobe's albedo grows without bound within about 0.3 degrees of grazing, as published"};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::WardFormula<Real>().ward(u, v, Real(sx), Real(sy), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  // The print has tan(phi_h) = (sx/sy) tan(psi); the exponent asks for sy/sx.
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
+    const float psi = 2 * Pi * xi.y;
+    const float radius = std::sqrt(-std::log1p(-xi.x));
+    const Vec3f h(sx * radius * std::cos(psi), sy * radius * std::sin(psi), 1);
+    return reflected(u, h.normalized());
+  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+    const Vec3f h = u + v;
+    const float x = h.x / (sx * h.z);
+    const float y = h.y / (sy * h.z);
+    const float cosine = h.z / h.length();
+    return std::exp(-(x * x + y * y)) / (4 * Pi * sx * sy * cosine_of_half(u, v) * cosine * cosine * cosine);
+  }
+  float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
+    const Vec3f h = u + v;
+    const float cosine = h.z / h.length();
+    return cosine_of_half(u, v) * cosine * cosine * cosine * std::sqrt(v.z / u.z);
+  }
+  float lobe_albedo(const Vec3f&) const { return 1; }
+
+  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    return sample_mixture(*this, u, xi);
+  }
+  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
+};
+
+}  // namespace reflectance

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "grf/math.h"
+#include "renderer/transport/ray_caster.h"
+
+namespace transport {
+
+/// Where the eye is and what it sees.
+struct View {
+  Vec3f eye;
+  Vec3f target;
+  Vec3f up = Vec3f(0, 1, 0);  ///< where it is parallel to the view, the z axis (or, if need be, x) is taken
+  float field_of_view = 45;   ///< vertical, degrees, between 0 and 180
+};
+
+/// A view of the whole box, from in front (looking along -z) and slightly above.
+View view_of(const grf::Box3f& bounds, float field_of_view, float aspect);
+
+/// A pinhole camera.
+class Camera {
+ public:
+  Camera(const View& view, int width, int height);
+
+  /// The ray through a point of the image: pixels, from the upper left corner.
+  Ray ray(float x, float y) const;
+
+ private:
+  Vec3f eye_;
+  Vec3f corner_;  ///< from the eye to the image's upper left corner, on the plane at distance 1
+  Vec3f step_x_;
+  Vec3f step_y_;
+};
+
+}  // namespace transport

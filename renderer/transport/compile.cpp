@@ -1,0 +1,227 @@
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/visit.h"
+#include "grf/write.h"
+#include "renderer/transport/compiled_scene.h"
+#include "renderer/transport/triangulation.h"
+
+namespace transport {
+namespace {
+
+using grf::AreaLight;
+using grf::Matrix44d;
+using grf::Mesh;
+using grf::Placement;
+using grf::ResolvedSurface;
+using reflectance::Reflector;
+
+Vec3f transformed(const Vec3f& position, const Matrix44d& to_world) {
+  return Vec3f(grf::Vec3d(position) * to_world);
+}
+
+Vec3f transformed_edge(const Vec3f& edge, const Matrix44d& to_world) {
+  grf::Vec3d result;
+  to_world.multDirMatrix(grf::Vec3d(edge), result);
+  return Vec3f(result);
+}
+
+/// Normals follow the inverse transpose.
+Matrix44d normal_matrix(const Matrix44d& to_world) { return to_world.inverse().transposed(); }
+
+bool mirrors(const Matrix44d& to_world) { return to_world.determinant() < 0; }
+
+class Compiler {
+ public:
+  explicit Compiler(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void add(const Mesh& mesh, const Placement& placement);
+  void add(const AreaLight& light, const Placement& placement);
+
+  CompiledScene finish() {
+    if (emitters_.empty()) geometry_.emitter_of_triangle.clear();
+    for (const Vec3f& position : geometry_.positions) geometry_.bounds.extendBy(position);
+    geometry_.positions.emplace_back(0.0F);  // padding, see RayCaster
+    return CompiledScene(std::move(geometry_), std::move(surfaces_), std::move(reflectors_),
+                         Emitters(std::move(emitters_)));
+  }
+
+ private:
+  void add_vertices(const Mesh& mesh, const Matrix44d& to_world);
+  std::vector<std::uint32_t> add_surfaces(const Mesh& mesh, const grf::Scope& scope);
+  void add_face(const Mesh& mesh, std::size_t face, std::uint32_t surface, std::uint32_t first_vertex,
+                bool turn);
+  void add_triangle(const std::array<std::uint32_t, 3>& corners, TriangleSurface surface,
+                    std::uint32_t emitter);
+  std::uint32_t reflector_of(const ResolvedSurface& surface);
+  std::uint32_t add_reflector(const ResolvedSurface& surface);
+  std::uint32_t add_triangle_emitter(const std::array<std::uint32_t, 3>& corners, const Rgb& radiance);
+
+  grf::Diagnostics& diagnostics_;
+  Geometry geometry_;
+  std::vector<CompiledSurface> surfaces_;
+  std::vector<Reflector> reflectors_;
+  std::map<std::string, std::uint32_t> reflector_by_text_;
+  std::vector<Emitter> emitters_;
+};
+
+// A mirroring transform turns triangles inside out: the other winding keeps their front where it was.
+void Compiler::add(const Mesh& mesh, const Placement& placement) {
+  const auto first_vertex = static_cast<std::uint32_t>(geometry_.positions.size());
+  const std::vector<std::uint32_t> surfaces = add_surfaces(mesh, *placement.scope);
+  add_vertices(mesh, placement.to_world);
+  const bool turn = mirrors(placement.to_world);
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    add_face(mesh, i, surfaces[mesh.surface_of_face[i]], first_vertex, turn);
+  }
+}
+
+void Compiler::add_vertices(const Mesh& mesh, const Matrix44d& to_world) {
+  const std::size_t first = geometry_.positions.size();
+  const std::size_t count = mesh.positions.size();
+  for (const Vec3f& position : mesh.positions) geometry_.positions.push_back(transformed(position, to_world));
+  if (!mesh.normals.empty()) geometry_.normals.resize(first, Vec3f(0));
+  if (!geometry_.normals.empty() || !mesh.normals.empty()) {
+    const Matrix44d to_world_normal = normal_matrix(to_world);
+    for (std::size_t i = 0; i < count; ++i) {
+      geometry_.normals.push_back(
+          mesh.normals.has(i) ? transformed_edge(mesh.normals[i], to_world_normal).normalized() : Vec3f(0));
+    }
+  }
+  if (!mesh.colours.empty()) geometry_.colours.resize(first, Colour(1));
+  if (!geometry_.colours.empty() || !mesh.colours.empty()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      geometry_.colours.push_back(mesh.colours.has(i) ? mesh.colours[i] : Colour(1));
+    }
+  }
+}
+
+std::vector<std::uint32_t> Compiler::add_surfaces(const Mesh& mesh, const grf::Scope& scope) {
+  std::vector<bool> used(mesh.surfaces.size(), false);
+  for (const std::uint32_t surface : mesh.surface_of_face) used[surface] = true;
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+    indices.push_back(static_cast<std::uint32_t>(surfaces_.size()));
+    if (!used[i]) continue;
+    const ResolvedSurface resolved = resolve(mesh.surfaces[i], scope);
+    surfaces_.push_back({resolved.colour, resolved.emission.value_or(Colour(0)), reflector_of(resolved)});
+  }
+  return indices;
+}
+
+// An emitter without a BRDF reflects nothing; any other face without one is diffuse.
+std::uint32_t Compiler::reflector_of(const ResolvedSurface& surface) {
+  if (surface.brdf == nullptr && surface.emission) return None;
+  const std::string text = (surface.brdf != nullptr ? to_text(*surface.brdf) : std::string()) + " / " +
+                           (surface.pdf != nullptr ? to_text(*surface.pdf) : std::string());
+  const auto known = reflector_by_text_.find(text);
+  if (known != reflector_by_text_.end()) return known->second;
+  const std::uint32_t index = add_reflector(surface);
+  reflector_by_text_.emplace(text, index);
+  return index;
+}
+
+std::uint32_t Compiler::add_reflector(const ResolvedSurface& surface) {
+  const auto brdf =
+      surface.brdf != nullptr ? reflectance::make_brdf(*surface.brdf) : reflectance::default_brdf();
+  const auto scheme =
+      surface.pdf != nullptr ? reflectance::make_scheme(*surface.pdf) : reflectance::default_scheme();
+  if (!brdf || !scheme) {
+    const grf::Model& unknown = !brdf ? static_cast<const grf::Model&>(*surface.brdf) : *surface.pdf;
+    diagnostics_.error(unknown.location, fmt::format("unknown model '{}'", unknown.keyword));
+    return None;
+  }
+  const std::string refusal = reflectance::refusal(*scheme, *brdf);
+  if (!refusal.empty()) {
+    diagnostics_.error(surface.pdf->location,
+                       fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}", surface.pdf->keyword,
+                                   surface.brdf != nullptr ? surface.brdf->keyword : "diffuse", refusal));
+  }
+  reflectors_.emplace_back(*brdf, *scheme);
+  return static_cast<std::uint32_t>(reflectors_.size() - 1);
+}
+
+void Compiler::add_face(const Mesh& mesh, std::size_t face, std::uint32_t surface, std::uint32_t first_vertex,
+                        bool turn) {
+  const auto corners = mesh.face(face);
+  std::vector<Vec3f> positions;
+  bool is_flat = geometry_.normals.empty();
+  for (const std::uint32_t corner : corners) {
+    positions.push_back(geometry_.positions[first_vertex + corner]);
+    is_flat = is_flat || geometry_.normals[first_vertex + corner] == Vec3f(0);
+  }
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangulate(positions, triangles);
+  const bool emits = !reflectance::is_black(surfaces_[surface].emission);
+  for (auto [a, b, c] : triangles) {
+    if (turn) std::swap(b, c);
+    const std::array<std::uint32_t, 3> vertices = {first_vertex + corners[a], first_vertex + corners[b],
+                                                   first_vertex + corners[c]};
+    const std::uint32_t emitter = emits ? add_triangle_emitter(vertices, surfaces_[surface].emission) : None;
+    add_triangle(vertices, {surface, is_flat}, emitter);
+  }
+}
+
+void Compiler::add_triangle(const std::array<std::uint32_t, 3>& corners, TriangleSurface surface,
+                            std::uint32_t emitter) {
+  geometry_.triangles.insert(geometry_.triangles.end(), corners.begin(), corners.end());
+  geometry_.triangle_surfaces.push_back(surface);
+  geometry_.emitter_of_triangle.push_back(emitter);
+}
+
+std::uint32_t Compiler::add_triangle_emitter(const std::array<std::uint32_t, 3>& corners,
+                                             const Rgb& radiance) {
+  const Vec3f& a = geometry_.positions[corners[0]];
+  const Emitter emitter{a, geometry_.positions[corners[1]] - a, geometry_.positions[corners[2]] - a, true,
+                        radiance};
+  if (!(emitter.area() > 0)) return None;
+  emitters_.push_back(emitter);
+  return static_cast<std::uint32_t>(emitters_.size() - 1);
+}
+
+void Compiler::add(const AreaLight& light, const Placement& placement) {
+  const Matrix44d& to_world = placement.to_world;
+  Emitter emitter{transformed(light.corner, to_world), transformed_edge(light.edge1, to_world),
+                  transformed_edge(light.edge2, to_world), false, light.radiance.value_or(Colour(1))};
+  if (mirrors(to_world)) std::swap(emitter.edge1, emitter.edge2);
+  const auto first = static_cast<std::uint32_t>(geometry_.positions.size());
+  const Vec3f& corner = emitter.corner;
+  for (const Vec3f& position :
+       {corner, corner + emitter.edge1, corner + emitter.edge1 + emitter.edge2, corner + emitter.edge2}) {
+    geometry_.positions.push_back(position);
+    if (!geometry_.normals.empty()) geometry_.normals.emplace_back(0.0F);
+    if (!geometry_.colours.empty()) geometry_.colours.emplace_back(1.0F);
+  }
+  const auto surface = static_cast<std::uint32_t>(surfaces_.size());
+  surfaces_.push_back({Rgb(1), emitter.radiance, None});
+  std::uint32_t index = None;
+  if (emitter.area() > 0 && !reflectance::is_black(emitter.radiance)) {
+    index = static_cast<std::uint32_t>(emitters_.size());
+    emitters_.push_back(emitter);
+  }
+  add_triangle({first, first + 1, first + 2}, {surface, true}, index);
+  add_triangle({first, first + 2, first + 3}, {surface, true}, index);
+}
+
+}  // namespace
+
+std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  Compiler compiler(diagnostics);
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
+    compiler.add(mesh, placement);
+  };
+  visitor.light = [&](const AreaLight& light, const Placement& placement, const grf::Block&) {
+    compiler.add(light, placement);
+  };
+  grf::visit(scene, visitor);
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return compiler.finish();
+}
+
+}  // namespace transport

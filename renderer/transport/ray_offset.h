@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "grf/math.h"
+
+namespace transport {
+
+using grf::Vec3f;
+
+/// The relative error of a sum of three products in float: gamma_7 of Higham's bounds.
+constexpr float InterpolationError = 7 * 0x1p-24F / (1 - 7 * 0x1p-24F);
+
+inline Vec3f absolute(const Vec3f& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
+/// A point that is surely on the side of the surface to which the direction points: moved along the surface's
+/// unit normal by the bound of the position's error for each axis, and then rounded away from the surface
+/// (Pharr, Jakob and Humphreys 2016, "Physically based rendering", section 3.9).
+inline Vec3f offset_towards(const Vec3f& position, const Vec3f& error, const Vec3f& normal,
+                            const Vec3f& direction) {
+  const float distance = absolute(normal).dot(error);
+  const Vec3f offset = normal * (direction.dot(normal) < 0 ? -distance : distance);
+  const auto rounded_away = [](float value, float by) {
+    constexpr float Infinity = std::numeric_limits<float>::infinity();
+    if (by == 0) return value;
+    return std::nextafter(value + by, by > 0 ? Infinity : -Infinity);
+  };
+  return {rounded_away(position.x, offset.x), rounded_away(position.y, offset.y),
+          rounded_away(position.z, offset.z)};
+}
+
+}  // namespace transport

@@ -1,0 +1,102 @@
+#include "renderer/transport/render.h"
+
+#include <algorithm>
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace transport {
+namespace {
+
+constexpr int TileSize = 16;
+/// The first passes are short so that there is soon something to look at, and a stopped image is even.
+constexpr int LongestPass = 16;
+
+static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called from signal handlers");
+
+}  // namespace
+
+Render::Render(const CompiledScene& scene, const RenderSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      camera_(settings.view, settings.width, settings.height),
+      film_(settings.width, settings.height),
+      start_(std::chrono::steady_clock::now()) {}
+
+void Render::run() {
+  start_ = std::chrono::steady_clock::now();
+  tbb::task_arena arena(settings_.threads > 0 ? settings_.threads : tbb::task_arena::automatic);
+  arena.execute([this] {
+    int pass = 1;
+    for (int sample = 0; sample < settings_.samples && !stopped_;) {
+      const int last = std::min(sample + pass, settings_.samples);
+      run_pass(sample, last);
+      sample = last;
+      pass = std::min(2 * pass, LongestPass);
+    }
+  });
+  seconds_ = elapsed();
+}
+
+void Render::run_pass(int first_sample, int last_sample) {
+  const int tiles_x = (settings_.width + TileSize - 1) / TileSize;
+  const int tiles_y = (settings_.height + TileSize - 1) / TileSize;
+  tbb::parallel_for(tbb::blocked_range2d<int>(0, tiles_y, 1, 0, tiles_x, 1),
+                    [&](const tbb::blocked_range2d<int>& tiles) {
+                      for (int y = tiles.rows().begin(); y != tiles.rows().end(); ++y) {
+                        for (int x = tiles.cols().begin(); x != tiles.cols().end(); ++x) {
+                          if (!stopped_) render_tile(x, y, first_sample, last_sample);
+                        }
+                      }
+                    });
+}
+
+void Render::render_tile(int tile_x, int tile_y, int first_sample, int last_sample) {
+  RayCounter counter;
+  int rejected = 0;
+  std::uint64_t paths = 0;
+  const int end_x = std::min((tile_x + 1) * TileSize, settings_.width);
+  const int end_y = std::min((tile_y + 1) * TileSize, settings_.height);
+  for (int y = tile_y * TileSize; y < end_y; ++y) {
+    for (int x = tile_x * TileSize; x < end_x; ++x) {
+      rejected += render_pixel(x, y, first_sample, last_sample, counter);
+      paths += static_cast<std::uint64_t>(last_sample - first_sample);
+    }
+  }
+  paths_ += paths;
+  rays_ += counter.rays;
+  rejected_ += static_cast<std::uint64_t>(rejected);
+}
+
+// Samples alternate between the scramblings, each of which takes the points of its own sequence in order.
+int Render::render_pixel(int x, int y, int first_sample, int last_sample, RayCounter& counter) {
+  int rejected = 0;
+  const std::uint32_t pixel_seed =
+      hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
+  for (int sample = first_sample; sample < last_sample; ++sample) {
+    const int scrambling = sample % Film::Scramblings;
+    PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)),
+                        static_cast<std::uint32_t>(sample / Film::Scramblings));
+    const Uniform4 place = numbers.next();
+    const Ray ray = camera_.ray(static_cast<float>(x) + place.x, static_cast<float>(y) + place.y);
+    const Rgb radiance = path_radiance(scene_, settings_.path, ray, numbers, counter);
+    if (!film_.add(x, y, scrambling, radiance)) ++rejected;
+  }
+  return rejected;
+}
+
+double Render::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+RenderProgress Render::progress() const {
+  const double total = static_cast<double>(settings_.width) * settings_.height * settings_.samples;
+  RenderProgress progress;
+  progress.done = std::min(1.0, static_cast<double>(paths_) / total);
+  progress.seconds = elapsed();
+  if (progress.done > 0) progress.seconds_left = progress.seconds * (1 - progress.done) / progress.done;
+  return progress;
+}
+
+}  // namespace transport

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+#include "renderer/transport/camera.h"
+#include "renderer/transport/film.h"
+#include "renderer/transport/path.h"
+
+namespace transport {
+
+struct RenderSettings {
+  int width = 500;
+  int height = 400;
+  View view;
+  PathSettings path;
+  int samples = 100;  ///< a pixel
+  std::uint32_t seed = 0;
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+struct RenderProgress {
+  double done = 0;  ///< 0..1
+  double seconds = 0;
+  double seconds_left = 0;
+};
+
+/// A running render: one image of one scene. `run` is called once; the other functions may be called from any
+/// thread meanwhile.
+class Render {
+ public:
+  /// The scene must outlive the render.
+  Render(const CompiledScene& scene, const RenderSettings& settings);
+
+  /// Renders to the last sample, or until `stop`. The image depends on the settings alone, whatever the
+  /// number of threads.
+  void run();
+
+  /// Makes `run` return soon, with the image as it is. Safe to call from a signal handler.
+  void stop() { stopped_ = true; }
+  bool is_stopped() const { return stopped_; }
+
+  RenderProgress progress() const;
+
+  // Once `run` has returned:
+  const Film& film() const { return film_; }
+  double seconds() const { return seconds_; }
+  std::uint64_t ray_count() const { return rays_; }
+  std::uint64_t path_count() const { return paths_; }
+  /// Samples that were not finite, and count as black.
+  std::uint64_t rejected_samples() const { return rejected_; }
+
+ private:
+  void run_pass(int first_sample, int last_sample);
+  void render_tile(int tile_x, int tile_y, int first_sample, int last_sample);
+  int render_pixel(int x, int y, int first_sample, int last_sample, RayCounter& counter);
+  double elapsed() const;
+
+  const CompiledScene& scene_;
+  RenderSettings settings_;
+  Camera camera_;
+  Film film_;
+  std::chrono::steady_clock::time_point start_;
+  double seconds_ = 0;
+  std::atomic<bool> stopped_ = false;
+  std::atomic<std::uint64_t> paths_ = 0;
+  std::atomic<std::uint64_t> rays_ = 0;
+  std::atomic<std::uint64_t> rejected_ = 0;
+};
+
+}  // namespace transport

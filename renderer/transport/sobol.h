@@ -1,0 +1,40 @@
+// Owen-scrambled Sobol points for path dimensions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "grf/math.h"
+
+namespace transport {
+
+/// Well-mixed 32 bits from two.
+std::uint32_t hash(std::uint32_t a, std::uint32_t b);
+
+/// Four numbers in [0,1). The first two are the best spread, and any two are a good pair.
+struct Uniform4 {
+  float x = 0, y = 0, z = 0, w = 0;
+
+  grf::Vec2f xy() const { return {x, y}; }
+};
+
+/// Point `index` of an Owen-scrambled and shuffled four-dimensional Sobol sequence. Sequences of different
+/// seeds are independent, so each group of dimensions of a path takes a seed of its own
+/// (Burley 2020, "Practical hash-based Owen scrambling", section 5).
+Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed);
+
+/// The random numbers of one path, a function of what was counted alone: image seed, pixel, scrambling,
+/// sample, and how many points of it were taken.
+class PathNumbers {
+ public:
+  PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample) : seed_(sequence_seed), sample_(sample) {}
+
+  Uniform4 next() { return sobol_point(sample_, hash(seed_, group_++)); }
+
+ private:
+  std::uint32_t seed_;
+  std::uint32_t sample_;
+  std::uint32_t group_ = 0;
+};
+
+}  // namespace transport

@@ -1,0 +1,79 @@
+#include "tests/reflectance/brdf_cases.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace test {
+namespace {
+
+std::string instance(const grf::ModelInfo& model, const std::string& only, bool maximum) {
+  std::string text(model.keyword);
+  for (const grf::ParameterInfo& parameter : model.parameters) {
+    const bool chosen = only.empty() || parameter.name == only;
+    if (chosen) text += fmt::format(" {}={}", parameter.name, maximum ? parameter.maximum : parameter.minimum);
+  }
+  return text;
+}
+
+class PairGenerator {
+ public:
+  explicit PairGenerator(std::uint32_t seed) : random_(seed) {}
+
+  Pair next() {
+    const Vec3f u = any_direction();
+    switch (random_() % 8) {
+      case 0: return {u, u};
+      case 1: return {u, reflectance::mirrored(u)};
+      case 2: return {u, near(reflectance::mirrored(u))};
+      case 3: return {u, near(u)};
+      case 4: return {u, -u};
+      default: return {u, any_direction()};
+    }
+  }
+
+ private:
+  float uniform() { return std::uniform_real_distribution<float>(0, 1)(random_); }
+
+  // One in four is grazing, to within 1e-6 of the horizon, and some are under it.
+  Vec3f any_direction() {
+    float z = uniform();
+    const unsigned kind = random_() % 16;
+    if (kind < 4) z = std::pow(10.0F, -1 - 6 * uniform());
+    if (kind == 4) z = -z;
+    if (kind == 5) z = 1 - std::pow(10.0F, -1 - 6 * uniform());
+    const float phi = 2 * reflectance::Pi * uniform();
+    return reflectance::from_angles(z, std::sqrt((1 - z) * (1 + z)), phi);
+  }
+
+  Vec3f near(const Vec3f& v) {
+    const float distance = std::pow(10.0F, -6 + 5 * uniform());
+    return (v + Vec3f(uniform() - 0.5F, uniform() - 0.5F, uniform() - 0.5F) * distance).normalized();
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace
+
+std::vector<std::string> extreme_cases() {
+  std::vector<std::string> cases;
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    for (const bool maximum : {false, true}) {
+      cases.push_back(instance(model, "", maximum));
+      for (const grf::ParameterInfo& parameter : model.parameters) {
+        cases.push_back(instance(model, std::string(parameter.name), maximum));
+      }
+    }
+  }
+  return cases;
+}
+
+std::vector<Pair> direction_pairs(int count, std::uint32_t seed) {
+  PairGenerator generator(seed);
+  std::vector<Pair> pairs;
+  for (int i = 0; i < count; ++i) pairs.push_back(generator.next());
+  return pairs;
+}
+
+}  // namespace test

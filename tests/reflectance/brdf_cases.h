@@ -1,0 +1,59 @@
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "grf/read.h"
+#include "renderer/reflectance/brdf.h"
+
+namespace test {
+
+using reflectance::Brdf;
+using reflectance::Vec3f;
+
+/// The BRDF that a text such as `ward sx=0.1` describes.
+inline Brdf brdf_of(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  const auto model = grf::read_brdf(text, "test", diagnostics);
+  if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) {
+    throw std::runtime_error(diagnostics.to_text());
+  }
+  return *reflectance::make_brdf(*model);
+}
+
+/// Instances whose lobes a grid can resolve: those of the thesis' table 5.5 among them.
+inline const std::vector<std::string>& plain_cases() {
+  static const std::vector<std::string> cases = {
+      "diffuse kd=1",
+      "phong n=50 ks=0.8 kd=0.5",
+      "phong n=0 ks=0.2 kd=0",
+      "blinn n=100 ks=1 kd=0.67",
+      "blinn n=10 ks=0.3 kd=(0.1, 0.5, 0.2)",
+      "lewis n=100 ks=1 kd=0",
+      "lewis n=20 ks=(0.5, 0.2, 0.1) kd=0.4",
+      "ward sx=0.2 ks=0.5 kd=0.5",
+      "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3",
+      "ward sx=1 ks=1 kd=0",
+  };
+  return cases;
+}
+
+/// Both ends of every parameter's range, one at a time, and all at once.
+std::vector<std::string> extreme_cases();
+
+/// A direction at an angle from the normal, in degrees.
+inline Vec3f direction(double theta_degrees, double phi_degrees) {
+  const double theta = theta_degrees * std::numbers::pi / 180;
+  const double phi = phi_degrees * std::numbers::pi / 180;
+  return Vec3f(static_cast<float>(std::sin(theta) * std::cos(phi)),
+               static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
+}
+
+/// Pairs of directions: random ones, and hard ones (grazing, equal, mirrored, nearly so, under the horizon).
+struct Pair {
+  Vec3f u, v;
+};
+std::vector<Pair> direction_pairs(int count, std::uint32_t seed);
+
+}  // namespace test

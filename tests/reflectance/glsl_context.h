@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/reflectance/geometry.h"
+
+namespace test {
+
+/// OpenGL 3.3 without a window (surfaceless EGL), to run a BRDF's shader over lists of directions.
+class GlslContext {
+ public:
+  GlslContext();
+  ~GlslContext();
+  GlslContext(const GlslContext&) = delete;
+  GlslContext& operator=(const GlslContext&) = delete;
+
+  std::string renderer() const;
+
+  /// For each pair of directions, `expression`, in which `u` and `v` are the two. The functions are GLSL
+  /// that comes before. Throws the compiler's log if it is not accepted.
+  std::vector<reflectance::Rgb> run(const std::string& functions, const std::string& expression,
+                                    const std::vector<reflectance::Vec3f>& u,
+                                    const std::vector<reflectance::Vec3f>& v);
+
+ private:
+  struct Display;
+  std::unique_ptr<Display> display_;
+};
+
+}  // namespace test

@@ -1,0 +1,76 @@
+// The formulas are one text for two languages: here both run it over the same directions.
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/reflectance/brdf_cases.h"
+#include "tests/reflectance/glsl_context.h"
+
+namespace {
+
+using reflectance::Rgb;
+using reflectance::Vec3f;
+
+std::string text_of(const std::string& name) {
+  std::ifstream file(std::string(GRANADA_SOURCE_DIR "/renderer/reflectance/") + name + ".glsl");
+  EXPECT_TRUE(file) << name;
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::string functions_of(std::string_view keyword) {
+  return text_of("glsl_functions") + text_of("float_functions") + text_of("common") + text_of(std::string(keyword));
+}
+
+template <class Model>
+std::string argument(const Model& model, float Model::*field) {
+  return fmt::format("float({})", model.*field);
+}
+template <class Model>
+std::string argument(const Model& model, Rgb Model::*field) {
+  const Rgb& rgb = model.*field;
+  return fmt::format("vec3({}, {}, {})", rgb.x, rgb.y, rgb.z);
+}
+template <class Model>
+std::string argument(const Model& model, bool Model::*field) {
+  return model.*field ? "true" : "false";
+}
+
+/// The call of a model's GLSL function: its arguments are its parameters in the order of its table.
+template <class Model>
+std::string call_of(const Model& model) {
+  const auto table = Model::table();
+  std::string call = fmt::format("{}(u, v", table.keyword);
+  for (const auto& parameter : table.parameters) {
+    call += ", " + std::visit([&](auto field) { return argument(model, field); }, parameter.field);
+  }
+  return call + ")";
+}
+
+TEST(Glsl, IsWhatCppIs) {
+  test::GlslContext context;
+  std::vector<Vec3f> u;
+  std::vector<Vec3f> v;
+  for (const test::Pair& pair : test::direction_pairs(65536, 5)) {
+    u.push_back(pair.u);
+    v.push_back(pair.v);
+  }
+  std::vector<std::string> cases = test::extreme_cases();
+  cases.insert(cases.end(), test::plain_cases().begin(), test::plain_cases().end());
+  for (const std::string& text : cases) {
+    const reflectance::Brdf brdf = test::brdf_of(text);
+    const auto [keyword, call] = std::visit(
+        [](const auto& model) { return std::pair(std::string(model.table().keyword), call_of(model)); }, brdf);
+    const std::vector<Rgb> shader = context.run(functions_of(keyword), call, u, v);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const Rgb expected = evaluate(brdf, u[i], v[i]);
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_NEAR(shader[i][k], expected[k], 1e-4F * expected[k] + 1e-12F)
+            << text << " on " << context.renderer() << " u " << u[i] << " v " << v[i];
+      }
+    }
+  }
+}
+
+}  // namespace

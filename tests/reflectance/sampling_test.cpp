@@ -1,0 +1,165 @@
+// Every sampling scheme on every BRDF: samples follow the density, weights are f cos / density, and the
+// Monte Carlo albedo is that of quadrature.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "renderer/reflectance/reflector.h"
+#include "tests/reflectance/brdf_cases.h"
+#include "tests/statistics/chi_square.h"
+
+namespace {
+
+using reflectance::Brdf;
+using reflectance::Reflector;
+using reflectance::Rgb;
+using reflectance::Scheme;
+using reflectance::Uniforms;
+using reflectance::Vec3f;
+
+const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
+
+struct Case {
+  std::string brdf;
+  Scheme scheme;
+  std::string scheme_name;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> list;
+  for (const std::string& brdf : test::plain_cases()) {
+    list.push_back({brdf, reflectance::AutoScheme(), "auto"});
+    list.push_back({brdf, reflectance::DiffuseScheme(), "diffuse"});
+  }
+  return list;
+}
+
+class RandomNumbers {
+ public:
+  explicit RandomNumbers(std::uint32_t seed) : random_(seed) {}
+  Uniforms next() { return {{uniform(), uniform()}, uniform()}; }
+
+ private:
+  float uniform() { return static_cast<float>(random_() >> 8U) * 0x1p-24F; }
+  std::mt19937 random_;
+};
+
+std::optional<Vec3f> direction_of(const Reflector& reflector, const Vec3f& u, const Uniforms& xi) {
+  const auto sample = reflector.sample(u, xi);
+  if (!sample) return std::nullopt;
+  return sample->direction;
+}
+
+class Sampling : public testing::TestWithParam<Case> {
+ protected:
+  Reflector reflector() const { return Reflector(test::brdf_of(GetParam().brdf), GetParam().scheme); }
+};
+
+TEST_P(Sampling, FollowsItsDensity) {
+  const Reflector subject = reflector();
+  for (const double angle : Angles) {
+    const Vec3f u = test::direction(angle, 25);
+    const auto density = [&](const Vec3f& v) { return static_cast<double>(subject.density(u, v)); };
+    const statistics::ChiSquareTest test(density, reflectance::mirrored(u));
+    RandomNumbers random(7);
+    const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
+    EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
+    EXPECT_LT(test.mass(), 1.001) << angle;
+  }
+}
+
+TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
+  const Reflector subject = reflector();
+  RandomNumbers random(8);
+  for (const double angle : Angles) {
+    const Vec3f u = test::direction(angle, 25);
+    for (int i = 0; i < 5000; ++i) {
+      const auto sample = subject.sample(u, random.next());
+      if (!sample) continue;
+      const Vec3f& v = sample->direction;
+      ASSERT_NEAR(v.length(), 1, 1e-5);
+      ASSERT_GT(v.z, 0);
+      const float density = subject.density(u, v);
+      ASSERT_NEAR(sample->density, density, 1e-3F * density);
+      const Rgb expected = subject.evaluate(u, v) * v.z / density;
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(sample->weight[k], expected[k], 2e-3F * expected[k] + 1e-6F) << v;
+    }
+  }
+}
+
+TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
+  const Reflector subject = reflector();
+  constexpr int Samples = 100000;
+  for (const double angle : {0.0, 30.0, 60.0, 85.0}) {
+    const Vec3f u = test::direction(angle, 25);
+    const statistics::Quadrature quadrature([&](const Vec3f& v) { return subject.evaluate(u, v).x * double(v.z); },
+                                            reflectance::mirrored(u), 1e-8);
+    const double exact = quadrature.over_hemisphere();
+    RandomNumbers random(9);
+    double sum = 0;
+    double squares = 0;
+    for (int i = 0; i < Samples; ++i) {
+      const auto sample = subject.sample(u, random.next());
+      const double weight = sample ? sample->weight.x : 0;
+      sum += weight;
+      squares += weight * weight;
+    }
+    const double mean = sum / Samples;
+    const double deviation = std::sqrt(std::max(0.0, squares / Samples - mean * mean) / Samples);
+    EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact) << angle;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Sampling, testing::ValuesIn(cases()), [](const auto& instance) {
+  return instance.param.scheme_name + "_" + instance.param.brdf.substr(0, instance.param.brdf.find(' ')) + "_" +
+         std::to_string(instance.index);
+});
+
+// The test of the test: a sampler that is a little off must not pass.
+TEST(ChiSquareTest, RejectsAWrongSampler) {
+  const Vec3f u = test::direction(30, 25);
+  const Reflector right(test::brdf_of("lewis n=20 ks=0.5 kd=0.5"), reflectance::AutoScheme());
+  const Reflector wrong(test::brdf_of("lewis n=22 ks=0.5 kd=0.5"), reflectance::AutoScheme());
+  const auto density = [&](const Vec3f& v) { return static_cast<double>(right.density(u, v)); };
+  RandomNumbers random(10);
+  const statistics::ChiSquareTest test(density, reflectance::mirrored(u));
+  EXPECT_LT(test.p_value([&] { return direction_of(wrong, u, random.next()); }, 100000), 1e-6);
+}
+
+TEST(Extremes, WeightsStayFinite) {
+  RandomNumbers random(11);
+  for (const std::string& text : test::extreme_cases()) {
+    const Reflector subject(test::brdf_of(text), reflectance::AutoScheme());
+    for (const test::Pair& pair : test::direction_pairs(2000, 12)) {
+      const auto sample = subject.sample(pair.u, random.next());
+      if (!sample) continue;
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_TRUE(std::isfinite(sample->weight[k]) && sample->weight[k] >= 0) << text << pair.u;
+      }
+    }
+  }
+}
+
+TEST(Mirror, IsDrawnAlwaysByWhateverScheme) {
+  const Vec3f u = test::direction(50, 10);
+  for (const Scheme& scheme : {Scheme(reflectance::AutoScheme()), Scheme(reflectance::DiffuseScheme()),
+                               Scheme(reflectance::SpecularScheme())}) {
+    const Reflector mirror(test::brdf_of("specular ks=(0.9, 0.8, 0.7)"), scheme);
+    RandomNumbers random(13);
+    for (int i = 0; i < 100; ++i) {
+      const auto sample = mirror.sample(u, random.next());
+      ASSERT_TRUE(sample && sample->is_mirror);
+      EXPECT_EQ(sample->direction, reflectance::mirrored(u));
+      EXPECT_EQ(sample->weight, Rgb(0.9F, 0.8F, 0.7F));
+    }
+    EXPECT_FALSE(mirror.has_density());
+  }
+}
+
+TEST(SpecularScheme, RefusesABrdfWithoutAMirrorPart) {
+  EXPECT_NE(refusal(reflectance::SpecularScheme(), test::brdf_of("ward")), "");
+  EXPECT_EQ(refusal(reflectance::SpecularScheme(), test::brdf_of("specular")), "");
+}
+
+}  // namespace

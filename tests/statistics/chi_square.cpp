@@ -1,0 +1,81 @@
+#include "tests/statistics/chi_square.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <boost/math/distributions/chi_squared.hpp>
+
+namespace statistics {
+namespace {
+
+constexpr double Tau = 2 * std::numbers::pi;
+/// Cells with fewer expected samples are pooled: the statistic is not chi-square distributed for them.
+constexpr double FewestExpected = 5;
+
+struct Pool {
+  double expected = 0;
+  double counted = 0;
+};
+
+}  // namespace
+
+std::vector<double> ChiSquareTest::expected(int samples) const {
+  const Quadrature quadrature(density_, peak_, 1e-9);
+  std::vector<double> cells;
+  for (int row = 0; row < Rows; ++row) {
+    for (int column = 0; column < Columns; ++column) {
+      const Cell cell = {double(row) / Rows, double(row + 1) / Rows, Tau * column / Columns,
+                         Tau * (column + 1) / Columns};
+      cells.push_back(samples * quadrature.over(cell));
+    }
+  }
+  const double inside = std::accumulate(cells.begin(), cells.end(), 0.0);
+  cells.push_back(std::max(0.0, samples - inside));
+  return cells;
+}
+
+double ChiSquareTest::mass() const {
+  const std::vector<double> cells = expected(1);
+  return std::accumulate(cells.begin(), cells.end() - 1, 0.0);
+}
+
+double ChiSquareTest::p_value(const Sampler& sampler, int samples) const {
+  const std::vector<double> expectation = expected(samples);
+  std::vector<double> counts(expectation.size(), 0.0);
+  for (int i = 0; i < samples; ++i) {
+    const std::optional<Vec3f> v = sampler();
+    std::size_t cell = counts.size() - 1;
+    if (v) {
+      const double phi = std::atan2(v->y, v->x) + (v->y < 0 ? Tau : 0);
+      const int row = std::clamp(static_cast<int>(v->z * Rows), 0, Rows - 1);
+      const int column = std::clamp(static_cast<int>(phi / Tau * Columns), 0, Columns - 1);
+      cell = static_cast<std::size_t>(row * Columns + column);
+    }
+    counts[cell] += 1;
+  }
+  double statistic = 0;
+  int terms = 0;
+  Pool pool;
+  const auto add = [&](double expectation_of_cell, double count) {
+    statistic += (count - expectation_of_cell) * (count - expectation_of_cell) / expectation_of_cell;
+    ++terms;
+  };
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (expectation[i] >= FewestExpected) {
+      add(expectation[i], counts[i]);
+    } else {
+      pool.expected += expectation[i];
+      pool.counted += counts[i];
+    }
+  }
+  // Samples where next to none may be are a failure however few cells that is.
+  if (pool.expected > FewestExpected / 5) add(pool.expected, pool.counted);
+  else if (pool.counted > 20) return 0;
+  if (terms < 2) return 1;
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(terms - 1), statistic));
+}
+
+double significance(int tests) { return 1 - std::pow(1 - 0.01, 1.0 / tests); }
+
+}  // namespace statistics
