@@ -1,7 +1,9 @@
 #include "grf/catalogue.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -31,25 +33,32 @@ bool in_range(float value, const ParameterInfo& parameter) {
   return value >= parameter.minimum && value <= parameter.maximum;
 }
 
+/// The range of a parameter in words.
+std::string range_of(const ParameterInfo& parameter) {
+  const bool has_maximum = parameter.maximum < std::numeric_limits<float>::max();
+  return has_maximum ? fmt::format("from {} to {}", parameter.minimum, parameter.maximum)
+                     : fmt::format("of {} or more", parameter.minimum);
+}
+
 /// What the value should have been, or nothing if it is right.
 std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& parameter) {
   const auto* number = std::get_if<float>(&value);
   if (parameter.kind == ParameterKind::Boolean) {
     const bool zero_or_one = number != nullptr && (*number == 0 || *number == 1);
     if (std::holds_alternative<bool>(value) || zero_or_one) return std::nullopt;
-    return "true, false, 1 or 0 was expected";
+    return "expected true, false, 1 or 0";
   }
-  const std::string range = fmt::format("from {} to {}", parameter.minimum, parameter.maximum);
+  const std::string range = range_of(parameter);
   if (number != nullptr) {
     if (in_range(*number, parameter)) return std::nullopt;
-    return fmt::format("{} is out of range: a number {} was expected", *number, range);
+    return fmt::format("{} is out of range, expected a number {}", *number, range);
   }
   const auto* colour = std::get_if<Colour>(&value);
-  if (parameter.kind != ParameterKind::Reflectance) return fmt::format("a number {} was expected", range);
-  if (colour == nullptr) return fmt::format("a number, or a triple of numbers, {} was expected", range);
+  if (parameter.kind != ParameterKind::Reflectance) return fmt::format("expected a number {}", range);
+  if (colour == nullptr) return fmt::format("expected a number, or three in parentheses, {}", range);
   for (const float component : {colour->x, colour->y, colour->z}) {
     if (!in_range(component, parameter)) {
-      return fmt::format("{} is out of range: numbers {} were expected", component, range);
+      return fmt::format("{} is out of range, expected numbers {}", component, range);
     }
   }
   return std::nullopt;
@@ -75,10 +84,17 @@ void check_arguments(const Model& model, const ModelInfo& info, Diagnostics& dia
   }
 }
 
+/// The models of one kind, and what messages call them.
+template <class ModelOfKind>
+struct Kind {
+  const std::vector<ModelInfo>& models;
+  std::string_view name;
+};
+
 class Check {
  public:
   Check(const Catalogue& catalogue, Diagnostics& diagnostics)
-      : catalogue_(catalogue), diagnostics_(diagnostics) {}
+      : brdfs_{catalogue.brdfs, "BRDF"}, pdfs_{catalogue.pdfs, "PDF"}, diagnostics_(diagnostics) {}
 
   void run(const Scene& scene) {
     SceneVisitor visitor;
@@ -95,17 +111,18 @@ class Check {
   }
 
  private:
-  void check_model(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
-                   const Scope& scope) {
-    if (find_model(models, model.keyword) != nullptr) {
-      check(model, models, kind, diagnostics_);
+  // The names of definitions are suggested too: who wrote an unknown keyword may have meant one of those.
+  template <class ModelOfKind>
+  void check_model(const ModelOfKind& model, const Kind<ModelOfKind>& kind, const Scope& scope) {
+    if (find_model(kind.models, model.keyword) != nullptr) {
+      check(model, kind.models, kind.name, diagnostics_);
       return;
     }
-    std::vector<std::string> candidates = keywords_of(models);
-    const std::vector<std::string> defined = scope.names();
+    std::vector<std::string> candidates = keywords_of(kind.models);
+    const std::vector<std::string> defined = scope.names_of<ModelOfKind>();
     candidates.insert(candidates.end(), defined.begin(), defined.end());
-    diagnostics_.error(model.location, with_suggestion(fmt::format("unknown {} '{}'", kind, model.keyword),
-                                                       model.keyword, candidates));
+    const std::string message = fmt::format("unknown {} '{}'", kind.name, model.keyword);
+    diagnostics_.error(model.location, with_suggestion(message, model.keyword, candidates));
   }
 
   // The default of absent BRDFs is one that nobody wrote down, so a file that relies on it hears of it, once.
@@ -122,33 +139,50 @@ class Check {
 
   void check_mesh(const Mesh& mesh, const Scope& scope, const Block& block) {
     for (const Surface& surface : mesh.surfaces) {
-      if (surface.brdf) check_attribute(*surface.brdf, catalogue_.brdfs, "BRDF", scope);
-      if (surface.pdf) check_attribute(*surface.pdf, catalogue_.pdfs, "PDF", scope);
-      const auto* colour = surface.colour ? std::get_if<Colour>(&*surface.colour) : nullptr;
-      if (colour != nullptr) check_colour(*colour, block.location, "colour");
+      check_attribute(surface.brdf, brdfs_, scope);
+      check_attribute(surface.pdf, pdfs_, scope);
+      check_attribute(surface.colour, block, scope);
       if (surface.emission) check_colour(*surface.emission, block.location, "radiance");
+    }
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (mesh.colours.has(i)) check_colour(mesh.colours[i], block.location, "vertex colour");
     }
     warn_of_default(mesh, block);
   }
 
-  template <class Attribute>
-  void check_attribute(const Attribute& attribute, const std::vector<ModelInfo>& models,
-                       std::string_view kind, const Scope& scope) {
-    const auto* reference = std::get_if<Reference>(&attribute);
-    if (reference == nullptr) {
-      check_model(std::get<0>(attribute), models, kind, scope);
-    } else if (scope.find(reference->name) == nullptr) {
-      diagnostics_.error(reference->location, with_suggestion(fmt::format("no {} called '{}' is defined here",
-                                                                          kind, reference->name),
-                                                              reference->name, scope.names()));
+  template <class ModelOfKind>
+  void check_attribute(const std::optional<std::variant<ModelOfKind, Reference>>& attribute,
+                       const Kind<ModelOfKind>& kind, const Scope& scope) {
+    if (!attribute) return;
+    if (const auto* reference = std::get_if<Reference>(&*attribute)) {
+      check_reference<ModelOfKind>(*reference, kind.name, scope);
+    } else {
+      check_model(std::get<ModelOfKind>(*attribute), kind, scope);
     }
+  }
+
+  void check_attribute(const std::optional<ColourAttribute>& attribute, const Block& block,
+                       const Scope& scope) {
+    if (!attribute) return;
+    if (const auto* reference = std::get_if<Reference>(&*attribute)) {
+      check_reference<Colour>(*reference, "colour", scope);
+    } else {
+      check_colour(std::get<Colour>(*attribute), block.location, "colour");
+    }
+  }
+
+  template <class Body>
+  void check_reference(const Reference& reference, std::string_view kind, const Scope& scope) {
+    if (scope.find<Body>(reference.name) != nullptr) return;
+    const std::string message = fmt::format("no {} called '{}' is defined here", kind, reference.name);
+    diagnostics_.error(reference.location, with_suggestion(message, reference.name, scope.names_of<Body>()));
   }
 
   void check_definition(const Definition& definition, const Scope& scope) {
     if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
-      check_model(*brdf, catalogue_.brdfs, "BRDF", scope);
+      check_model(*brdf, brdfs_, scope);
     } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
-      check_model(*pdf, catalogue_.pdfs, "PDF", scope);
+      check_model(*pdf, pdfs_, scope);
     } else if (const auto* colour = std::get_if<Colour>(&definition.body)) {
       check_colour(*colour, definition.location, "colour");
     }
@@ -156,15 +190,16 @@ class Check {
 
   void check_colour(const Colour& colour, const SourceLocation& location, std::string_view what) {
     if (colour.x < 0 || colour.y < 0 || colour.z < 0) {
-      diagnostics_.error(location, fmt::format("a {} of ({}, {}, {}): components of 0 or more were expected",
-                                               what, colour.x, colour.y, colour.z));
-    } else if (what == "colour" && std::max({colour.x, colour.y, colour.z}) > 1) {
+      diagnostics_.error(location, fmt::format("a {} of ({}, {}, {}), expected components of 0 or more", what,
+                                               colour.x, colour.y, colour.z));
+    } else if (what != "radiance" && std::max({colour.x, colour.y, colour.z}) > 1) {
       diagnostics_.warning(location,
                            "a colour over 1: such a surface can reflect more light than it receives");
     }
   }
 
-  const Catalogue& catalogue_;
+  const Kind<BrdfModel> brdfs_;
+  const Kind<PdfModel> pdfs_;
   Diagnostics& diagnostics_;
   std::set<std::string> files_with_default_;
 };

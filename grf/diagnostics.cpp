@@ -1,19 +1,21 @@
 #include "grf/diagnostics.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
+#include "grf/text_file.h"
 
 namespace grf {
 namespace {
 
-/// Longer lines are cut: a file of one line of 100 MB must not be printed whole.
-constexpr std::size_t LongestExcerpt = 200;
+// Of a longer line, what is around the column is shown: a file can be one line of 100 MB.
+constexpr std::size_t LongestExcerpt = 160;  // in characters
+constexpr std::size_t ShownBeforeColumn = 100;
+constexpr std::size_t LongestMessage = 2000;  // in bytes: messages repeat names, and a name can be that line
+constexpr std::string_view Cut = "...";
 
 std::string_view name_of(Severity severity) {
   switch (severity) {
@@ -34,6 +36,7 @@ std::string_view line_of(std::string_view text, std::uint32_t line) {
     text.remove_prefix(end + 1);
   }
   text = text.substr(0, text.find('\n'));
+  if (line == 1 && text.starts_with(ByteOrderMark)) text.remove_prefix(ByteOrderMark.size());
   if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
   return text;
 }
@@ -51,21 +54,93 @@ std::string indentation_up_to(std::string_view line, std::uint32_t column) {
   return indentation;
 }
 
+/// The length of the UTF-8 character at the beginning of a text, or 0 if there is none.
+std::size_t length_of_character(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  const std::size_t length = lead < 0x80U ? 1 : lead < 0xC2U ? 0 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
+  if (length == 0 || length > text.size() || lead > 0xF4U) return 0;
+  const std::string_view others = text.substr(1, length - 1);
+  return std::all_of(others.begin(), others.end(), is_continuation_byte) ? length : 0;
+}
+
+/// The text without what a terminal would not show, or take for a command.
+std::string printable(std::string_view text) {
+  constexpr std::string_view Replacement = "\uFFFD";
+  std::string printable;
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
+    const auto lead = static_cast<unsigned char>(text.front());
+    const bool is_shown = (lead >= ' ' && lead != 0x7F) || lead == '\t' || lead == '\n';
+    printable += length > 0 && is_shown ? text.substr(0, length) : Replacement;
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return printable;
+}
+
+std::string message_of(std::string_view text) {
+  if (text.size() <= LongestMessage) return printable(text);
+  std::size_t length = LongestMessage;
+  while (is_continuation_byte(text[length])) --length;
+  return printable(text.substr(0, length)).append(Cut);
+}
+
+/// The offset of the character with that number, counted from 0, or the size if there are fewer.
+std::size_t offset_of_character(std::string_view text, std::size_t number) {
+  std::size_t offset = 0;
+  for (; offset < text.size(); ++offset) {
+    if (!is_continuation_byte(text[offset]) && number-- == 0) break;
+  }
+  return offset;
+}
+
+void set_excerpt(Diagnostic& diagnostic) {
+  const std::string line = printable(source_line(diagnostic.location));
+  diagnostic.excerpt_column = diagnostic.location.column;
+  const std::size_t column = diagnostic.location.column;
+  const std::size_t first = column > ShownBeforeColumn ? column - ShownBeforeColumn : 0;
+  const std::size_t line_end = offset_of_character(line, LongestExcerpt);
+  if (line_end == line.size()) {
+    diagnostic.excerpt = line;
+    return;
+  }
+  std::string_view shown = line;
+  shown.remove_prefix(offset_of_character(line, first));
+  const std::string_view rest = shown.substr(0, offset_of_character(shown, LongestExcerpt));
+  if (first > 0) {
+    diagnostic.excerpt = Cut;
+    diagnostic.excerpt_column = static_cast<std::uint32_t>(column - first + Cut.size());
+  }
+  diagnostic.excerpt += rest;
+  if (rest.size() < shown.size()) diagnostic.excerpt += Cut;
+}
+
+bool says_the_same(const Diagnostic& a, const Diagnostic& b) {
+  const auto path = [](const Diagnostic& d) {
+    return d.location.file ? d.location.file->path : std::string();
+  };
+  return a.severity == b.severity && a.location.line == b.location.line &&
+         a.location.column == b.location.column && a.message == b.message && path(a) == path(b);
+}
+
+/// The Damerau-Levenshtein distance, without regard to case, row by row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> distance(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) distance[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) distance[0][j] = j;
+  std::vector<std::size_t> before_last(b.size() + 1);
+  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
+    before_last.swap(last);
+    last.swap(row);
+    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t substitution = lower_case(a[i - 1]) == lower_case(b[j - 1]) ? 0 : 1;
-      distance[i][j] =
-          std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1, distance[i - 1][j - 1] + substitution});
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + substitution});
       const bool swapped = i > 1 && j > 1 && lower_case(a[i - 1]) == lower_case(b[j - 2]) &&
                            lower_case(a[i - 2]) == lower_case(b[j - 1]);
-      if (swapped) distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+      if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
     }
   }
-  return distance[a.size()][b.size()];
+  return row[b.size()];
 }
 
 }  // namespace
@@ -77,13 +152,9 @@ SourceLocation whole_file(std::string path) {
 std::string source_line(const SourceLocation& location) {
   if (!location.file || location.line == 0) return {};
   if (const auto text = location.file->text.lock()) return std::string(line_of(*text, location.line));
-  std::ifstream file(location.file->path);
-  std::string line;
-  for (std::uint32_t i = 0; i < location.line; ++i) {
-    if (!std::getline(file, line)) return {};
-  }
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  return line;
+  Diagnostics unheard;  // where the file cannot be read any more there is just no line to show
+  const auto text = read_file(location.file->path, unheard);
+  return text ? std::string(line_of(*text, location.line)) : std::string();
 }
 
 void Diagnostics::error(SourceLocation location, std::string message) {
@@ -98,18 +169,21 @@ void Diagnostics::note(SourceLocation location, std::string message) {
   add(Severity::Note, std::move(location), std::move(message));
 }
 
-std::size_t Diagnostics::warning_count() const {
-  return static_cast<std::size_t>(std::count_if(
-      entries_.begin(), entries_.end(), [](const Diagnostic& d) { return d.severity == Severity::Warning; }));
-}
-
 void Diagnostics::add(Severity severity, SourceLocation location, std::string message) {
-  if (severity == Severity::Error) {
-    if (is_full()) return;
-    ++error_count_;
-  }
-  std::string excerpt = source_line(location);
-  entries_.push_back({severity, std::move(location), std::move(message), std::move(excerpt)});
+  if (severity == Severity::Error) ++error_count_;
+  if (severity == Severity::Warning) ++warning_count_;
+  const bool is_kept = severity == Severity::Note ||
+                       (severity == Severity::Error ? !is_full() : kept_warnings_ < MaximumWarnings);
+  if (!is_kept) return;
+  Diagnostic entry{severity, std::move(location), message_of(message), {}, 0};
+  const bool is_known = severity != Severity::Note &&
+                        std::any_of(entries_.begin(), entries_.end(),
+                                    [&](const Diagnostic& known) { return says_the_same(known, entry); });
+  if (is_known) return;
+  if (severity == Severity::Error) ++kept_errors_;
+  if (severity == Severity::Warning) ++kept_warnings_;
+  set_excerpt(entry);
+  entries_.push_back(std::move(entry));
 }
 
 std::string to_text(const Diagnostic& diagnostic) {
@@ -119,10 +193,9 @@ std::string to_text(const Diagnostic& diagnostic) {
   if (location.file && location.line > 0) text += fmt::format("{}:{}:", location.line, location.column);
   if (!text.empty()) text += ' ';
   text += fmt::format("{}: {}\n", name_of(diagnostic.severity), diagnostic.message);
-  // The excerpt of a very long line would hide the message, and its caret would be off the screen.
-  if (!diagnostic.excerpt.empty() && diagnostic.excerpt.size() <= LongestExcerpt) {
+  if (!diagnostic.excerpt.empty()) {
     text += fmt::format("  {}\n  {}^\n", diagnostic.excerpt,
-                        indentation_up_to(diagnostic.excerpt, location.column));
+                        indentation_up_to(diagnostic.excerpt, diagnostic.excerpt_column));
   }
   const SourceFile* file = location.file.get();
   while (file != nullptr && file->included_at.file) {
@@ -137,21 +210,29 @@ std::string Diagnostics::to_text() const {
   std::string text;
   for (const Diagnostic& entry : entries_) text += grf::to_text(entry);
   if (is_full()) text += fmt::format("only the first {} errors are shown\n", MaximumErrors);
+  if (kept_warnings_ == MaximumWarnings) {
+    text += fmt::format("only the first {} warnings are shown\n", MaximumWarnings);
+  }
   return text;
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   constexpr std::size_t MostSuggestions = 3;
+  // A longer word is no misspelling, and each comparison costs the product of two lengths.
+  constexpr std::size_t LongestWord = 64;
+  constexpr std::size_t MostCandidates = 10'000;
+  const std::size_t farthest = 1 + word.size() / 3;
   std::vector<std::pair<std::size_t, std::string>> near;
-  // A word of over 64 characters is no misspelling of a keyword, and the distance costs the square.
-  if (word.size() > 64) return {};
+  if (word.size() > LongestWord || candidates.size() > MostCandidates) return {};
   for (const std::string& candidate : candidates) {
+    if (candidate.size() > word.size() + farthest || candidate.size() + farthest < word.size()) continue;
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance <= 1 + word.size() / 3 && distance < candidate.size())
-      near.emplace_back(distance, candidate);
+    if (distance <= farthest && distance < candidate.size()) near.emplace_back(distance, candidate);
   }
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
+  // A farther one is no help beside the nearest.
+  std::erase_if(near, [&](const auto& candidate) { return candidate.first > near.front().first; });
   if (near.size() > MostSuggestions) near.resize(MostSuggestions);
   if (near.empty()) return {};
   std::string text = "did you mean ";

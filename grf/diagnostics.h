@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +16,8 @@ struct Diagnostic {
   Severity severity = Severity::Error;
   SourceLocation location;
   std::string message;
-  std::string excerpt;  ///< the source line, kept when the diagnostic was made
+  std::string excerpt;               ///< the source line, or what is around the column of a long one
+  std::uint32_t excerpt_column = 0;  ///< of the excerpt, in characters from 1
 };
 
 /// Collects what is wrong with users' input. Never exits and never throws for a user's mistake.
@@ -22,6 +25,10 @@ class Diagnostics {
  public:
   /// No more errors than this are kept: later ones are mostly consequences of earlier ones.
   static constexpr std::size_t MaximumErrors = 20;
+  /// Nor more warnings than this: a generated file repeats what it does wrong.
+  static constexpr std::size_t MaximumWarnings = 100;
+
+  // The same thing said twice about the same place, as of a file that is included twice, is kept once.
 
   void error(SourceLocation location, std::string message);
   void warning(SourceLocation location, std::string message);
@@ -29,10 +36,11 @@ class Diagnostics {
   void note(SourceLocation location, std::string message);
 
   bool has_errors() const { return error_count_ > 0; }
+  // Both count what was not kept too.
   std::size_t error_count() const { return error_count_; }
-  std::size_t warning_count() const;
+  std::size_t warning_count() const { return warning_count_; }
   /// True once MaximumErrors were reported: whoever is reading may stop.
-  bool is_full() const { return error_count_ >= MaximumErrors; }
+  bool is_full() const { return kept_errors_ >= MaximumErrors; }
   const std::vector<Diagnostic>& entries() const { return entries_; }
 
   /// `file:line:column: error: message`, the source line, a caret under the column, and the chain of
@@ -44,6 +52,9 @@ class Diagnostics {
 
   std::vector<Diagnostic> entries_;
   std::size_t error_count_ = 0;
+  std::size_t warning_count_ = 0;
+  std::size_t kept_errors_ = 0;
+  std::size_t kept_warnings_ = 0;
 };
 
 /// The text of one diagnostic, as `Diagnostics::to_text` prints it.

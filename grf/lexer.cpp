@@ -5,15 +5,21 @@
 #include <utility>
 
 #include "grf/keywords.h"
+#include "grf/text_file.h"
 
 namespace grf {
 namespace {
 
-constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 // The printed examples of the thesis have these, since its word processor put them there.
 constexpr std::array<std::string_view, 2> TypographicQuotes = {"\xE2\x80\x9C", "\xE2\x80\x9D"};
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
+
+/// Which of the two typographic quotes opens and which closes depends on the word processor.
+bool closes_string(std::string_view text, std::string_view opening_quote) {
+  if (opening_quote == "\"") return text.front() == '"';
+  return text.starts_with(TypographicQuotes[0]) || text.starts_with(TypographicQuotes[1]);
+}
 
 }  // namespace
 
@@ -46,10 +52,16 @@ Token Lexer::peek_second() {
   return second;
 }
 
-SourceLocation Lexer::location(const Token& token) const {
+// Counts on from the last token that was asked about, if that is before this one on its line: a file can be
+// one line of a million tokens, and counting each from the start would take the square of that.
+SourceLocation Lexer::location(const Token& token) {
   const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-  const auto column = std::count_if(token.line_begin, token.begin, is_character) + 1;
-  return {file_, token.line, static_cast<std::uint32_t>(column)};
+  const bool goes_on = last_located_.line_begin == token.line_begin && last_located_.begin <= token.begin;
+  const char* counted = goes_on ? last_located_.begin : token.line_begin;
+  const auto characters = static_cast<std::uint32_t>(std::count_if(counted, token.begin, is_character));
+  last_column_ = characters + (goes_on ? last_column_ : 1);
+  last_located_ = token;
+  return {file_, token.line, last_column_};
 }
 
 void Lexer::skip_space_and_comments() {
@@ -63,7 +75,7 @@ void Lexer::skip_space_and_comments() {
     } else if (*position_ == '/' && end_ - position_ > 1 && position_[1] == '/') {
       const char* line_end = std::find(position_, end_, '\n');
       std::string_view text(position_ + 2, static_cast<std::size_t>(line_end - position_ - 2));
-      if (text.ends_with('\r')) text.remove_suffix(1);
+      while (text.ends_with('\r')) text.remove_suffix(1);
       comments_.push_back({text, line_});
       position_ = line_end;
     } else {
@@ -77,9 +89,11 @@ Token Lexer::finish(TokenKind kind, const char* begin, std::string_view text) co
 }
 
 Token Lexer::scan() {
+  // Right behind the last token, where whoever misses something should look.
+  const Token end_of_file = finish(TokenKind::EndOfFile, position_, {});
   skip_space_and_comments();
   const char* begin = position_;
-  if (position_ == end_) return finish(TokenKind::EndOfFile, begin, {});
+  if (position_ == end_) return end_of_file;
   const char c = *position_;
   if (is_word_start(c)) {
     position_ = std::find_if_not(position_, end_, is_word_character);
@@ -137,18 +151,17 @@ Token Lexer::scan_number() {
 Token Lexer::scan_string(std::string_view quote) {
   const char* begin = position_;
   position_ += quote.size();
-  const char* line_end = std::find(position_, end_, '\n');
-  const std::string_view rest(position_, static_cast<std::size_t>(line_end - position_));
-  std::size_t length = rest.find(quote);
-  if (quote != "\"") {
-    for (const std::string_view other : TypographicQuotes) length = std::min(length, rest.find(other));
+  const char* text_begin = position_;
+  while (position_ != end_ && *position_ != '\n') {
+    const std::string_view rest(position_, static_cast<std::size_t>(end_ - position_));
+    if (closes_string(rest, quote)) {
+      const std::string_view text(text_begin, static_cast<std::size_t>(position_ - text_begin));
+      position_ += quote.size();
+      return finish(TokenKind::String, begin, text);
+    }
+    ++position_;
   }
-  if (length == std::string_view::npos) {
-    position_ = line_end;
-    return finish(TokenKind::Invalid, begin, {begin, static_cast<std::size_t>(line_end - begin)});
-  }
-  position_ += length + quote.size();
-  return finish(TokenKind::String, begin, rest.substr(0, length));
+  return finish(TokenKind::Invalid, begin, {begin, static_cast<std::size_t>(position_ - begin)});
 }
 
 }  // namespace grf

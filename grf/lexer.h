@@ -43,7 +43,7 @@ class Lexer {
   std::vector<CommentToken>& comments() { return comments_; }
   std::uint32_t line_of_last() const { return line_of_last_; }
 
-  SourceLocation location(const Token& token) const;
+  SourceLocation location(const Token& token);
 
  private:
   void skip_space_and_comments();
@@ -61,6 +61,8 @@ class Lexer {
   std::uint32_t line_of_last_ = 1;
   std::vector<CommentToken> comments_;
   Token ahead_;
+  Token last_located_;
+  std::uint32_t last_column_ = 1;
 };
 
 }  // namespace grf

@@ -37,8 +37,9 @@ SurfaceIndex::SurfaceIndex(Mesh& mesh) : mesh_(&mesh) {
 std::uint32_t SurfaceIndex::index_of(const Surface& surface) {
   const std::size_t hash = hash_value(surface);
   const auto [first, last] = by_hash_.equal_range(hash);
-  const auto known =
-      std::find_if(first, last, [&](const auto& entry) { return mesh_->surfaces[entry.second] == surface; });
+  const auto known = std::find_if(first, last, [&](const auto& entry) {
+    return is_written_alike(mesh_->surfaces[entry.second], surface);
+  });
   if (known != last) return known->second;
   const auto index = static_cast<std::uint32_t>(mesh_->surfaces.size());
   mesh_->surfaces.push_back(surface);

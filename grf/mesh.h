@@ -66,7 +66,7 @@ struct MeshComments {
 /// Faces without corners do not exist, corners always index a vertex, and each face always has a surface:
 /// whoever fills a mesh goes through `add_face`.
 struct Mesh {
-  std::string name;  ///< may be empty
+  std::string name;  ///< may be empty; not with both plain and typographic (“ ”) quotes
   MeshComments comments;
 
   std::vector<Vec3f> positions;
@@ -93,7 +93,7 @@ struct Mesh {
   friend bool operator==(const Mesh& a, const Mesh& b);
 };
 
-/// Gives equal surfaces one index in a mesh's list, while the mesh is being filled.
+/// Gives surfaces that are written alike one index in a mesh's list, while the mesh is being filled.
 class SurfaceIndex {
  public:
   explicit SurfaceIndex(Mesh& mesh);

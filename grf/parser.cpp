@@ -13,17 +13,34 @@ namespace grf {
 namespace {
 
 constexpr std::size_t DeepestNesting = 1000;
-constexpr std::size_t DeepestInclude = 64;
-constexpr std::string_view BlockWords = "a block ('begin mesh', 'light', 'include', 'transform' or 'def')";
+constexpr std::string_view BlockWords = "a block: 'begin mesh', 'light', 'include', 'transform' or 'def'";
 
-bool looks_binary(std::string_view text) { return text.substr(0, 4096).find('\0') != std::string_view::npos; }
+/// Whether the word behind an `end` says that this closes no block with blocks inside.
+bool is_word_of_end(const Token& token) {
+  return token.kind == TokenKind::Word &&
+         (same_keyword(token.text, "mesh") || same_keyword(token.text, "faces") ||
+          same_keyword(token.text, "vertexs") || same_keyword(token.text, "vertices") ||
+          same_keyword(token.text, "list"));
+}
 
-/// Says what is wrong with a text as a whole, before a token of it is looked at.
+std::optional<Scene> read_shared(const std::shared_ptr<const std::string>& text, const std::string& path,
+                                 Diagnostics& diagnostics) {
+  const auto file = source_file(path, text, {});
+  if (!is_text(*text, {file, 0, 0}, diagnostics)) return std::nullopt;
+  ParserContext context(diagnostics);
+  context.open_files.push_back({canonical_path(path), path});
+  Scene scene{Parser(text, file, context).parse_file()};
+  if (context.has_errors()) return std::nullopt;
+  return scene;
+}
+
+}  // namespace
+
 bool is_text(const std::string& text, const SourceLocation& location, Diagnostics& diagnostics) {
   if (text.empty()) {
-    diagnostics.error(location, "the file is empty: a GRF scene was expected");
-  } else if (looks_binary(text)) {
-    diagnostics.error(location, "this is a binary file: a GRF scene, which is text, was expected");
+    diagnostics.error(location, "the file is empty, expected a GRF scene");
+  } else if (text.find('\0') != std::string::npos) {
+    diagnostics.error(location, "this is a binary file, expected a GRF scene, which is text");
   } else {
     return true;
   }
@@ -35,19 +52,6 @@ std::shared_ptr<const SourceFile> source_file(const std::string& path,
                                               const SourceLocation& included_at) {
   return std::make_shared<SourceFile>(SourceFile{path, included_at, text});
 }
-
-std::optional<Scene> read_shared(const std::shared_ptr<const std::string>& text, const std::string& path,
-                                 Diagnostics& diagnostics) {
-  const auto file = source_file(path, text, {});
-  if (!is_text(*text, {file, 0, 0}, diagnostics)) return std::nullopt;
-  const std::size_t errors_before = diagnostics.error_count();
-  ParserContext context{diagnostics, {}, {canonical_path(path)}, 0};
-  Scene scene{Parser(text, file, context).parse_file()};
-  if (diagnostics.error_count() > errors_before) return std::nullopt;
-  return scene;
-}
-
-}  // namespace
 
 std::optional<Scene> read(const std::string& path, Diagnostics& diagnostics) {
   const auto text = read_file(path, diagnostics);
@@ -61,7 +65,7 @@ std::optional<Scene> read_text(std::string text, const std::string& path, Diagno
 
 std::optional<BrdfModel> read_brdf(std::string text, const std::string& name, Diagnostics& diagnostics) {
   const auto shared_text = std::make_shared<const std::string>(std::move(text));
-  ParserContext context{diagnostics, {}, {}, 0};
+  ParserContext context(diagnostics);
   return Parser(shared_text, source_file(name, shared_text, {}), context).parse_lone_brdf();
 }
 
@@ -83,27 +87,23 @@ BlockList Parser::parse_file() {
 std::optional<BrdfModel> Parser::parse_lone_brdf() {
   BrdfModel brdf;
   if (!parse_model(brdf, nullptr)) return std::nullopt;
-  if (lexer_.peek().kind != TokenKind::EndOfFile) {
-    fail_expected("the end of the BRDF");
-    return std::nullopt;
-  }
+  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the BRDF");
+  if (context_.has_errors()) return std::nullopt;
   return brdf;
 }
 
 // Blocks up to the `end` of the scope that the token opened, or, without one, to the end of the file.
 BlockList Parser::parse_blocks(const Token* opening) {
   BlockList list;
-  while (!context_.diagnostics.is_full()) {
-    const Token& token = lexer_.peek();
-    if (token.kind == TokenKind::EndOfFile) break;
-    if (at("end")) {
-      if (opening != nullptr) break;
-      // After an error, an `end` too many is most likely its consequence.
-      if (!context_.diagnostics.has_errors()) fail(token, "'end' without a block that it could close");
-      lexer_.next();
-      continue;
+  while (!context_.is_over() && lexer_.peek().kind != TokenKind::EndOfFile) {
+    const std::size_t open_before = open_;
+    if (!at("end")) {
+      if (!parse_block(list)) recover(open_before);
+    } else if (opening == nullptr) {
+      report_end_too_many();
+    } else {
+      break;
     }
-    if (!parse_block(list)) recover();
   }
   list.end_comments = take_comments();
   return list;
@@ -117,7 +117,7 @@ bool Parser::parse_block(BlockList& list) {
   bool parsed = false;
   if (accept("begin")) {
     Mesh mesh;
-    parsed = expect("mesh", "after 'begin'") && parse_mesh(opening, mesh);
+    parsed = expect("mesh", "after this 'begin'") && parse_mesh(opening, mesh);
     block.content = Shared<Mesh>(std::move(mesh));
   } else if (accept("light")) {
     parsed = parse_light(block.content.emplace<AreaLight>());
@@ -130,7 +130,7 @@ bool Parser::parse_block(BlockList& list) {
   } else {
     return fail_expected(BlockWords);
   }
-  block.comments.behind = take_comment_behind();
+  take_comments_of(block.comments);
   if (parsed) list.blocks.push_back(std::move(block));
   return parsed;
 }
@@ -145,11 +145,37 @@ bool Parser::starts_block(const Token& token) {
   return second.kind == TokenKind::Word && same_keyword(second.text, begin ? "mesh" : "begin");
 }
 
-// After an error: on to the next word that can only start a block, so that later errors are found too.
-void Parser::recover() {
+void Parser::report_end_too_many() {
+  // After an error, this is most likely its consequence.
+  if (!context_.has_errors()) error(lexer_.peek(), "'end' without a block that it could close");
   lexer_.next();
-  while (lexer_.peek().kind != TokenKind::EndOfFile && !starts_block(lexer_.peek())) lexer_.next();
+  if (is_word_of_end(lexer_.peek())) lexer_.next();
+}
+
+// After an error in a block: on behind its end, or to what can only be the next block or the end of the block
+// around it, so that later errors are found too.
+void Parser::recover(std::size_t open_before) {
+  // The lists of a mesh are in nothing else, so what looks like one belongs to the block that was left.
+  const auto at_list = [this] { return (at("begin") || at("end")) && is_word_of_end(lexer_.peek_second()); };
+  while (lexer_.peek().kind != TokenKind::EndOfFile && !starts_block(lexer_.peek())) {
+    const bool ends_something = at("end");
+    if (ends_something && open_ == open_before && !at_list()) break;
+    take();
+    if (!ends_something) continue;
+    if (is_word_of_end(lexer_.peek())) lexer_.next();
+    if (open_ == open_before && !at_list()) break;
+  }
+  open_ = open_before;
   lexer_.comments().clear();
+}
+
+// After an error before a body: on to its `begin`, so that the blocks inside are looked at too.
+bool Parser::skip_to_body() {
+  while (lexer_.peek().kind != TokenKind::EndOfFile && !at("end") && !starts_block(lexer_.peek())) {
+    if (at("begin")) return true;
+    lexer_.next();
+  }
+  return false;
 }
 
 bool Parser::parse_light(AreaLight& light) {
@@ -157,7 +183,7 @@ bool Parser::parse_light(AreaLight& light) {
   const auto parse_radiance = [&] {
     if (lexer_.peek().kind != TokenKind::Word || !is_colour_keyword(lexer_.peek().text)) return true;
     const Token keyword = lexer_.next();
-    if (light.radiance) return fail(keyword, "a light has one 'rgb', before or after its region");
+    if (light.radiance) error(keyword, "a light has one 'rgb', before or after its corner and edges");
     return parse_vector(light.radiance.emplace());
   };
   if (!parse_radiance() || !parse_vector(light.corner) || !parse_vector(light.edge1) ||
@@ -167,39 +193,14 @@ bool Parser::parse_light(AreaLight& light) {
   return expect("end", "after the corner and the two edges of a light");
 }
 
-bool Parser::parse_include(Include& include) {
-  const SourceLocation location = lexer_.location(lexer_.peek());
-  return parse_string(include.file, "the name of a file, in quotes") &&
-         parse_included_file(location, include);
-}
-
-bool Parser::parse_included_file(const SourceLocation& location, Include& include) {
-  const std::string path = path_beside(file_->path, include.file);
-  const std::string exact_path = canonical_path(path);
-  std::vector<std::string>& open_files = context_.open_files;
-  Diagnostics& diagnostics = context_.diagnostics;
-  if (std::find(open_files.begin(), open_files.end(), exact_path) != open_files.end()) {
-    diagnostics.error(location, fmt::format("'{}' includes itself: {} -> {}", include.file,
-                                            fmt::join(open_files, " -> "), exact_path));
-    return true;  // the statement itself was read, so reading goes on behind it
-  }
-  if (open_files.size() > DeepestInclude) {
-    diagnostics.error(location, fmt::format("includes are nested deeper than {}", DeepestInclude));
-    return true;
-  }
-  const auto text = read_file(path, diagnostics, location);
-  if (!text) return true;
-  const auto file = source_file(path, text, location);
-  if (!is_text(*text, {file, 0, 0}, diagnostics)) return true;
-  open_files.push_back(exact_path);
-  include.contents = Parser(text, file, context_).parse_file();
-  open_files.pop_back();
-  include.origin = {exact_path, include.contents};
-  return true;
-}
-
 bool Parser::parse_transform(const Token& opening, Transform& transform) {
-  while (!at("begin")) {
+  const bool steps_parsed = parse_steps(transform.steps);
+  if (!steps_parsed && !skip_to_body()) return false;
+  return parse_body(opening, transform.body);
+}
+
+bool Parser::parse_steps(std::vector<TransformStep>& steps) {
+  do {
     TransformStep step;
     const Token keyword = lexer_.peek();
     if (accept("scale")) {
@@ -209,23 +210,23 @@ bool Parser::parse_transform(const Token& opening, Transform& transform) {
     } else if (accept("translation")) {
       step.kind = TransformStep::Kind::Translation;
     } else {
-      return fail_expected(transform.steps.empty() ? "'scale', 'rotation' or 'translation'"
-                                                   : "'scale', 'rotation', 'translation' or 'begin'");
+      return fail_expected(steps.empty() ? "'scale', 'rotation' or 'translation'"
+                                         : "'scale', 'rotation', 'translation' or 'begin'");
     }
     if (!parse_vector(step.value)) return false;
     const Vec3f& value = step.value;
     if (step.kind == TransformStep::Kind::Scale && (value.x == 0 || value.y == 0 || value.z == 0)) {
-      return fail(keyword, "a scale by zero flattens what it acts on: factors other than 0 were expected");
+      error(keyword, "a scale by zero flattens what it acts on, expected factors other than 0");
     }
-    transform.steps.push_back(step);
-  }
-  if (transform.steps.empty()) return fail_expected("'scale', 'rotation' or 'translation'");
-  return parse_body(opening, transform.body);
+    steps.push_back(step);
+  } while (!at("begin"));
+  return true;
 }
 
 bool Parser::parse_body(const Token& opening, BlockList& body) {
-  if (!expect("begin", "before the blocks inside")) return false;
+  if (!expect("begin", "and the blocks inside")) return false;
   if (context_.nesting >= DeepestNesting) {
+    context_.gave_up = true;
     return fail(opening, fmt::format("blocks are nested deeper than {}", DeepestNesting));
   }
   ++context_.nesting;

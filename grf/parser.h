@@ -1,12 +1,17 @@
 // The recursive-descent parser behind `read.h`. One function a production; each returns false, or nothing,
-// after it has reported an error.
+// after an error that leaves it unclear where the production ends. Other errors are reported and reading goes
+// on, so that as many as possible are found in one go.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "grf/diagnostics.h"
@@ -16,12 +21,39 @@
 
 namespace grf {
 
+struct OpenFile {
+  std::string exact_path;  ///< canonical
+  std::string path;        ///< as it was named
+};
+
 /// What a file and the files that it includes have in common.
 struct ParserContext {
+  explicit ParserContext(Diagnostics& where) : diagnostics(where), errors_before(where.error_count()) {}
+
+  bool has_errors() const { return diagnostics.error_count() > errors_before; }
+  /// True when nothing that could still be found would be of use.
+  bool is_over() const {
+    return gave_up || diagnostics.error_count() - errors_before >= Diagnostics::MaximumErrors;
+  }
+
   Diagnostics& diagnostics;
+  std::size_t errors_before = 0;
+  bool gave_up = false;
+
   Scope scope;
-  std::vector<std::string> open_files;  ///< canonical paths, the outermost first
-  std::size_t nesting = 0;              ///< open blocks, those of including files among them
+  bool lacks_names = false;              ///< a definition could not be read, so its name is not in the scope
+  std::set<std::string> reported_names;  ///< unknown ones: each is one mistake, however often it is used
+  std::size_t nesting = 0;               ///< open blocks, those of including files among them
+  std::vector<OpenFile> open_files;      ///< the outermost first
+  std::size_t include_count = 0;         ///< a file counts as often as it is included
+  std::size_t bytes_read_again = 0;      ///< of files that were read before
+  std::set<std::string> included_paths;  ///< canonical
+  /// Places where the same names mean definitions of the same kinds have one number: 0 outside of all `def`,
+  /// others by the number around a `def` and its names. Text reads the same at all of them.
+  std::map<std::pair<std::size_t, std::string>, std::size_t> scope_numbers;
+  std::size_t scope_number = 0;
+  /// The contents of files that include no others, by canonical path and number of the scope.
+  std::map<std::pair<std::string, std::size_t>, Shared<BlockList>> contents_of_files;
 };
 
 class Parser {
@@ -37,12 +69,19 @@ class Parser {
   BlockList parse_blocks(const Token* opening);
   bool parse_block(BlockList& list);
   bool parse_light(AreaLight& light);
-  bool parse_include(Include& include);
-  bool parse_included_file(const SourceLocation& location, Include& include);
   bool parse_transform(const Token& opening, Transform& transform);
+  bool parse_steps(std::vector<TransformStep>& steps);
   bool parse_body(const Token& opening, BlockList& body);
-  void recover();
+  void report_end_too_many();
+  void recover(std::size_t open_before);
+  bool skip_to_body();
   bool starts_block(const Token& token);
+
+  // parser_includes.cpp
+  bool parse_include(Include& include);
+  bool may_include(const OpenFile& included, const SourceLocation& location);
+  std::optional<Shared<BlockList>> contents_of(const OpenFile& included, const SourceLocation& location);
+  bool is_read_too_often(const OpenFile& included, std::size_t bytes);
 
   // parser_definitions.cpp
   bool parse_definitions(const Token& opening, DefinitionScope& scope);
@@ -51,9 +90,14 @@ class Parser {
     Token name;
     std::uint32_t line_before = 0;  ///< where the definition before it ends
   };
+  /// Where each name of a list of definitions stands.
+  using Names = std::unordered_map<std::string_view, std::uint32_t>;
+  bool parse_name(std::optional<NextDefinition>& next);
+  void check_name(const Token& name, Names& names);
   bool parse_definition(const Token& name, DefinitionScope& scope, std::optional<NextDefinition>& next);
   bool parse_definition_body(Definition& definition, std::optional<NextDefinition>& next);
-  bool check_new_name(const Token& name, const DefinitionScope& scope);
+  std::size_t number_of_scope(const DefinitionScope& scope);
+  bool skip_to_definition();
   bool parse_model(Model& model, std::optional<NextDefinition>* next);
   bool parse_value(const Token& name, Value& value);
 
@@ -69,11 +113,13 @@ class Parser {
   bool is_attribute(const Token& token) const;
   bool parse_attribute(Surface& surface, bool reset_allowed);
   bool parse_colour_attribute(Surface& surface);
+  void report_unknown_colour(const Token& name);
   template <class ModelOfKind>
   bool parse_model_attribute(std::optional<std::variant<ModelOfKind, Reference>>& attribute);
   Comments* comments_of_attribute(Mesh& mesh, const Token& keyword) const;
 
   // parser_words.cpp: tokens and values
+  Token take();
   bool accept(std::string_view keyword);
   bool accept(char punctuation);
   bool expect(std::string_view keyword, std::string_view where);
@@ -83,19 +129,29 @@ class Parser {
   bool parse_vector(Vec3f& vector);
   bool parse_string(std::string& string, std::string_view what);
   bool parse_index(std::uint32_t& index, std::string_view what);
+  void error(const Token& token, std::string message);
   bool fail(const Token& token, std::string message);
   bool fail_expected(std::string_view expected);
   bool fail_unclosed(const Token& opening, std::string_view end);
   std::vector<std::string> take_comments();
-  std::string take_comment_behind() { return take_comment_behind(lexer_.line_of_last()); }
-  std::string take_comment_behind(std::uint32_t line);
+  void take_comments_of(Comments& comments) { take_comments_of(comments, lexer_.line_of_last()); }
+  void take_comments_of(Comments& comments, std::uint32_t last_line);
   void drop_comments();
 
   Lexer lexer_;
   std::shared_ptr<const SourceFile> file_;
   ParserContext& context_;
+  std::size_t open_ = 0;  ///< words `begin` whose `end` was not met yet
   std::size_t dropped_comments_ = 0;
+  bool index_reported_ = false;  ///< an index out of range, in the faces that are being read
 };
+
+std::shared_ptr<const SourceFile> source_file(const std::string& path,
+                                              const std::shared_ptr<const std::string>& text,
+                                              const SourceLocation& included_at);
+
+/// Says what is wrong with a text as a whole, before a token of it is looked at.
+bool is_text(const std::string& text, const SourceLocation& location, Diagnostics& diagnostics);
 
 /// The three spellings of the keyword.
 bool is_colour_keyword(std::string_view word);

@@ -7,6 +7,13 @@
 #include "grf/parser.h"
 
 namespace grf {
+namespace {
+
+std::string corners_in_words(std::size_t count) {
+  return count == 1 ? "one corner" : fmt::format("{} corners", count);
+}
+
+}  // namespace
 
 bool Parser::parse_mesh(const Token& opening, Mesh& mesh) {
   if (lexer_.peek().kind == TokenKind::String) mesh.name = lexer_.next().text;
@@ -16,34 +23,33 @@ bool Parser::parse_mesh(const Token& opening, Mesh& mesh) {
     Comments* comments = comments_of_attribute(mesh, lexer_.peek());
     if (!parse_attribute(own, false)) return false;
     comments->before.insert(comments->before.end(), before.begin(), before.end());
-    comments->behind = take_comment_behind();
+    take_comments_of(*comments);
   }
   mesh.surfaces.front() = own;
   mesh.comments.vertices.before = take_comments();
   if (!parse_vertices(mesh)) return false;
-  mesh.comments.vertices.behind = take_comment_behind();
+  take_comments_of(mesh.comments.vertices);
   mesh.comments.faces.before = take_comments();
   bool mesh_closed = false;
   if (!parse_faces(opening, mesh, mesh_closed)) return false;
   if (mesh_closed) return true;
-  mesh.comments.faces.behind = take_comment_behind();
+  take_comments_of(mesh.comments.faces);
   mesh.comments.end = take_comments();
   return end_mesh(opening);
 }
 
 bool Parser::parse_vertices(Mesh& mesh) {
   const Token opening = lexer_.peek();
-  const auto at_word = [this] { return at("vertexs") || at("vertices"); };
-  if (!expect("begin", "before 'vertexs'")) return false;
-  if (!at_word()) return fail_expected("'vertexs', an attribute of the mesh,");
-  lexer_.next();
+  const auto accept_word = [this] { return accept("vertexs") || accept("vertices"); };
+  if (!accept("begin")) return fail_expected("an attribute of the mesh or 'begin vertexs'");
+  if (!accept_word()) return fail_expected("'vertexs' (a mesh lists its vertices before its faces)");
   while (!at("end")) {
     if (lexer_.peek().kind == TokenKind::EndOfFile) return fail_unclosed(opening, "end vertexs");
     if (!parse_vertex(mesh)) return false;
   }
   drop_comments();
-  lexer_.next();
-  if (at_word()) lexer_.next();
+  take();
+  accept_word();
   return true;
 }
 
@@ -69,12 +75,14 @@ bool Parser::parse_vertex(Mesh& mesh) {
 
 bool Parser::parse_faces(const Token& mesh_opening, Mesh& mesh, bool& mesh_closed) {
   const Token opening = lexer_.peek();
-  if (!expect("begin", "before 'faces'") || !expect("faces", "after the vertices and 'begin'")) return false;
+  if (!accept("begin")) return fail_expected("'begin faces'");
+  if (!expect("faces", "after the vertices")) return false;
   Surface surface = mesh.surfaces.front();
   SurfaceIndex surfaces(mesh);
   std::uint32_t surface_index = 0;
   std::vector<std::uint32_t> corners;
-  while (!at("end")) {
+  index_reported_ = false;
+  while (!at("end") && !context_.is_over()) {
     if (lexer_.peek().kind == TokenKind::EndOfFile) return fail_unclosed(opening, "end faces");
     if (is_attribute(lexer_.peek())) {
       if (!parse_attribute(surface, true)) return false;
@@ -102,18 +110,18 @@ bool Parser::parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
     } while (accept(','));
     if (!expect(')', "or ',' after the corner of a face")) return false;
   } else {
-    for (std::uint32_t i = 0; i < count; ++i) {
+    const auto next_begins = [this] {
+      return lexer_.peek().is('(') || is_attribute(lexer_.peek()) || at("end");
+    };
+    while (corners.size() < count && !next_begins()) {
       if (!parse_corner(mesh, corners)) return false;
     }
   }
   if (has_count && count != corners.size()) {
-    return fail(first,
-                fmt::format("the face says that it has {} corners, and has {}", count, corners.size()));
-  }
-  if (corners.size() < 3) {
-    return fail(first,
-                fmt::format("a face of {}: three corners or more were expected",
-                            corners.size() == 1 ? "one corner" : fmt::format("{} corners", corners.size())));
+    error(first,
+          fmt::format("the face says that it has {} and lists {}", corners_in_words(count), corners.size()));
+  } else if (corners.size() < 3) {
+    error(first, fmt::format("a face of {}, expected three or more", corners_in_words(corners.size())));
   }
   return true;
 }
@@ -122,26 +130,28 @@ bool Parser::parse_corner(const Mesh& mesh, std::vector<std::uint32_t>& corners)
   const Token token = lexer_.peek();
   std::uint32_t corner = 0;
   if (!parse_index(corner, "the index of a vertex")) return false;
-  if (corner >= mesh.positions.size()) {
-    if (mesh.positions.empty())
-      return fail(token, fmt::format("vertex {} of a mesh without vertices", token.text));
-    return fail(token, fmt::format("vertex {} is out of range: the mesh has {}, from 0 to {}", token.text,
-                                   mesh.positions.size(), mesh.positions.size() - 1));
-  }
   corners.push_back(corner);
+  if (corner < mesh.positions.size() || index_reported_) return true;
+  // A vertex that is missing makes many indices wrong: one message is enough.
+  index_reported_ = true;
+  const std::size_t vertices = mesh.positions.size();
+  error(token, vertices == 0 ? fmt::format("vertex {} does not exist: the mesh has no vertices", token.text)
+                             : fmt::format("vertex {} does not exist: the mesh has {}, from 0 to {}",
+                                           token.text, vertices, vertices - 1));
   return true;
 }
 
 bool Parser::end_faces(const Token& opening, bool& mesh_closed) {
-  const Token end = lexer_.next();
+  const Token end = take();
   if (accept("faces") || !at("mesh")) return true;
   const Token second = lexer_.peek_second();
   if (second.kind == TokenKind::Word && same_keyword(second.text, "light")) {
     return fail(end,
-                "an 'end' is missing here: this is either 'end faces end mesh' and a light, or the same "
-                "and a mesh light");
+                "'end faces' is missing, and this can be 'end faces end mesh' before a light, or 'end faces "
+                "end' before a mesh light");
   }
-  lexer_.next();
+  take();
+  --open_;
   context_.diagnostics.warning(
       lexer_.location(end),
       fmt::format("'end faces' is missing in the mesh of line {}: it was supplied", opening.line));
@@ -159,6 +169,7 @@ bool Parser::end_mesh(const Token& opening) {
   context_.diagnostics.warning(
       lexer_.location(lexer_.peek()),
       fmt::format("'end mesh' is missing for the mesh of line {}: it was supplied", opening.line));
+  --open_;
   return true;
 }
 
@@ -177,7 +188,11 @@ Comments* Parser::comments_of_attribute(Mesh& mesh, const Token& keyword) const 
 
 bool Parser::parse_attribute(Surface& surface, bool reset_allowed) {
   const Token keyword = lexer_.next();
-  const bool reset = reset_allowed && accept("none");
+  if (!reset_allowed && at("none")) {
+    return fail_expected(
+        fmt::format("a value ('none' is for faces: a mesh just leaves '{}' out)", lower_case(keyword.text)));
+  }
+  const bool reset = accept("none");
   if (same_keyword(keyword.text, "brdf")) {
     if (!reset) return parse_model_attribute(surface.brdf);
     surface.brdf.reset();
@@ -207,14 +222,24 @@ bool Parser::parse_colour_attribute(Surface& surface) {
     surface.colour = colour;
     return true;
   }
+  if (!is_identifier(lexer_.peek().text)) return fail_expected("three numbers or the name of a colour");
   const Token name = lexer_.next();
-  if (context_.scope.find<Colour>(name.text) == nullptr) {
-    const std::string suggestion = did_you_mean(name.text, context_.scope.names());
-    return fail(name, fmt::format("no colour called '{}' is defined here{}{}", name.text,
-                                  suggestion.empty() ? "" : ": ", suggestion));
-  }
+  if (context_.scope.find<Colour>(name.text) == nullptr) report_unknown_colour(name);
   surface.colour = Reference{std::string(name.text), lexer_.location(name)};
   return true;
+}
+
+void Parser::report_unknown_colour(const Token& name) {
+  if (context_.lacks_names || context_.is_over()) return;
+  if (!context_.reported_names.emplace(name.text).second) return;
+  const Definition* definition = context_.scope.find(name.text);
+  if (definition != nullptr) {
+    const bool is_brdf = std::holds_alternative<BrdfModel>(definition->body);
+    return error(name, fmt::format("'{}' is a {}, expected a colour", name.text, is_brdf ? "BRDF" : "PDF"));
+  }
+  const std::string suggestion = did_you_mean(name.text, context_.scope.names_of<Colour>());
+  error(name, fmt::format("no colour called '{}' is defined here{}{}", name.text,
+                          suggestion.empty() ? "" : ": ", suggestion));
 }
 
 // A bare word is a reference where a definition of the kind has that name, and else a model's keyword.

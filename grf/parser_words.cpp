@@ -1,5 +1,6 @@
+#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -11,29 +12,59 @@
 namespace grf {
 namespace {
 
+/// The beginning of a text, cut between characters.
+std::string shortened(std::string_view text) {
+  constexpr std::size_t Longest = 40;
+  if (text.size() <= Longest) return std::string(text);
+  std::size_t length = Longest;
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
+  return std::string(text.substr(0, length)) + "...";
+}
+
+std::string description_of_invalid(std::string_view text) {
+  const bool is_ascii = (static_cast<unsigned char>(text.front()) & 0x80U) == 0;
+  if (text.size() == 1 && (!is_ascii || text.front() < ' ')) {
+    return fmt::format("the byte 0x{:02x}{}", static_cast<unsigned char>(text.front()),
+                       is_ascii ? "" : ", which is no UTF-8");
+  }
+  const bool opens_string = text.starts_with('"') || text.starts_with("\u201C") || text.starts_with("\u201D");
+  if (opens_string) return "a string without its closing quote";
+  return fmt::format("'{}'", shortened(text));
+}
+
 /// What stands at a token, for messages.
 std::string description(const Token& token) {
-  constexpr std::size_t Longest = 40;
-  std::string text(token.text.substr(0, Longest));
-  if (token.text.size() > Longest) text += "...";
   switch (token.kind) {
     case TokenKind::EndOfFile:
       return "the end of the file";
     case TokenKind::String:
-      return fmt::format("the string \"{}\"", text);
+      return fmt::format("the string \"{}\"", shortened(token.text));
     case TokenKind::Number:
-      return fmt::format("the number {}", text);
+      return fmt::format("the number {}", shortened(token.text));
     case TokenKind::Word:
     case TokenKind::Punctuation:
-      return fmt::format("'{}'", text);
+      return fmt::format("'{}'", shortened(token.text));
     case TokenKind::Invalid:
       break;
   }
-  if (token.text.size() == 1 && (token.text.front() < ' ' || token.text.front() > '~')) {
-    return fmt::format("the byte 0x{:02x}", static_cast<unsigned char>(token.text.front()));
+  return description_of_invalid(token.text);
+}
+
+/// Whether a number that is out of a float's range is so for being too near to zero: whether its first digit
+/// other than 0 stands behind the point, once the exponent has moved that.
+bool is_tiny(std::string_view number) {
+  const std::size_t exponent_mark = number.find_first_of("eE");
+  const std::string_view digits = number.substr(0, exponent_mark);
+  std::int32_t exponent = 0;
+  if (exponent_mark != std::string_view::npos) {
+    const char* first = number.data() + exponent_mark + 1;
+    if (*first == '+') ++first;
+    const auto error = std::from_chars(first, number.data() + number.size(), exponent).ec;
+    if (error == std::errc::result_out_of_range) return *first == '-';
   }
-  if (token.text.starts_with('"')) return "a string without its closing quote";
-  return fmt::format("'{}', which is no word, number or string of GRF,", text);
+  const auto first_digit = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  return point - first_digit + exponent < 0;
 }
 
 }  // namespace
@@ -46,9 +77,16 @@ bool Parser::at(std::string_view keyword) const {
   return lexer_.peek().kind == TokenKind::Word && same_keyword(lexer_.peek().text, keyword);
 }
 
+// Counts blocks that are open, which recovery from an error needs to know.
+Token Parser::take() {
+  if (at("begin")) ++open_;
+  if (at("end") && open_ > 0) --open_;
+  return lexer_.next();
+}
+
 bool Parser::accept(std::string_view keyword) {
   if (!at(keyword)) return false;
-  lexer_.next();
+  take();
   return true;
 }
 
@@ -66,19 +104,24 @@ bool Parser::expect(char punctuation, std::string_view where) {
   return accept(punctuation) || fail_expected(fmt::format("'{}' {}", punctuation, where));
 }
 
-bool Parser::fail(const Token& token, std::string message) {
+void Parser::error(const Token& token, std::string message) {
   context_.diagnostics.error(lexer_.location(token), std::move(message));
+}
+
+bool Parser::fail(const Token& token, std::string message) {
+  error(token, std::move(message));
   return false;
 }
 
 bool Parser::fail_expected(std::string_view expected) {
-  return fail(lexer_.peek(),
-              fmt::format("found {} where {} was expected", description(lexer_.peek()), expected));
+  return fail(lexer_.peek(), fmt::format("found {}, expected {}", description(lexer_.peek()), expected));
 }
 
 bool Parser::fail_unclosed(const Token& opening, std::string_view end) {
-  return fail(opening, fmt::format("'{}' is never closed: expected '{}' before the end of the file",
-                                   opening.text, end));
+  // After an error this is most likely its consequence, and so is the open block around one that was
+  // reported.
+  if (context_.has_errors()) return false;
+  return fail(opening, fmt::format("'{}' without '{}' before the end of the file", opening.text, end));
 }
 
 bool Parser::parse_number(float& number) {
@@ -87,27 +130,21 @@ bool Parser::parse_number(float& number) {
   const char* first = token.text.data();
   const char* last = first + token.text.size();
   if (*first == '+') ++first;
+  // Out of range is also said of numbers too near to zero for a float: those are zero.
   if (std::from_chars(first, last, number).ec == std::errc::result_out_of_range) {
-    // Out of range is also said of numbers too near to zero: those are zero. What is left is an overflow.
-    double exact = 0;
-    const bool small = std::from_chars(first, last, exact).ec == std::errc() &&
-                       std::abs(exact) <= std::numeric_limits<float>::min();
-    const bool has_small_exponent =
-        token.text.find("e-") != std::string_view::npos || token.text.find("E-") != std::string_view::npos;
-    if (!small && !(exact == 0 && has_small_exponent)) {
-      return fail(token, fmt::format("{} is out of range: numbers reach from -3.4028235e38 to 3.4028235e38",
-                                     description(token)));
+    if (!is_tiny(token.text)) {
+      error(token, fmt::format("{} is out of range: numbers reach from -3.4028235e38 to 3.4028235e38",
+                               description(token)));
     }
-    number = static_cast<float>(exact);
+    number = *first == '-' ? -0.0F : 0.0F;
   }
   lexer_.next();
   return true;
 }
 
 bool Parser::parse_vector(Vec3f& vector) {
-  return expect('(', "before three numbers") && parse_number(vector.x) &&
-         expect(',', "between the numbers of a triple") && parse_number(vector.y) &&
-         expect(',', "between the numbers of a triple") && parse_number(vector.z) &&
+  return expect('(', "and three numbers") && parse_number(vector.x) && expect(',', "and two more numbers") &&
+         parse_number(vector.y) && expect(',', "and one more number") && parse_number(vector.z) &&
          expect(')', "after three numbers");
 }
 
@@ -125,7 +162,7 @@ bool Parser::parse_index(std::uint32_t& index, std::string_view what) {
   const auto [end, error] = std::from_chars(first, last, index);
   if (error == std::errc::result_out_of_range) index = std::numeric_limits<std::uint32_t>::max();
   if (error == std::errc::invalid_argument || end != last) {
-    return fail(token, fmt::format("{} is not {}: a whole number from 0 was expected", token.text, what));
+    return fail(token, fmt::format("{} is not {}, expected a whole number from 0", token.text, what));
   }
   lexer_.next();
   return true;
@@ -138,12 +175,20 @@ std::vector<std::string> Parser::take_comments() {
   return comments;
 }
 
-std::string Parser::take_comment_behind(std::uint32_t line) {
-  std::vector<CommentToken>& comments = lexer_.comments();
-  if (comments.empty() || comments.front().line != line) return {};
-  std::string text(comments.front().text);
-  comments.erase(comments.begin());
-  return text;
+// The comments of what was just read, up to that line: those from inside, which no part of it took, and the
+// one behind it.
+void Parser::take_comments_of(Comments& comments, std::uint32_t last_line) {
+  if (!comments.behind.empty()) comments.before.push_back(std::exchange(comments.behind, {}));
+  std::vector<CommentToken>& pending = lexer_.comments();
+  auto comment = pending.begin();
+  for (; comment != pending.end() && comment->line < last_line; ++comment) {
+    comments.before.emplace_back(comment->text);
+  }
+  if (comment != pending.end() && comment->line == last_line) {
+    comments.behind = comment->text;
+    ++comment;
+  }
+  pending.erase(pending.begin(), comment);
 }
 
 void Parser::drop_comments() {

@@ -1,5 +1,9 @@
 // A scene as its author wrote it: a plain value, a tree of blocks. A copy is a snapshot; meshes and
 // included files are shared by copies until one of them is edited.
+//
+// Every scene can be written and read back if whoever builds it keeps to this, besides what is said at each
+// type: numbers are finite; a reference names a definition of its kind that is in scope; names and comments
+// have no line ends and no zero bytes; a file that is included twice has one text.
 #pragma once
 
 #include <optional>
@@ -28,9 +32,9 @@ struct BlockList {
 
 /// A parallelogram that emits from the side to which edge1 x edge2 points.
 struct AreaLight {
-  Vec3f corner;
-  Vec3f edge1;
-  Vec3f edge2;
+  Vec3f corner = Vec3f(0);
+  Vec3f edge1 = Vec3f(0);
+  Vec3f edge2 = Vec3f(0);
   std::optional<Colour> radiance;  ///< W/(sr m2); absent: 1
 
   bool operator==(const AreaLight&) const = default;
@@ -47,7 +51,8 @@ struct IncludeOrigin {
 
 /// A file whose blocks stand in the place of the include.
 struct Include {
-  std::string file;  ///< as written, relative to the folder of the file that names it
+  std::string
+      file;  ///< as written, relative to the folder of the file that names it; quotes as in a mesh's name
   Shared<BlockList> contents;
   IncludeOrigin origin;
 
@@ -58,12 +63,12 @@ struct Include {
 struct TransformStep {
   enum class Kind { Scale, Rotation, Translation };
   Kind kind = Kind::Translation;
-  Vec3f value;
+  Vec3f value = Vec3f(0);
 
   bool operator==(const TransformStep&) const = default;
 };
 
-/// Steps act on the body in the order written.
+/// Steps, of which there is one at least, act on the body in the order written.
 struct Transform {
   std::vector<TransformStep> steps;
   BlockList body;
@@ -80,7 +85,8 @@ struct Definition {
   bool operator==(const Definition&) const = default;
 };
 
-/// Names that hold for the body, and for the files included from there.
+/// Names that hold for the body, and for the files included from there. There is one at least; each is an
+/// identifier, and no two are the same.
 struct DefinitionScope {
   std::vector<Definition> definitions;
   BlockList body;

@@ -1,14 +1,13 @@
 #include "grf/summary.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "grf/keywords.h"
 #include "grf/visit.h"
 #include "grf/write.h"
 
@@ -93,8 +92,12 @@ class Counter {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
       summary_.area += doubled_area_vector(mesh, i, placement.to_world).length() / 2;
     }
+    std::vector<bool> is_used(mesh.surfaces.size());
+    for (const std::uint32_t surface : mesh.surface_of_face) is_used[surface] = true;
     bool emits = false;
-    for (const Surface& surface : mesh.surfaces) {
+    for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+      if (!is_used[i]) continue;
+      const Surface& surface = mesh.surfaces[i];
       if (surface.brdf) add_model<BrdfModel>(*surface.brdf, brdfs_);
       if (surface.pdf) add_model<PdfModel>(*surface.pdf, pdfs_);
       emits = emits || surface.emission.has_value();
@@ -105,7 +108,7 @@ class Counter {
 
   template <class Model>
   static void add_model(const std::variant<Model, Reference>& attribute, std::set<std::string>& models) {
-    if (const auto* model = std::get_if<Model>(&attribute)) models.insert(to_text(*model));
+    if (const auto* model = std::get_if<Model>(&attribute)) models.insert(lower_case(to_text(*model)));
   }
 
   Summary summary_;

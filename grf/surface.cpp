@@ -1,6 +1,9 @@
 #include "grf/surface.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <type_traits>
 
 #include "grf/keywords.h"
 
@@ -38,6 +41,34 @@ std::size_t hash_of_attribute(const Attribute& attribute) {
   return attribute ? std::visit([](const auto& value) { return hash_of(value); }, *attribute) : 0;
 }
 
+bool written_alike(float a, float b) { return a == b && std::signbit(a) == std::signbit(b); }
+bool written_alike(bool a, bool b) { return a == b; }
+bool written_alike(const Colour& a, const Colour& b) {
+  return written_alike(a.x, b.x) && written_alike(a.y, b.y) && written_alike(a.z, b.z);
+}
+bool written_alike(const Reference& a, const Reference& b) { return a.name == b.name; }
+bool written_alike(const Model& a, const Model& b);
+
+template <class... Alternatives>
+bool written_alike(const std::variant<Alternatives...>& a, const std::variant<Alternatives...>& b) {
+  const auto same_as_b = [&b](const auto& value) {
+    return written_alike(value, std::get<std::decay_t<decltype(value)>>(b));
+  };
+  return a.index() == b.index() && std::visit(same_as_b, a);
+}
+
+bool written_alike(const Model& a, const Model& b) {
+  return a.keyword == b.keyword && std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(),
+                                              b.arguments.end(), [](const Argument& x, const Argument& y) {
+                                                return x.name == y.name && written_alike(x.value, y.value);
+                                              });
+}
+
+template <class Attribute>
+bool written_alike(const std::optional<Attribute>& a, const std::optional<Attribute>& b) {
+  return a.has_value() == b.has_value() && (!a || written_alike(*a, *b));
+}
+
 }  // namespace
 
 std::size_t hash_value(const Surface& surface) {
@@ -46,6 +77,11 @@ std::size_t hash_value(const Surface& surface) {
   mix(hash, hash_of_attribute(surface.pdf));
   mix(hash, surface.emission ? hash_of(*surface.emission) : 0);
   return hash;
+}
+
+bool is_written_alike(const Surface& a, const Surface& b) {
+  return written_alike(a.colour, b.colour) && written_alike(a.brdf, b.brdf) && written_alike(a.pdf, b.pdf) &&
+         written_alike(a.emission, b.emission);
 }
 
 }  // namespace grf

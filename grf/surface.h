@@ -37,4 +37,7 @@ struct Surface {
 /// Equal surfaces have equal hashes.
 std::size_t hash_value(const Surface& surface);
 
+/// Equal, and written alike too: with the same sign of each zero and the same case of each keyword.
+bool is_written_alike(const Surface& a, const Surface& b);
+
 }  // namespace grf

@@ -67,6 +67,16 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
+/// A new file of a name that no other has. Unlike one by mkstemp, it has the permissions of any new file, and
+/// finding those out from the umask would need to change that, which other threads would notice.
+int create_beside(const std::string& target, mode_t mode, std::string& path) {
+  for (unsigned attempt = 0;; ++attempt) {
+    path = fmt::format("{}.{}-{}.new", target, ::getpid(), attempt);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
@@ -82,7 +92,7 @@ std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostic
   struct stat status = {};
   if (file.value() < 0 || ::fstat(file.value(), &status) != 0) return fail(reason());
   if (!S_ISREG(status.st_mode)) {
-    return fail(fmt::format("it is {}, a file was expected", what_it_is(status)));
+    return fail(fmt::format("it is {}, expected a file", what_it_is(status)));
   }
   auto bytes = read_all(file.value(), static_cast<std::size_t>(status.st_size));
   return bytes ? std::shared_ptr<const std::string>(std::move(bytes)) : fail(reason());
@@ -91,7 +101,6 @@ std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostic
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {
   // Through a symbolic link, the file that it points to is the one to replace.
   const std::string target = canonical_path(path);
-  std::string temporary = target + ".XXXXXX";
   const auto fail = [&](const char* what) {
     diagnostics.error(whole_file(path), fmt::format("cannot {}: {}", what, reason()));
     return false;
@@ -102,13 +111,14 @@ bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& 
     diagnostics.error(whole_file(path), fmt::format("cannot write the file: it is {}", what_it_is(old)));
     return false;
   }
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+  // The folder alone decides about renaming, but a file that was made read-only is to stay as it is.
+  const bool may_write = !replaces || ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) == 0;
+  if (!may_write) return fail("write the file");
+  std::string temporary;
+  Descriptor file(create_beside(target, replaces ? 0600 : 0666, temporary));
   if (file.value() < 0) return fail("create the file");
-  // mkstemp gives a file that only its owner may read; the new one is to be like the old, or like any other.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(file.value(), replaces ? old.st_mode & 0777U : 0666U & ~mask);
-  const bool written = write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close() &&
+  const bool written = (!replaces || ::fchmod(file.value(), old.st_mode & 0777U) == 0) &&
+                       write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close() &&
                        ::rename(temporary.c_str(), target.c_str()) == 0;
   if (!written) {
     const int why = errno;
@@ -127,7 +137,9 @@ std::string path_beside(const std::string& naming_file, std::string_view name) {
 
 std::string canonical_path(const std::string& path) {
   std::error_code error;
-  const std::filesystem::path exact = std::filesystem::weakly_canonical(path, error);
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  if (error) return path;
+  const std::filesystem::path exact = std::filesystem::weakly_canonical(absolute, error);
   return error || exact.empty() ? path : exact.string();
 }
 

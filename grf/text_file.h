@@ -10,6 +10,9 @@
 
 namespace grf {
 
+/// Some editors put this before UTF-8 text; it is no part of the text.
+inline constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
+
 /// The bytes of a regular file, or a diagnostic at `asked_for_at` (or, if that names no file, at the file
 /// itself): missing, a directory, a pipe or device, unreadable.
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,

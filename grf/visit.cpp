@@ -1,7 +1,5 @@
 #include "grf/visit.h"
 
-#include <algorithm>
-
 namespace grf {
 namespace {
 
@@ -52,15 +50,29 @@ const Model* look_up(const std::optional<std::variant<Model, Reference>>& attrib
 
 }  // namespace
 
+void Scope::enter(const Definition& definition) {
+  definitions_.push_back(&definition);
+  by_name_[definition.name].push_back(&definition);
+}
+
+void Scope::leave(std::size_t count) {
+  for (; count > 0; --count) {
+    const auto meanings = by_name_.find(definitions_.back()->name);
+    meanings->second.pop_back();
+    if (meanings->second.empty()) by_name_.erase(meanings);
+    definitions_.pop_back();
+  }
+}
+
 const Definition* Scope::find(std::string_view name) const {
-  const auto found = std::find_if(definitions_.rbegin(), definitions_.rend(),
-                                  [name](const Definition* definition) { return definition->name == name; });
-  return found == definitions_.rend() ? nullptr : *found;
+  const auto meanings = by_name_.find(name);
+  return meanings == by_name_.end() ? nullptr : meanings->second.back();
 }
 
 std::vector<std::string> Scope::names() const {
   std::vector<std::string> names;
-  for (const Definition* definition : definitions_) names.push_back(definition->name);
+  names.reserve(by_name_.size());
+  for (const auto& entry : by_name_) names.emplace_back(entry.first);
   return names;
 }
 
@@ -73,7 +85,7 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
   if (const Colour* colour = look_up(surface.colour, scope)) resolved.colour = *colour;
   resolved.brdf = look_up(surface.brdf, scope);
   resolved.pdf = look_up(surface.pdf, scope);
-  if (surface.emission) resolved.emission = *surface.emission;
+  resolved.emission = surface.emission;
   return resolved;
 }
 

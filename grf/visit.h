@@ -2,7 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "grf/math.h"
@@ -13,8 +17,10 @@ namespace grf {
 /// The definitions in force at a place of a scene; inner ones hide outer ones.
 class Scope {
  public:
-  void enter(const Definition& definition) { definitions_.push_back(&definition); }
-  void leave(std::size_t count) { definitions_.resize(definitions_.size() - count); }
+  /// The definition must stay where it is until its scope is left.
+  void enter(const Definition& definition);
+  /// Leaves the scope of the definitions that were entered last.
+  void leave(std::size_t count);
   /// The definition that the name means here, or null.
   const Definition* find(std::string_view name) const;
   /// What the name means if it is a definition of this kind, else null.
@@ -25,9 +31,19 @@ class Scope {
   }
   /// All names that can be used here.
   std::vector<std::string> names() const;
+  /// Those that mean a definition of this kind.
+  template <class Body>
+  std::vector<std::string> names_of() const {
+    std::vector<std::string> names;
+    for (const auto& [name, meanings] : by_name_) {
+      if (std::holds_alternative<Body>(meanings.back()->body)) names.emplace_back(name);
+    }
+    return names;
+  }
 
  private:
-  std::vector<const Definition*> definitions_;  // outermost first
+  std::vector<const Definition*> definitions_;                                    // outermost first
+  std::unordered_map<std::string_view, std::vector<const Definition*>> by_name_;  // the same, by their names
 };
 
 struct Placement {
@@ -45,12 +61,13 @@ struct SceneVisitor {
 
 void visit(const Scene& scene, const SceneVisitor& visitor);
 
-/// A surface with its references looked up. The pointers are into the scene; null means the default.
+/// A surface with its references looked up. The pointers are into the scene; what is
+/// null or absent was not given.
 struct ResolvedSurface {
   Colour colour = Colour(1);
   const BrdfModel* brdf = nullptr;
   const PdfModel* pdf = nullptr;
-  Colour emission = Colour(0);
+  std::optional<Colour> emission;
 };
 
 ResolvedSurface resolve(const Surface& surface, const Scope& scope);

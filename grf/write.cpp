@@ -1,32 +1,70 @@
 #include "grf/write.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
-#include "grf/text_file.h"
 #include "grf/visit.h"
+#include "grf/write_files.h"
 
 namespace grf {
 namespace {
+
+// The grammar knows no `transform` without a step and no `def` without a definition.
+constexpr std::string_view NoTransform = " translation (0, 0, 0)";
 
 // fmt writes the fewest digits that read back to the same float, without regard to the locale.
 void put(std::string& text, const Vec3f& v) {
   fmt::format_to(std::back_inserter(text), "({}, {}, {})", v.x, v.y, v.z);
 }
 
+// Text that cannot stand in a file as it is must not make the rest of it unreadable.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\0'; }, ' ');
+  return text;
+}
+
+// A return at the end of a line is taken for a part of the line end.
+std::string comment_text(const std::string& comment) {
+  std::string text = on_one_line(comment);
+  while (text.ends_with('\r')) text.pop_back();
+  return text;
+}
+
 std::string quoted(const std::string& string) {
-  const bool has_quote = string.find('"') != std::string::npos;
-  return has_quote ? "\u201C" + string + "\u201D" : '"' + string + '"';
+  std::string text = on_one_line(string);
+  if (text.find('"') == std::string::npos) return fmt::format("\"{}\"", text);
+  for (const std::string_view quote : {"\u201C", "\u201D"}) {
+    for (auto at = text.find(quote); at != std::string::npos; at = text.find(quote, at)) {
+      text[at] = '"';
+      text.erase(at + 1, quote.size() - 1);
+    }
+  }
+  return fmt::format("\u201C{}\u201D", text);
+}
+
+/// The word with another case of its letters: each number, seen as binary digits, gives another spelling.
+std::string respelled(std::string word, std::uint64_t number) {
+  for (char& c : word) {
+    const char lower = lower_case(c);
+    if (lower < 'a' || lower > 'z') continue;
+    if ((number & 1U) != 0) c = c == lower ? static_cast<char>(lower - 'a' + 'A') : lower;
+    number >>= 1U;
+  }
+  return word;
 }
 
 class Writer {
  public:
   /// The definitions in force where the text will stand.
-  explicit Writer(Scope scope = {}) : scope_(std::move(scope)) {}
+  explicit Writer(Scope scope) : scope_(std::move(scope)) {}
 
   void blocks(const BlockList& list) {
     for (const Block& block : list.blocks) {
@@ -34,7 +72,7 @@ class Writer {
       std::visit([this](const auto& content) { put_block(content); }, block.content);
       end_line(block.comments);
     }
-    for (const std::string& comment : list.end_comments) line("//" + comment);
+    put_comments(list.end_comments);
   }
 
   /// A file of no bytes at all is taken for a mistake when it is read.
@@ -64,18 +102,21 @@ class Writer {
   template <class Attribute>
   void put_change(const char* keyword, const std::optional<Attribute>& before,
                   const std::optional<Attribute>& after);
-  std::string unambiguous(const Model& model) const;
+  template <class ModelOfKind>
+  std::string unambiguous(const ModelOfKind& model) const;
 
-  void comments_before(const Comments& comments) {
-    for (const std::string& comment : comments.before) line("//" + comment);
+  void put_comments(const std::vector<std::string>& comments) {
+    for (const std::string& comment : comments) line(fmt::format("//{}", comment_text(comment)));
   }
+  void comments_before(const Comments& comments) { put_comments(comments.before); }
   void begin_line(std::string_view words) {
     text_.append(2 * indentation_, ' ');
     text_ += words;
   }
   void end_line() { text_ += '\n'; }
   void end_line(const Comments& comments) {
-    if (!comments.behind.empty()) text_ += "  //" + comments.behind;
+    const std::string behind = comment_text(comments.behind);
+    if (!behind.empty()) text_ += fmt::format("  //{}", behind);
     text_ += '\n';
   }
   void line(std::string_view words) {
@@ -121,6 +162,7 @@ void Writer::put_block(const Transform& transform) {
     }
     put(text_, step.value);
   }
+  if (transform.steps.empty()) text_ += NoTransform;
   text_ += " begin\n";
   put_body(transform.body);
 }
@@ -132,7 +174,7 @@ void Writer::put_block(const DefinitionScope& definitions) {
     first = false;
   }
   for (const Definition& definition : definitions.definitions) scope_.enter(definition);
-  line("begin");
+  line(definitions.definitions.empty() ? fmt::format("transform{} begin", NoTransform) : "begin");
   put_body(definitions.body);
   scope_.leave(definitions.definitions.size());
 }
@@ -178,7 +220,7 @@ void Writer::put_block(const Shared<Mesh>& shared_mesh) {
   put_vertices(mesh);
   comments_before(mesh.comments.faces);
   put_faces(mesh);
-  for (const std::string& comment : mesh.comments.end) line("//" + comment);
+  put_comments(mesh.comments.end);
   --indentation_;
   begin_line("end mesh");
 }
@@ -225,8 +267,8 @@ void Writer::put_faces(const Mesh& mesh) {
 
 template <class Attribute>
 void Writer::put_own(const std::optional<Attribute>& attribute, const Comments& comments) {
-  if (!attribute) return;
   comments_before(comments);
+  if (!attribute) return;
   begin_line("");
   put_attribute(*attribute);
   end_line(comments);
@@ -285,62 +327,26 @@ void Writer::put_model(const char* keyword, const Attribute& attribute) {
 
 // A keyword without parameters reads as a reference where a definition has the same spelling. Definitions
 // are case-sensitive and keywords are not, so another spelling says the keyword.
-std::string Writer::unambiguous(const Model& model) const {
+template <class ModelOfKind>
+std::string Writer::unambiguous(const ModelOfKind& model) const {
   std::string text = to_text(model);
   if (!model.arguments.empty()) return text;
-  for (std::size_t i = 0; i < text.size() && scope_.find(text) != nullptr; ++i) {
-    const char lower = lower_case(text[i]);
-    const bool is_letter = lower >= 'a' && lower <= 'z';
-    if (is_letter) text[i] = text[i] == lower ? static_cast<char>(lower - 'a' + 'A') : lower;
+  const std::uint64_t spellings = std::uint64_t{1} << std::min<std::size_t>(model.keyword.size(), 63);
+  for (std::uint64_t i = 1; i < spellings && scope_.find<ModelOfKind>(text) != nullptr; ++i) {
+    text = respelled(model.keyword, i);
   }
   return text;
 }
 
-/// Writes the files that a scene includes, where they are not what was read from there.
-class IncludeWriter {
- public:
-  explicit IncludeWriter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
-
-  bool blocks(const BlockList& list, const std::string& path) {
-    bool written = true;
-    for (const Block& block : list.blocks) {
-      if (const auto* include = std::get_if<Include>(&block.content)) {
-        written &= put(*include, path_beside(path, include->file));
-      } else if (const auto* transform = std::get_if<Transform>(&block.content)) {
-        written &= blocks(transform->body, path);
-      } else if (const auto* definitions = std::get_if<DefinitionScope>(&block.content)) {
-        for (const Definition& definition : definitions->definitions) scope_.enter(definition);
-        written &= blocks(definitions->body, path);
-        scope_.leave(definitions->definitions.size());
-      }
-    }
-    return written;
-  }
-
- private:
-  bool put(const Include& include, const std::string& path) {
-    const IncludeOrigin& origin = include.origin;
-    bool written = true;
-    if (origin.path != canonical_path(path) || !(origin.contents == include.contents)) {
-      diagnostics_.note(whole_file(path), "the included file is written too");
-      Writer writer(scope_);
-      writer.blocks(*include.contents);
-      written = replace_file(path, writer.take_text(), diagnostics_);
-    }
-    return blocks(*include.contents, path) && written;
-  }
-
-  Diagnostics& diagnostics_;
-  Scope scope_;
-};
-
 }  // namespace
 
-std::string to_text(const Scene& scene) {
-  Writer writer;
-  writer.blocks(scene.contents);
+std::string text_of_file(const BlockList& contents, const Scope& scope) {
+  Writer writer(scope);
+  writer.blocks(contents);
   return writer.take_text();
 }
+
+std::string to_text(const Scene& scene) { return text_of_file(scene.contents, {}); }
 
 std::string to_text(const Model& model) {
   std::string text = model.keyword;
@@ -351,11 +357,6 @@ std::string to_text(const Model& model) {
     if (const auto* colour = std::get_if<Colour>(&argument.value)) put(text, *colour);
   }
   return text;
-}
-
-bool write(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
-  return replace_file(path, to_text(scene), diagnostics) &&
-         IncludeWriter(diagnostics).blocks(scene.contents, path);
 }
 
 }  // namespace grf

@@ -14,8 +14,11 @@ std::string to_text(const Scene& scene);
 /// A BRDF as it stands after the word `brdf`.
 std::string to_text(const Model& model);
 
-/// Replaces the file, and the included files whose contents are no longer what is on the disk (each with a
-/// note that names it). A file that cannot be written stays as it was, and the diagnostics say why.
+/// Replaces the file, and the included files whose contents are no longer what was read from them (each with
+/// a note that names it). A file that cannot be written stays as it was, and the diagnostics say why.
+///
+/// Text that no file can hold is written in the nearest way: line ends in comments and names as spaces, and
+/// the typographic quotes of a name that has plain ones too as plain ones.
 bool write(const Scene& scene, const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace grf

@@ -12,7 +12,7 @@
 
 namespace {
 
-using command::ExitCode;
+using grf::ExitCode;
 
 void add_render(CLI::App& app, command::RenderArguments& arguments) {
   CLI::App* render = app.add_subcommand("render", "Render a scene to an image");
@@ -22,6 +22,12 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
   for (const options::OptionInfo& option : options::option_table()) {
     if (option.flag.empty()) continue;
     const std::string flag(option.flag);
+    if (flag == "--output") {
+      render->add_option(flag, arguments.outputs, "the image; may be given again, for another type of file")
+          ->type_name("path")
+          ->allow_extra_args(false);
+      continue;
+    }
     render
         ->add_option_function<std::string>(
             flag, [&arguments, flag](const std::string& text) { arguments.flags[flag] = text; },

@@ -1,5 +1,6 @@
 #include "renderer/command/render_command.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -27,6 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using grf::Diagnostics;
+using grf::ExitCode;
 using options::RenderOptions;
 using transport::CompiledScene;
 
@@ -45,10 +47,17 @@ bool apply_flags(const RenderArguments& arguments, RenderOptions& render_options
     const auto given = arguments.flags.find(std::string(option.flag));
     if (option.flag.empty() || given == arguments.flags.end()) continue;
     const auto problem = set_option(render_options, option, words_of(option, given->second));
-    if (problem) fmt::print(stderr, "error: {} {}\n", option.flag, *problem);
+    if (problem) fmt::print(stderr, "error: {}: {}\n", option.flag, *problem);
     right = right && !problem;
   }
   return right;
+}
+
+/// Where the image goes: what the command line says, else what the file says, else the scene's name.
+std::vector<std::string> outputs_of(const RenderArguments& arguments, const RenderOptions& render_options) {
+  if (!arguments.outputs.empty()) return arguments.outputs;
+  if (!render_options.output.empty()) return {render_options.output};
+  return {std::filesystem::path(render_options.scene).replace_extension(".exr").string()};
 }
 
 /// What the file says; a GRF file says which scene alone.
@@ -80,8 +89,7 @@ std::optional<CompiledScene> load(const std::string& path, Diagnostics& diagnost
   if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
   auto compiled = transport::compile(*scene, diagnostics);
   if (compiled && compiled->triangle_count() == 0) {
-    diagnostics.error(grf::whole_file(path),
-                      "the scene has nothing to render: a mesh or a light was expected");
+    diagnostics.error(grf::whole_file(path), "the scene has nothing to render, expected a mesh or a light");
     return std::nullopt;
   }
   return compiled;
@@ -163,23 +171,23 @@ std::size_t peak_memory_bytes() {
 }
 
 nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
-                          double setup_seconds, const std::vector<std::string>& effects) {
+                          const std::string& output, double setup_seconds, const CompiledScene& scene) {
   const double seconds = render.seconds();
   const auto error = render.film().estimated_error();
   const double pixels = static_cast<double>(render_options.size.width) * render_options.size.height;
   nlohmann::json summary;
-  summary["output"] = render_options.output;
+  summary["output"] = output;
   summary["width"] = render_options.size.width;
   summary["height"] = render_options.size.height;
-  summary["samples"] = render.is_stopped() ? static_cast<double>(render.path_count()) / pixels
-                                           : static_cast<double>(render_options.samples);
+  summary["samples"] = render_options.samples;
+  if (render.is_stopped()) summary["samples"] = static_cast<double>(render.path_count()) / pixels;
   summary["setup_seconds"] = setup_seconds;
   summary["render_seconds"] = seconds;
   summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
   summary["rays_per_second"] = static_cast<double>(render.ray_count()) / seconds;
   summary["estimated_error"] = error ? nlohmann::json(*error) : nlohmann::json(nullptr);
   summary["peak_memory_bytes"] = peak_memory_bytes();
-  summary["effects"] = effects;
+  summary["effects"] = scene.effects().names();
   return summary;
 }
 
@@ -203,35 +211,35 @@ void print(const nlohmann::json& summary, bool json) {
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
-/// Keeps the image and says how it went.
-ExitCode finish(const transport::Render& render, const RenderOptions& render_options, double setup_seconds,
-                const CompiledScene& scene, bool json, bool interrupted) {
-  Diagnostics outcome;
+/// Keeps the image and says what went wrong.
+bool keep(const transport::Render& render, const std::vector<std::string>& outputs) {
+  Diagnostics diagnostics;
   if (render.rejected_samples() > 0) {
-    outcome.warning({},
-                    fmt::format("{} samples were not finite and count as black", render.rejected_samples()));
+    diagnostics.warning(
+        {}, fmt::format("{} samples were not finite and count as black", render.rejected_samples()));
   }
-  const bool written = transport::write_image(render.film().mean(), render_options.output, outcome);
-  print(outcome);
-  if (!written) return ExitCode::BadInput;
-  print(summary_of(render, render_options, setup_seconds, scene.effects().names()), json);
-  return interrupted ? ExitCode::Interrupted : ExitCode::Done;
+  const transport::Image image = render.film().mean();
+  bool kept = true;
+  for (const std::string& output : outputs) kept &= transport::write_image(image, output, diagnostics);
+  print(diagnostics);
+  return kept;
 }
 
 }  // namespace
 
-ExitCode render(const RenderArguments& arguments) {
+grf::ExitCode render(const RenderArguments& arguments) {
   const auto start = Clock::now();
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
+  std::vector<std::string> outputs;
   std::optional<CompiledScene> scene;
   if (render_options) {
     if (!apply_flags(arguments, *render_options)) return ExitCode::BadCommandLine;
-    if (render_options->output.empty()) {
-      render_options->output =
-          std::filesystem::path(render_options->scene).replace_extension(".exr").string();
-    }
-    if (can_write(render_options->output, diagnostics)) scene = load(render_options->scene, diagnostics);
+    outputs = outputs_of(arguments, *render_options);
+    const bool writable = std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
+      return can_write(output, diagnostics);
+    });
+    if (writable) scene = load(render_options->scene, diagnostics);
   }
   print(diagnostics);
   if (!scene) return ExitCode::BadInput;
@@ -244,7 +252,9 @@ ExitCode render(const RenderArguments& arguments) {
   transport::Render render(*scene, settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const bool interrupted = run(render);
-  return finish(render, *render_options, setup_seconds, *scene, arguments.json, interrupted);
+  if (!keep(render, outputs)) return ExitCode::BadInput;
+  print(summary_of(render, *render_options, outputs.front(), setup_seconds, *scene), arguments.json);
+  return interrupted ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 }  // namespace command

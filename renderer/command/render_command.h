@@ -2,8 +2,9 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
-#include "renderer/command/exit_code.h"
+#include "grf/exit_code.h"
 
 namespace command {
 
@@ -11,10 +12,11 @@ namespace command {
 struct RenderArguments {
   std::string scene;                         ///< an OP file, or a GRF scene
   std::map<std::string, std::string> flags;  ///< options of the table by their flags, as `--samples`
+  std::vector<std::string> outputs;          ///< images to write, of one type each; empty: what the file says
   bool json = false;
 };
 
 /// Renders, writes the image and a summary. SIGINT and SIGTERM end it early with the image so far.
-ExitCode render(const RenderArguments& arguments);
+grf::ExitCode render(const RenderArguments& arguments);
 
 }  // namespace command

@@ -62,7 +62,7 @@ class OpReader {
     }
     if (options_.scene.empty() && !diagnostics_.has_errors()) {
       diagnostics_.error({file_, 0, 0},
-                         "no scene is named: a line 'BPT_Scene' and the path of a GRF file was expected");
+                         "no scene is named, expected a line 'BPT_Scene' and the path of a GRF file");
     }
     if (diagnostics_.has_errors()) return std::nullopt;
     return options_;
@@ -123,7 +123,7 @@ std::optional<RenderOptions> read_op_file(const std::string& path, grf::Diagnost
   auto text = grf::read_file(path, diagnostics);
   if (!text) return std::nullopt;
   if (text->empty()) {
-    diagnostics.error(grf::whole_file(path), "the file is empty: options, one a line, were expected");
+    diagnostics.error(grf::whole_file(path), "the file is empty, expected options, one a line");
     return std::nullopt;
   }
   return OpReader(path, std::move(text), diagnostics).run();

@@ -36,13 +36,13 @@ Problem set(RenderOptions& options, const NumberOption<Number>& option,
   const bool parsed = parse(words[0], number);
   const bool inside = option.open ? number > option.minimum && number < option.maximum
                                   : number >= option.minimum && number <= option.maximum;
-  if (!parsed || !inside) return fmt::format("'{}': {} was expected", words[0], range);
+  if (!parsed || !inside) return fmt::format("found '{}', expected {}", words[0], range);
   options.*option.field = number;
   return std::nullopt;
 }
 
 Problem set(RenderOptions& options, const PathOption& option, const std::vector<std::string>& words) {
-  if (words[0].empty()) return "the name of a file was expected";
+  if (words[0].empty()) return "found an empty name, expected that of a file";
   options.*option.field = words[0];
   return std::nullopt;
 }
@@ -53,7 +53,7 @@ Problem set(RenderOptions& options, const SizeOption& option, const std::vector<
   const auto wrong = [](int side) { return side < 1 || side > LargestSide; };
   if (!parse(words[0], size.width) || !parse(words[1], size.height) || wrong(size.width) ||
       wrong(size.height)) {
-    return fmt::format("'{} {}': a width and a height from 1 to {} were expected", words[0], words[1],
+    return fmt::format("found '{} {}', expected a width and a height from 1 to {}", words[0], words[1],
                        LargestSide);
   }
   options.*option.field = size;
@@ -64,7 +64,7 @@ Problem parse_vector(const std::vector<std::string>& words, float minimum, grf::
   for (int i = 0; i < 3; ++i) {
     if (parse(words[static_cast<std::size_t>(i)], vector[i]) && vector[i] >= minimum) continue;
     const std::string range = minimum == 0 ? " of 0 or more" : "";
-    return fmt::format("'{}': three numbers{} were expected", words[static_cast<std::size_t>(i)], range);
+    return fmt::format("found '{}', expected three numbers{}", words[static_cast<std::size_t>(i)], range);
   }
   return std::nullopt;
 }
@@ -141,9 +141,8 @@ std::size_t word_count(const OptionInfo& option) {
 std::optional<std::string> set_option(RenderOptions& options, const OptionInfo& option,
                                       const std::vector<std::string>& words) {
   if (words.size() != word_count(option)) {
-    return fmt::format("{} {} where {} ({}) {} expected", words.size(),
-                       words.size() == 1 ? "value" : "values", word_count(option), option.values,
-                       word_count(option) == 1 ? "was" : "were");
+    return fmt::format("found {} {}, expected {} ({})", words.size(), words.size() == 1 ? "value" : "values",
+                       word_count(option), option.values);
   }
   return std::visit([&](const auto& value) { return set(options, value, words); }, option.value);
 }

@@ -18,7 +18,7 @@ using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.
-std::optional<Brdf> make_brdf(const grf::Model& model);
+std::optional<Brdf> make_brdf(const grf::Model& data);
 
 /// What a face without a BRDF has: diffuse with kd = 0.5.
 Brdf default_brdf();

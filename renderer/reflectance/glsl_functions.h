@@ -12,8 +12,10 @@
 
 namespace reflectance::glsl {
 
+// NOLINTBEGIN(readability-identifier-naming): GLSL's names
 inline int floatBitsToInt(float x) { return std::bit_cast<std::int32_t>(x); }
 inline float intBitsToFloat(int x) { return std::bit_cast<float>(x); }
+// NOLINTEND(readability-identifier-naming)
 
 using std::abs;
 using std::exp;

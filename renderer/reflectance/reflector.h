@@ -17,7 +17,7 @@ struct ScatterSample {
 /// Dirac part of a BRDF is picked with its own probability, in proportion to its share of the albedo.
 class Reflector {
  public:
-  Reflector(Brdf brdf, Scheme scheme) : brdf_(std::move(brdf)), scheme_(std::move(scheme)) {}
+  Reflector(const Brdf& brdf, const Scheme& scheme) : brdf_(brdf), scheme_(scheme) {}
 
   /// f(u, v) in 1/sr, without the Dirac part.
   Rgb evaluate(const Vec3f& u, const Vec3f& v) const { return reflectance::evaluate(brdf_, u, v); }

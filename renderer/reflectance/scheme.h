@@ -18,7 +18,7 @@ namespace reflectance {
 using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme>;
 
 /// The scheme that a `pdf` of the scene describes, or nothing if none has its keyword.
-std::optional<Scheme> make_scheme(const grf::Model& model);
+std::optional<Scheme> make_scheme(const grf::Model& data);
 
 /// What a face without a `pdf` has: `auto`.
 Scheme default_scheme();

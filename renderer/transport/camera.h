@@ -7,8 +7,8 @@ namespace transport {
 
 /// Where the eye is and what it sees.
 struct View {
-  Vec3f eye;
-  Vec3f target;
+  Vec3f eye = Vec3f(0);
+  Vec3f target = Vec3f(0);
   Vec3f up = Vec3f(0, 1, 0);  ///< where it is parallel to the view, the z axis (or, if need be, x) is taken
   float field_of_view = 45;   ///< vertical, degrees, between 0 and 180
 };

@@ -50,8 +50,9 @@ SurfacePoint CompiledScene::point_at(const TriangleHit& hit) const {
   const TriangleSurface& triangle = geometry_.triangle_surfaces[hit.triangle];
   SurfacePoint point;
   point.surface = &surfaces_[triangle.surface];
-  // From the corners and not along the ray: the error is then that of one interpolation. That of Embree's test
-  // of the next ray against this triangle grows with the whole triangle, so all of its corners count in full.
+  // From the corners and not along the ray: the error is then that of one interpolation. That of Embree's
+  // test of the next ray against this triangle grows with the whole triangle, so all of its corners count in
+  // full.
   point.position = interpolate(geometry_.positions, corners, hit);
   point.error = (absolute(a) + absolute(b) + absolute(c)) * InterpolationError;
   point.geometric_normal = (b - a).cross(c - a).normalized();

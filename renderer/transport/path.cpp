@@ -7,7 +7,6 @@ namespace {
 
 using reflectance::Frame;
 using reflectance::Reflector;
-using reflectance::ScatterSample;
 
 float power_heuristic(float density, float other) {
   // In terms of the ratio, which overflows to a right answer where squares would not.
@@ -129,8 +128,8 @@ Rgb Path::run() {
 
 }  // namespace
 
-Rgb path_radiance(const CompiledScene& scene, const PathSettings& settings, Ray ray, PathNumbers& numbers,
-                  RayCounter& counter) {
+Rgb path_radiance(const CompiledScene& scene, const PathSettings& settings, const Ray& ray,
+                  PathNumbers& numbers, RayCounter& counter) {
   return Path{scene, settings, numbers, counter, ray}.run();
 }
 

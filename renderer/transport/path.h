@@ -19,7 +19,7 @@ struct RayCounter {
 /// An unbiased estimate of the radiance that arrives along a ray: a path that at each surface samples a light
 /// and the BRDF, and combines the two by multiple importance sampling (Veach and Guibas 1995, power
 /// heuristic).
-Rgb path_radiance(const CompiledScene& scene, const PathSettings& settings, Ray ray, PathNumbers& numbers,
-                  RayCounter& counter);
+Rgb path_radiance(const CompiledScene& scene, const PathSettings& settings, const Ray& ray,
+                  PathNumbers& numbers, RayCounter& counter);
 
 }  // namespace transport

@@ -3,8 +3,12 @@
 #include <algorithm>
 
 #include <tbb/blocked_range2d.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "renderer/transport/thread_sanitizer.h"
 
 namespace transport {
 namespace {
@@ -25,8 +29,11 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
       start_(std::chrono::steady_clock::now()) {}
 
 void Render::run() {
-  start_ = std::chrono::steady_clock::now();
-  tbb::task_arena arena(settings_.threads > 0 ? settings_.threads : tbb::task_arena::automatic);
+  // Without this, TBB would start no more threads than there are cores, whatever was asked for.
+  const int threads = settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   arena.execute([this] {
     int pass = 1;
     for (int sample = 0; sample < settings_.samples && !stopped_;) {
@@ -42,14 +49,18 @@ void Render::run() {
 void Render::run_pass(int first_sample, int last_sample) {
   const int tiles_x = (settings_.width + TileSize - 1) / TileSize;
   const int tiles_y = (settings_.height + TileSize - 1) / TileSize;
+  publish(&film_);
   tbb::parallel_for(tbb::blocked_range2d<int>(0, tiles_y, 1, 0, tiles_x, 1),
                     [&](const tbb::blocked_range2d<int>& tiles) {
+                      see(&film_);
                       for (int y = tiles.rows().begin(); y != tiles.rows().end(); ++y) {
                         for (int x = tiles.cols().begin(); x != tiles.cols().end(); ++x) {
                           if (!stopped_) render_tile(x, y, first_sample, last_sample);
                         }
                       }
+                      publish(&film_);
                     });
+  see(&film_);
 }
 
 void Render::render_tile(int tile_x, int tile_y, int first_sample, int last_sample) {

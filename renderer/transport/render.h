@@ -45,6 +45,7 @@ class Render {
 
   // Once `run` has returned:
   const Film& film() const { return film_; }
+  /// Since the render was made.
   double seconds() const { return seconds_; }
   std::uint64_t ray_count() const { return rays_; }
   std::uint64_t path_count() const { return paths_; }
@@ -61,7 +62,7 @@ class Render {
   RenderSettings settings_;
   Camera camera_;
   Film film_;
-  std::chrono::steady_clock::time_point start_;
+  const std::chrono::steady_clock::time_point start_;
   double seconds_ = 0;
   std::atomic<bool> stopped_ = false;
   std::atomic<std::uint64_t> paths_ = 0;

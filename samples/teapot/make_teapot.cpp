@@ -1,8 +1,10 @@
-// Writes the Utah teapot as OBJ: quads with normals, cut from the Bezier patches that Martin Newell published in
-// 1975 (with the bottom that Frank Crow added in 1987). The control points are those of a quarter of the body, rim,
-// lid and bottom, and of one half of handle and spout; the rest follows by reflection. y is up in the result.
+// Writes the Utah teapot as OBJ: quads with normals, cut from the Bezier patches that Martin Newell published
+// in 1975 (with the bottom that Frank Crow added in 1987). The control points are those of a quarter of the
+// body, rim, lid and bottom, and of one half of handle and spout; the rest follows by reflection. y is up in
+// the result.
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -24,54 +26,147 @@ struct PatchIndices {
 };
 
 constexpr std::array<PatchIndices, 10> Patches = {{
-    {true, {102, 103, 104, 105, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}},                    // rim
-    {true, {12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27}},                  // body
-    {true, {24, 25, 26, 27, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40}},                  // body
-    {true, {96, 96, 96, 96, 97, 98, 99, 100, 101, 101, 101, 101, 0, 1, 2, 3}},                 // lid
-    {true, {0, 1, 2, 3, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117}},          // lid
-    {true, {118, 118, 118, 118, 124, 122, 119, 121, 123, 126, 125, 120, 40, 39, 38, 37}},      // bottom
-    {false, {41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56}},                 // handle
-    {false, {53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 28, 65, 66, 67}},                 // handle
-    {false, {68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83}},                 // spout
-    {false, {80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95}},                 // spout
+    {true, {102, 103, 104, 105, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}},                // rim
+    {true, {12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27}},              // body
+    {true, {24, 25, 26, 27, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40}},              // body
+    {true, {96, 96, 96, 96, 97, 98, 99, 100, 101, 101, 101, 101, 0, 1, 2, 3}},             // lid
+    {true, {0, 1, 2, 3, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117}},      // lid
+    {true, {118, 118, 118, 118, 124, 122, 119, 121, 123, 126, 125, 120, 40, 39, 38, 37}},  // bottom
+    {false, {41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56}},             // handle
+    {false, {53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 28, 65, 66, 67}},             // handle
+    {false, {68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83}},             // spout
+    {false, {80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95}},             // spout
 }};
 
 // z is up here.
 constexpr float ControlPoints[127][3] = {
-    {0.2F, 0, 2.7F}, {0.2F, -0.112F, 2.7F}, {0.112F, -0.2F, 2.7F}, {0, -0.2F, 2.7F},
-    {1.3375F, 0, 2.53125F}, {1.3375F, -0.749F, 2.53125F}, {0.749F, -1.3375F, 2.53125F}, {0, -1.3375F, 2.53125F},
-    {1.4375F, 0, 2.53125F}, {1.4375F, -0.805F, 2.53125F}, {0.805F, -1.4375F, 2.53125F}, {0, -1.4375F, 2.53125F},
-    {1.5F, 0, 2.4F}, {1.5F, -0.84F, 2.4F}, {0.84F, -1.5F, 2.4F}, {0, -1.5F, 2.4F},
-    {1.75F, 0, 1.875F}, {1.75F, -0.98F, 1.875F}, {0.98F, -1.75F, 1.875F}, {0, -1.75F, 1.875F},
-    {2, 0, 1.35F}, {2, -1.12F, 1.35F}, {1.12F, -2, 1.35F}, {0, -2, 1.35F},
-    {2, 0, 0.9F}, {2, -1.12F, 0.9F}, {1.12F, -2, 0.9F}, {0, -2, 0.9F},
+    {0.2F, 0, 2.7F},
+    {0.2F, -0.112F, 2.7F},
+    {0.112F, -0.2F, 2.7F},
+    {0, -0.2F, 2.7F},
+    {1.3375F, 0, 2.53125F},
+    {1.3375F, -0.749F, 2.53125F},
+    {0.749F, -1.3375F, 2.53125F},
+    {0, -1.3375F, 2.53125F},
+    {1.4375F, 0, 2.53125F},
+    {1.4375F, -0.805F, 2.53125F},
+    {0.805F, -1.4375F, 2.53125F},
+    {0, -1.4375F, 2.53125F},
+    {1.5F, 0, 2.4F},
+    {1.5F, -0.84F, 2.4F},
+    {0.84F, -1.5F, 2.4F},
+    {0, -1.5F, 2.4F},
+    {1.75F, 0, 1.875F},
+    {1.75F, -0.98F, 1.875F},
+    {0.98F, -1.75F, 1.875F},
+    {0, -1.75F, 1.875F},
+    {2, 0, 1.35F},
+    {2, -1.12F, 1.35F},
+    {1.12F, -2, 1.35F},
+    {0, -2, 1.35F},
+    {2, 0, 0.9F},
+    {2, -1.12F, 0.9F},
+    {1.12F, -2, 0.9F},
+    {0, -2, 0.9F},
     {-2, 0, 0.9F},
-    {2, 0, 0.45F}, {2, -1.12F, 0.45F}, {1.12F, -2, 0.45F}, {0, -2, 0.45F},
-    {1.5F, 0, 0.225F}, {1.5F, -0.84F, 0.225F}, {0.84F, -1.5F, 0.225F}, {0, -1.5F, 0.225F},
-    {1.5F, 0, 0.15F}, {1.5F, -0.84F, 0.15F}, {0.84F, -1.5F, 0.15F}, {0, -1.5F, 0.15F},
-    {-1.6F, 0, 2.025F}, {-1.6F, -0.3F, 2.025F}, {-1.5F, -0.3F, 2.25F}, {-1.5F, 0, 2.25F},
-    {-2.3F, 0, 2.025F}, {-2.3F, -0.3F, 2.025F}, {-2.5F, -0.3F, 2.25F}, {-2.5F, 0, 2.25F},
-    {-2.7F, 0, 2.025F}, {-2.7F, -0.3F, 2.025F}, {-3, -0.3F, 2.25F}, {-3, 0, 2.25F},
-    {-2.7F, 0, 1.8F}, {-2.7F, -0.3F, 1.8F}, {-3, -0.3F, 1.8F}, {-3, 0, 1.8F},
-    {-2.7F, 0, 1.575F}, {-2.7F, -0.3F, 1.575F}, {-3, -0.3F, 1.35F}, {-3, 0, 1.35F},
-    {-2.5F, 0, 1.125F}, {-2.5F, -0.3F, 1.125F}, {-2.65F, -0.3F, 0.9375F}, {-2.65F, 0, 0.9375F},
-    {-2, -0.3F, 0.9F}, {-1.9F, -0.3F, 0.6F}, {-1.9F, 0, 0.6F},
-    {1.7F, 0, 1.425F}, {1.7F, -0.66F, 1.425F}, {1.7F, -0.66F, 0.6F}, {1.7F, 0, 0.6F},
-    {2.6F, 0, 1.425F}, {2.6F, -0.66F, 1.425F}, {3.1F, -0.66F, 0.825F}, {3.1F, 0, 0.825F},
-    {2.3F, 0, 2.1F}, {2.3F, -0.25F, 2.1F}, {2.4F, -0.25F, 2.025F}, {2.4F, 0, 2.025F},
-    {2.7F, 0, 2.4F}, {2.7F, -0.25F, 2.4F}, {3.3F, -0.25F, 2.4F}, {3.3F, 0, 2.4F},
-    {2.8F, 0, 2.475F}, {2.8F, -0.25F, 2.475F}, {3.525F, -0.25F, 2.49375F}, {3.525F, 0, 2.49375F},
-    {2.9F, 0, 2.475F}, {2.9F, -0.15F, 2.475F}, {3.45F, -0.15F, 2.5125F}, {3.45F, 0, 2.5125F},
-    {2.8F, 0, 2.4F}, {2.8F, -0.15F, 2.4F}, {3.2F, -0.15F, 2.4F}, {3.2F, 0, 2.4F},
-    {0, 0, 3.15F}, {0.8F, 0, 3.15F}, {0.8F, -0.45F, 3.15F}, {0.45F, -0.8F, 3.15F}, {0, -0.8F, 3.15F},
+    {2, 0, 0.45F},
+    {2, -1.12F, 0.45F},
+    {1.12F, -2, 0.45F},
+    {0, -2, 0.45F},
+    {1.5F, 0, 0.225F},
+    {1.5F, -0.84F, 0.225F},
+    {0.84F, -1.5F, 0.225F},
+    {0, -1.5F, 0.225F},
+    {1.5F, 0, 0.15F},
+    {1.5F, -0.84F, 0.15F},
+    {0.84F, -1.5F, 0.15F},
+    {0, -1.5F, 0.15F},
+    {-1.6F, 0, 2.025F},
+    {-1.6F, -0.3F, 2.025F},
+    {-1.5F, -0.3F, 2.25F},
+    {-1.5F, 0, 2.25F},
+    {-2.3F, 0, 2.025F},
+    {-2.3F, -0.3F, 2.025F},
+    {-2.5F, -0.3F, 2.25F},
+    {-2.5F, 0, 2.25F},
+    {-2.7F, 0, 2.025F},
+    {-2.7F, -0.3F, 2.025F},
+    {-3, -0.3F, 2.25F},
+    {-3, 0, 2.25F},
+    {-2.7F, 0, 1.8F},
+    {-2.7F, -0.3F, 1.8F},
+    {-3, -0.3F, 1.8F},
+    {-3, 0, 1.8F},
+    {-2.7F, 0, 1.575F},
+    {-2.7F, -0.3F, 1.575F},
+    {-3, -0.3F, 1.35F},
+    {-3, 0, 1.35F},
+    {-2.5F, 0, 1.125F},
+    {-2.5F, -0.3F, 1.125F},
+    {-2.65F, -0.3F, 0.9375F},
+    {-2.65F, 0, 0.9375F},
+    {-2, -0.3F, 0.9F},
+    {-1.9F, -0.3F, 0.6F},
+    {-1.9F, 0, 0.6F},
+    {1.7F, 0, 1.425F},
+    {1.7F, -0.66F, 1.425F},
+    {1.7F, -0.66F, 0.6F},
+    {1.7F, 0, 0.6F},
+    {2.6F, 0, 1.425F},
+    {2.6F, -0.66F, 1.425F},
+    {3.1F, -0.66F, 0.825F},
+    {3.1F, 0, 0.825F},
+    {2.3F, 0, 2.1F},
+    {2.3F, -0.25F, 2.1F},
+    {2.4F, -0.25F, 2.025F},
+    {2.4F, 0, 2.025F},
+    {2.7F, 0, 2.4F},
+    {2.7F, -0.25F, 2.4F},
+    {3.3F, -0.25F, 2.4F},
+    {3.3F, 0, 2.4F},
+    {2.8F, 0, 2.475F},
+    {2.8F, -0.25F, 2.475F},
+    {3.525F, -0.25F, 2.49375F},
+    {3.525F, 0, 2.49375F},
+    {2.9F, 0, 2.475F},
+    {2.9F, -0.15F, 2.475F},
+    {3.45F, -0.15F, 2.5125F},
+    {3.45F, 0, 2.5125F},
+    {2.8F, 0, 2.4F},
+    {2.8F, -0.15F, 2.4F},
+    {3.2F, -0.15F, 2.4F},
+    {3.2F, 0, 2.4F},
+    {0, 0, 3.15F},
+    {0.8F, 0, 3.15F},
+    {0.8F, -0.45F, 3.15F},
+    {0.45F, -0.8F, 3.15F},
+    {0, -0.8F, 3.15F},
     {0, 0, 2.85F},
-    {1.4F, 0, 2.4F}, {1.4F, -0.784F, 2.4F}, {0.784F, -1.4F, 2.4F}, {0, -1.4F, 2.4F},
-    {0.4F, 0, 2.55F}, {0.4F, -0.224F, 2.55F}, {0.224F, -0.4F, 2.55F}, {0, -0.4F, 2.55F},
-    {1.3F, 0, 2.55F}, {1.3F, -0.728F, 2.55F}, {0.728F, -1.3F, 2.55F}, {0, -1.3F, 2.55F},
-    {1.3F, 0, 2.4F}, {1.3F, -0.728F, 2.4F}, {0.728F, -1.3F, 2.4F}, {0, -1.3F, 2.4F},
+    {1.4F, 0, 2.4F},
+    {1.4F, -0.784F, 2.4F},
+    {0.784F, -1.4F, 2.4F},
+    {0, -1.4F, 2.4F},
+    {0.4F, 0, 2.55F},
+    {0.4F, -0.224F, 2.55F},
+    {0.224F, -0.4F, 2.55F},
+    {0, -0.4F, 2.55F},
+    {1.3F, 0, 2.55F},
+    {1.3F, -0.728F, 2.55F},
+    {0.728F, -1.3F, 2.55F},
+    {0, -1.3F, 2.55F},
+    {1.3F, 0, 2.4F},
+    {1.3F, -0.728F, 2.4F},
+    {0.728F, -1.3F, 2.4F},
+    {0, -1.3F, 2.4F},
     {0, 0, 0},
-    {1.425F, -0.798F, 0}, {1.5F, 0, 0.075F}, {1.425F, 0, 0}, {0.798F, -1.425F, 0}, {0, -1.5F, 0.075F},
-    {0, -1.425F, 0}, {1.5F, -0.84F, 0.075F}, {0.84F, -1.5F, 0.075F},
+    {1.425F, -0.798F, 0},
+    {1.5F, 0, 0.075F},
+    {1.425F, 0, 0},
+    {0.798F, -1.425F, 0},
+    {0, -1.5F, 0.075F},
+    {0, -1.425F, 0},
+    {1.5F, -0.84F, 0.075F},
+    {0.84F, -1.5F, 0.075F},
 };
 
 /// The control points of a patch, reflected; a single reflection turns the patch, so its rows run backwards.
@@ -121,10 +216,18 @@ Vec3f unit_normal_at(const Points& points, float row, float column) {
 
 Vec3f y_up(const Vec3f& v) { return {v.x, v.z, -v.y}; }
 
+/// Five decimals, without the sign of a 0, which the reflections make.
+std::string numbers(const Vec3f& v) {
+  std::string text;
+  for (const float x : {v.x, v.y, v.z}) text += fmt::format(" {:.6g}", std::round(1e5F * x) / 1e5F + 0.0F);
+  return text;
+}
+
 class ObjWriter {
  public:
   explicit ObjWriter(int subdivisions) : subdivisions_(subdivisions) {
-    text_ = fmt::format("# The Utah teapot, {0} by {0} quads a patch: make_teapot {0}\no teapot\n", subdivisions);
+    text_ =
+        fmt::format("# The Utah teapot, {0} by {0} quads a patch: make_teapot {0}\no teapot\n", subdivisions);
   }
 
   void add(const Points& points) {
@@ -132,11 +235,10 @@ class ObjWriter {
     for (int i = 0; i < side * side; ++i) {
       const float row = static_cast<float>(i / side) / static_cast<float>(subdivisions_);
       const float column = static_cast<float>(i % side) / static_cast<float>(subdivisions_);
-      // Adding 0 turns -0, which the reflections make, into 0.
-      const Vec3f p = Vec3f(0) + y_up(combine(points, bernstein(row).value, bernstein(column).value));
+      const Vec3f p = y_up(combine(points, bernstein(row).value, bernstein(column).value));
       const Vec3f n = y_up(unit_normal_at(points, row, column));
       positions_.push_back(p);
-      text_ += fmt::format("v {:.6g} {:.6g} {:.6g}\nvn {:.4f} {:.4f} {:.4f}\n", p.x, p.y, p.z, n.x, n.y, n.z);
+      text_ += fmt::format("v{}\nvn{}\n", numbers(p), numbers(n));
     }
     for (int row = 0; row < subdivisions_; ++row) {
       for (int column = 0; column < subdivisions_; ++column) {
@@ -187,7 +289,8 @@ int main(int argc, char** argv) {
   const std::string count = argc == 3 ? argv[1] : "";
   std::from_chars(count.data(), count.data() + count.size(), subdivisions);
   if (subdivisions < 1 || subdivisions > 1000) {
-    fmt::print(stderr, "usage: make_teapot SUBDIVISIONS FILE.obj    (1 to 1000 quads along a side of a patch)\n");
+    fmt::print(stderr,
+               "usage: make_teapot SUBDIVISIONS FILE.obj    (1 to 1000 quads along a side of a patch)\n");
     return 2;
   }
   grf::Diagnostics diagnostics;

@@ -11,7 +11,8 @@ std::string instance(const grf::ModelInfo& model, const std::string& only, bool 
   std::string text(model.keyword);
   for (const grf::ParameterInfo& parameter : model.parameters) {
     const bool chosen = only.empty() || parameter.name == only;
-    if (chosen) text += fmt::format(" {}={}", parameter.name, maximum ? parameter.maximum : parameter.minimum);
+    if (chosen)
+      text += fmt::format(" {}={}", parameter.name, maximum ? parameter.maximum : parameter.minimum);
   }
   return text;
 }
@@ -23,12 +24,18 @@ class PairGenerator {
   Pair next() {
     const Vec3f u = any_direction();
     switch (random_() % 8) {
-      case 0: return {u, u};
-      case 1: return {u, reflectance::mirrored(u)};
-      case 2: return {u, near(reflectance::mirrored(u))};
-      case 3: return {u, near(u)};
-      case 4: return {u, -u};
-      default: return {u, any_direction()};
+      case 0:
+        return {u, u};
+      case 1:
+        return {u, reflectance::mirrored(u)};
+      case 2:
+        return {u, near(reflectance::mirrored(u))};
+      case 3:
+        return {u, near(u)};
+      case 4:
+        return {u, -u};
+      default:
+        return {u, any_direction()};
     }
   }
 

@@ -63,7 +63,8 @@ TEST_P(Formula, IsInFloatWhatItIsInDouble) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, Formula, testing::ValuesIn(all_cases()), [](const auto& instance) {
   std::string name = instance.param;
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name + "_" + std::to_string(instance.index);
 });
 
@@ -88,7 +89,8 @@ TEST(Identity, WardIsItsClosedForm) {
 TEST(Identity, WardTakesTheSlopeAlongXForTheOtherOne) {
   const Vec3f u = test::direction(40, 10);
   const Vec3f v = test::direction(25, 200);
-  EXPECT_EQ(evaluate(test::brdf_of("ward sx=0.3"), u, v), evaluate(test::brdf_of("ward sx=0.3 sy=0.3"), u, v));
+  EXPECT_EQ(evaluate(test::brdf_of("ward sx=0.3"), u, v),
+            evaluate(test::brdf_of("ward sx=0.3 sy=0.3"), u, v));
 }
 
 TEST(Log1p, IsWithinTwoUnitsInTheLastPlace) {

@@ -1,12 +1,12 @@
 #include "tests/reflectance/glsl_context.h"
 
 #define GL_GLEXT_PROTOTYPES
+#include <stdexcept>
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
-
-#include <stdexcept>
 
 namespace test {
 namespace {
@@ -73,7 +73,9 @@ std::string fragment_shader(const std::string& functions, const std::string& exp
          "  ivec2 place = ivec2(gl_FragCoord.xy);\n"
          "  vec3 u = texelFetch(u_directions, place, 0).xyz;\n"
          "  vec3 v = texelFetch(v_directions, place, 0).xyz;\n"
-         "  result = vec4(" + expression + ", 1);\n"
+         "  result = vec4(" +
+         expression +
+         ", 1);\n"
          "}\n";
 }
 
@@ -88,8 +90,13 @@ GlslContext::GlslContext() : display_(std::make_unique<Display>()) {
   display_->display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   require(eglInitialize(display_->display, nullptr, nullptr) != 0, "no surfaceless EGL");
   require(eglBindAPI(EGL_OPENGL_API) != 0, "no desktop OpenGL");
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               3,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               3,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_NONE};
   display_->context = eglCreateContext(display_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   require(display_->context != EGL_NO_CONTEXT, "no OpenGL 3.3 context");
   require(eglMakeCurrent(display_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, display_->context) != 0,

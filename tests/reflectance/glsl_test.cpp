@@ -20,7 +20,8 @@ std::string text_of(const std::string& name) {
 }
 
 std::string functions_of(std::string_view keyword) {
-  return text_of("glsl_functions") + text_of("float_functions") + text_of("common") + text_of(std::string(keyword));
+  return text_of("glsl_functions") + text_of("float_functions") + text_of("common") +
+         text_of(std::string(keyword));
 }
 
 template <class Model>
@@ -61,7 +62,8 @@ TEST(Glsl, IsWhatCppIs) {
   for (const std::string& text : cases) {
     const reflectance::Brdf brdf = test::brdf_of(text);
     const auto [keyword, call] = std::visit(
-        [](const auto& model) { return std::pair(std::string(model.table().keyword), call_of(model)); }, brdf);
+        [](const auto& model) { return std::pair(std::string(model.table().keyword), call_of(model)); },
+        brdf);
     const std::vector<Rgb> shader = context.run(functions_of(keyword), call, u, v);
     for (std::size_t i = 0; i < u.size(); ++i) {
       const Rgb expected = evaluate(brdf, u[i], v[i]);

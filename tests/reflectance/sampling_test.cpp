@@ -83,7 +83,8 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
       const float density = subject.density(u, v);
       ASSERT_NEAR(sample->density, density, 1e-3F * density);
       const Rgb expected = subject.evaluate(u, v) * v.z / density;
-      for (int k = 0; k < 3; ++k) ASSERT_NEAR(sample->weight[k], expected[k], 2e-3F * expected[k] + 1e-6F) << v;
+      for (int k = 0; k < 3; ++k)
+        ASSERT_NEAR(sample->weight[k], expected[k], 2e-3F * expected[k] + 1e-6F) << v;
     }
   }
 }
@@ -93,8 +94,9 @@ TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
   constexpr int Samples = 100000;
   for (const double angle : {0.0, 30.0, 60.0, 85.0}) {
     const Vec3f u = test::direction(angle, 25);
-    const statistics::Quadrature quadrature([&](const Vec3f& v) { return subject.evaluate(u, v).x * double(v.z); },
-                                            reflectance::mirrored(u), 1e-8);
+    const statistics::Quadrature quadrature(
+        [&](const Vec3f& v) { return subject.evaluate(u, v).x * double(v.z); }, reflectance::mirrored(u),
+        1e-8);
     const double exact = quadrature.over_hemisphere();
     RandomNumbers random(9);
     double sum = 0;
@@ -112,8 +114,8 @@ TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Sampling, testing::ValuesIn(cases()), [](const auto& instance) {
-  return instance.param.scheme_name + "_" + instance.param.brdf.substr(0, instance.param.brdf.find(' ')) + "_" +
-         std::to_string(instance.index);
+  return instance.param.scheme_name + "_" + instance.param.brdf.substr(0, instance.param.brdf.find(' ')) +
+         "_" + std::to_string(instance.index);
 });
 
 // The test of the test: a sampler that is a little off must not pass.

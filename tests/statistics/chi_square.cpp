@@ -70,8 +70,10 @@ double ChiSquareTest::p_value(const Sampler& sampler, int samples) const {
     }
   }
   // Samples where next to none may be are a failure however few cells that is.
-  if (pool.expected > FewestExpected / 5) add(pool.expected, pool.counted);
-  else if (pool.counted > 20) return 0;
+  if (pool.expected > FewestExpected / 5)
+    add(pool.expected, pool.counted);
+  else if (pool.counted > 20)
+    return 0;
   if (terms < 2) return 1;
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(terms - 1), statistic));
 }

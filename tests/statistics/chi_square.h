@@ -16,7 +16,8 @@ class ChiSquareTest {
  public:
   using Sampler = std::function<std::optional<Vec3f>()>;
 
-  ChiSquareTest(Quadrature::Function density, const Vec3f& peak) : density_(std::move(density)), peak_(peak) {}
+  ChiSquareTest(Quadrature::Function density, const Vec3f& peak)
+      : density_(std::move(density)), peak_(peak) {}
 
   double p_value(const Sampler& sampler, int samples) const;
 

@@ -68,8 +68,10 @@ class Quadrature {
   double refine(const Cell& cell, double estimate, int depth) const {
     const double z = (cell.z0 + cell.z1) / 2;
     const double phi = (cell.phi0 + cell.phi1) / 2;
-    const Cell parts[4] = {{cell.z0, z, cell.phi0, phi}, {z, cell.z1, cell.phi0, phi},
-                           {cell.z0, z, phi, cell.phi1}, {z, cell.z1, phi, cell.phi1}};
+    const Cell parts[4] = {{cell.z0, z, cell.phi0, phi},
+                           {z, cell.z1, cell.phi0, phi},
+                           {cell.z0, z, phi, cell.phi1},
+                           {z, cell.z1, phi, cell.phi1}};
     double estimates[4];
     double sum = 0;
     for (int i = 0; i < 4; ++i) sum += estimates[i] = gauss(parts[i]);

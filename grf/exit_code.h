@@ -1,8 +1,8 @@
 #pragma once
 
-namespace command {
+namespace grf {
 
-/// What programs return.
+/// What every program of the project returns.
 enum class ExitCode { Done = 0, BadInput = 1, BadCommandLine = 2, Interrupted = 130 };
 
-}  // namespace command
+}  // namespace grf

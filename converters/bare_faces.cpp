@@ -1,0 +1,44 @@
+#include "converters/bare_faces.h"
+
+#include <algorithm>
+
+namespace convert {
+namespace {
+
+bool is_bare(const grf::Surface& surface) { return !surface.brdf && !surface.emission; }
+
+class Giver {
+ public:
+  explicit Giver(const grf::BrdfModel& brdf) : brdf_(brdf) {}
+
+  void give(grf::BlockList& list) {
+    for (grf::Block& block : list.blocks) {
+      std::visit([this](auto& content) { give(content); }, block.content);
+    }
+  }
+
+ private:
+  // A mesh is edited, and so copied if it is shared, only if there is something to give.
+  void give(grf::Shared<grf::Mesh>& mesh) {
+    if (std::none_of(mesh->surfaces.begin(), mesh->surfaces.end(), is_bare)) return;
+    for (grf::Surface& surface : mesh.edit().surfaces) {
+      if (is_bare(surface)) surface.brdf = brdf_;
+    }
+  }
+  void give(grf::AreaLight&) {}
+  void give(grf::Include& include) {
+    grf::BlockList contents = *include.contents;
+    give(contents);
+    if (!(contents == *include.contents)) include.contents = std::move(contents);
+  }
+  void give(grf::Transform& transform) { give(transform.body); }
+  void give(grf::DefinitionScope& definitions) { give(definitions.body); }
+
+  const grf::BrdfModel& brdf_;
+};
+
+}  // namespace
+
+void give_bare_faces(grf::Scene& scene, const grf::BrdfModel& brdf) { Giver(brdf).give(scene.contents); }
+
+}  // namespace convert

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "grf/scene.h"
+
+namespace convert {
+
+/// Gives the BRDF to all faces that have none and emit no light, in included files too.
+void give_bare_faces(grf::Scene& scene, const grf::BrdfModel& brdf);
+
+}  // namespace convert

@@ -1,0 +1,68 @@
+#include "converters/command/convert.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "converters/wording.h"
+#include "grf/text_file.h"
+#include "grf/visit.h"
+
+namespace convert {
+namespace {
+
+std::string writable_formats() {
+  std::string names;
+  for (const Format& format : formats()) {
+    if (format.write != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  }
+  return names;
+}
+
+/// What is wrong with a format as one to write, or an empty string.
+std::string why_not_written(const Format* format, const std::string& path) {
+  if (format == nullptr) {
+    return fmt::format("the name '{}' does not say its format: give it by --to ({})", path,
+                       writable_formats());
+  }
+  if (format->write != nullptr) return "";
+  return fmt::format("{} files are not written; what is: {}", format->name, writable_formats());
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  return grf::canonical_path(a) == grf::canonical_path(b);
+}
+
+void print_result(const grf::Scene& scene, const std::string& path) {
+  std::size_t meshes = 0;
+  std::size_t faces = 0;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+    ++meshes;
+    faces += mesh.face_count();
+  };
+  grf::visit(scene, visitor);
+  fmt::print("{}: {}, {}\n", path, counted(meshes, "mesh", "meshes"), counted(faces, "face", "faces"));
+}
+
+}  // namespace
+
+ExitCode convert_file(const ConvertOptions& options) {
+  const Format* format = options.output_format;
+  if (format == nullptr) format = format_of_name(options.output);
+  const std::string why_not = why_not_written(format, options.output);
+  if (!why_not.empty()) return bad_command_line(why_not);
+  grf::Diagnostics diagnostics;
+  const auto input = read_input(options.input, diagnostics);
+  if (input && input->format != format && is_same_file(options.input.path, options.output)) {
+    return bad_command_line(
+        fmt::format("'{}' would be replaced by a file of another format", options.output));
+  }
+  const bool written = input && format->write(input->scene, options.output, diagnostics);
+  print(diagnostics, options.quiet);
+  if (!written) return ExitCode::BadInput;
+  if (!options.quiet) print_result(input->scene, options.output);
+  return ExitCode::Done;
+}
+
+}  // namespace convert

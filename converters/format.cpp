@@ -1,0 +1,97 @@
+#include "converters/format.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "converters/bare_faces.h"
+#include "converters/grf_format.h"
+#include "converters/obj.h"
+#include "grf/keywords.h"
+#include "grf/text_file.h"
+
+namespace convert {
+namespace {
+
+/// Enough to get past the comments that exporters begin their files with.
+constexpr std::size_t SniffedBytes = 4096;
+
+// Nothing of what is not a regular file: to open a pipe would wait for whoever writes to it.
+std::string first_bytes(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(SniffedBytes, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+template <class Condition>
+const Format* find_if(Condition condition) {
+  const auto all = formats();
+  const auto found = std::find_if(all.begin(), all.end(), condition);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string readable_formats() {
+  std::string names;
+  for (const Format& format : formats()) {
+    if (format.read != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::span<const Format> formats() {
+  static const std::array<Format, 2> all = {grf_format(), obj_format()};
+  return all;
+}
+
+const Format* find_format(std::string_view name) {
+  return find_if([name](const Format& format) { return grf::same_keyword(format.name, name); });
+}
+
+const Format* format_of_name(const std::string& path) {
+  std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
+  if (extension.empty()) return nullptr;
+  extension.erase(0, 1);
+  return find_if([&extension](const Format& format) {
+    return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
+           format.extensions.end();
+  });
+}
+
+const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) {
+  const std::string bytes = first_bytes(path);
+  if (const Format* format = find_if([&](const Format& candidate) { return candidate.sniff(bytes); })) {
+    return format;
+  }
+  if (const Format* format = format_of_name(path)) return format;
+  // A file that cannot be read is one of no format for another reason.
+  if (const auto whole = grf::read_file(path, diagnostics)) {
+    diagnostics.error(
+        grf::whole_file(path),
+        whole->empty()
+            ? "the file is empty"
+            : fmt::format("neither content nor name are those of a known format ({})", readable_formats()));
+  }
+  return nullptr;
+}
+
+std::optional<grf::Scene> read(const Format& format, const std::string& path, const ReadOptions& options,
+                               grf::Diagnostics& diagnostics) {
+  if (format.read == nullptr) {
+    diagnostics.error(grf::whole_file(path), fmt::format("{} files are not read", format.name));
+    return std::nullopt;
+  }
+  std::optional<grf::Scene> scene = format.read(path, options, diagnostics);
+  if (scene && options.brdf) give_bare_faces(*scene, *options.brdf);
+  return scene;
+}
+
+}  // namespace convert

@@ -1,0 +1,57 @@
+// The file formats that scenes come in and go out as. One table of them drives the command line, file
+// dialogs, documents and tests.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
+
+namespace convert {
+
+struct ReadOptions {
+  /// What faces reflect that come without a material; empty: they get no BRDF, and GRF's default holds.
+  std::optional<grf::BrdfModel> brdf;
+};
+
+/// What there is to know of one file format.
+struct Format {
+  std::string_view name;                     ///< as options say it: `obj`
+  std::string_view title;                    ///< as people say it
+  std::vector<std::string_view> extensions;  ///< in lower case, without the dot; the usual one first
+
+  /// True if a file that begins with these bytes is of the format. Never true of two formats.
+  bool (*sniff)(std::string_view first_bytes);
+
+  /// The scene of a file, or nothing after an error. Null: the format is not read.
+  std::optional<grf::Scene> (*read)(const std::string& path, const ReadOptions& options,
+                                    grf::Diagnostics& diagnostics) = nullptr;
+
+  /// Replaces the file, or leaves it as it was and says why. Null: the format is not written.
+  bool (*write)(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) = nullptr;
+
+  std::string_view keeps;
+  std::string_view loses;
+};
+
+/// All formats, in the order in which they are listed.
+std::span<const Format> formats();
+
+/// The format with a name, or null.
+const Format* find_format(std::string_view name);
+
+/// The format that the extension of a file's name stands for, or null.
+const Format* format_of_name(const std::string& path);
+
+/// The format of a file that exists: by its content, or else by its name. Null after an error.
+const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics);
+
+/// Reads a file of a format. Nothing is returned after an error.
+std::optional<grf::Scene> read(const Format& format, const std::string& path, const ReadOptions& options,
+                               grf::Diagnostics& diagnostics);
+
+}  // namespace convert

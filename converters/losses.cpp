@@ -1,0 +1,61 @@
+#include "converters/losses.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "converters/wording.h"
+
+namespace convert {
+namespace {
+
+struct LossText {
+  std::string_view one;   ///< behind a count of one
+  std::string_view many;  ///< behind any other
+  std::string_view why;
+};
+
+LossText text_of(Loss loss) {
+  switch (loss) {
+    case Loss::Texture:
+      return {"face lost its texture", "faces lost their texture", "GRF scenes hold none yet"};
+    case Loss::BumpMap:
+      return {"face lost its bump map", "faces lost their bump map", "GRF has none"};
+    case Loss::OtherMap:
+      return {"face lost its map of a parameter other than the diffuse colour",
+              "faces lost their map of a parameter other than the diffuse colour", "GRF has none"};
+    case Loss::TextureCoordinates:
+      return {"face lost its texture coordinates", "faces lost their texture coordinates",
+              "GRF scenes hold none yet"};
+    case Loss::Transparency:
+      return {"face lost its transparency", "faces lost their transparency", "GRF surfaces are opaque"};
+    case Loss::PhysicallyBasedParameters:
+      return {"face lost its physically based parameters (Pr, Pm and so on)",
+              "faces lost their physically based parameters (Pr, Pm and so on)",
+              "Kd, Ks and Ns beside them were used"};
+    case Loss::SmoothingGroup:
+      return {"face lost its smoothing group", "faces lost their smoothing group",
+              "the file has no normals, so that faces are flat"};
+    case Loss::VertexColour:
+      return {"vertex lost its colour", "vertices lost their colour", "other vertices of the file have none"};
+    case Loss::ShortFace:
+      return {"face was left out", "faces were left out", "three corners or more were expected"};
+    case Loss::Line:
+      return {"line was left out", "lines were left out", "GRF has faces alone"};
+    case Loss::Point:
+      return {"point was left out", "points were left out", "GRF has faces alone"};
+  }
+  return {};
+}
+
+}  // namespace
+
+void Losses::report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const {
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (counts_[i] == 0) continue;
+    const LossText text = text_of(static_cast<Loss>(i));
+    diagnostics.warning(location, fmt::format("{}: {}", counted(counts_[i], text.one, text.many), text.why));
+  }
+}
+
+}  // namespace convert

@@ -1,0 +1,177 @@
+#include "converters/mtl.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "converters/wavefront_text.h"
+#include "converters/wording.h"
+#include "grf/keywords.h"
+
+namespace convert {
+namespace {
+
+using grf::same_keyword;
+
+bool is_one_of(std::string_view keyword, std::initializer_list<std::string_view> candidates) {
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [keyword](std::string_view candidate) { return same_keyword(keyword, candidate); });
+}
+
+/// What a statement that names an image, or extends MTL, asks for that is not kept.
+std::optional<Loss> loss_of(std::string_view keyword) {
+  if (same_keyword(keyword, "map_Kd")) return Loss::Texture;
+  if (is_one_of(keyword, {"bump", "map_bump", "norm", "map_Kn"})) return Loss::BumpMap;
+  if (is_one_of(keyword, {"disp", "decal", "refl"})) return Loss::OtherMap;
+  if (same_keyword(keyword.substr(0, 4), "map_")) return Loss::OtherMap;
+  if (is_one_of(keyword, {"Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor"})) {
+    return Loss::PhysicallyBasedParameters;
+  }
+  return std::nullopt;
+}
+
+// The illumination models of the format: 0 and 1 have no highlight; 3 to 9 trace reflections, 4, 6, 7 and 9
+// with refraction.
+Reflection reflection_of(int illumination) {
+  if (illumination == 0 || illumination == 1) return Reflection::None;
+  return illumination >= 3 && illumination <= 9 ? Reflection::Mirror : Reflection::Glossy;
+}
+bool refracts(int illumination) {
+  return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
+}
+
+class MtlReader {
+ public:
+  MtlReader(const SourceText& source, grf::Diagnostics& diagnostics)
+      : reader_(source.text, source.file), diagnostics_(diagnostics) {}
+
+  std::vector<PhongMaterial> run() {
+    Statement statement;
+    while (reader_.next(statement)) {
+      if (same_keyword(statement.keyword, "newmtl")) {
+        finish();
+        begin(statement);
+      } else if (current_) {
+        read(statement);
+      }
+    }
+    finish();
+    if (unread_values_ > 0) {
+      diagnostics_.warning(first_unread_, counted(unread_values_, "value was", "values were") +
+                                              " not read: one number, or three, were expected");
+    }
+    return std::move(materials_);
+  }
+
+ private:
+  void begin(const Statement& statement);
+  void read(const Statement& statement);
+  void finish();
+  std::optional<grf::Vec3d> colour(const Statement& statement);
+  std::optional<double> number(const Statement& statement);
+  void note_unread(const Statement& statement);
+  void add_loss(Loss loss);
+
+  template <class Target, class Source>
+  static void assign(Target& target, const std::optional<Source>& value) {
+    if (value) target = *value;
+  }
+
+  StatementReader reader_;
+  grf::Diagnostics& diagnostics_;
+  std::vector<PhongMaterial> materials_;
+  std::optional<PhongMaterial> current_;
+  std::optional<double> dissolve_;      // of the current material: 1 is opaque
+  std::optional<double> transparency_;  // the same the other way round; `d` has the last word
+  std::size_t unread_values_ = 0;
+  grf::SourceLocation first_unread_;
+};
+
+void MtlReader::begin(const Statement& statement) {
+  current_.emplace();
+  current_->name = statement.text();
+  current_->source = "MTL";
+  current_->location = reader_.location(statement.keyword);
+  dissolve_.reset();
+  transparency_.reset();
+}
+
+void MtlReader::finish() {
+  if (!current_) return;
+  if (dissolve_.value_or(1 - transparency_.value_or(0)) < 1) add_loss(Loss::Transparency);
+  materials_.push_back(std::move(*current_));
+  current_.reset();
+}
+
+void MtlReader::read(const Statement& statement) {
+  const std::string_view keyword = statement.keyword;
+  const std::string text = statement.text();
+  current_->source_values.push_back(text.empty() ? std::string(keyword)
+                                                 : fmt::format("{} {}", keyword, text));
+  if (same_keyword(keyword, "Kd")) {
+    assign(current_->diffuse, colour(statement));
+  } else if (same_keyword(keyword, "Ks")) {
+    assign(current_->specular, colour(statement));
+  } else if (same_keyword(keyword, "Ke")) {
+    assign(current_->emission, colour(statement));
+  } else if (same_keyword(keyword, "Ns")) {
+    assign(current_->exponent, number(statement));
+  } else if (same_keyword(keyword, "d")) {
+    assign(dissolve_, number(statement));
+  } else if (same_keyword(keyword, "Tr")) {
+    assign(transparency_, number(statement));
+  } else if (same_keyword(keyword, "illum")) {
+    const int illumination = static_cast<int>(std::clamp(number(statement).value_or(2), 0.0, 99.0));
+    current_->reflection = reflection_of(illumination);
+    if (refracts(illumination)) add_loss(Loss::Transparency);
+  } else if (const auto loss = loss_of(keyword)) {
+    add_loss(*loss);
+  }
+}
+
+// One number stands for three. The other two forms, `spectral FILE` and `xyz`, are of no practical use.
+std::optional<grf::Vec3d> MtlReader::colour(const Statement& statement) {
+  std::vector<double> components;
+  for (const std::string_view word : statement.arguments) {
+    if (const auto component = parse_number(word)) components.push_back(*component);
+  }
+  const bool all_read = components.size() == statement.arguments.size();
+  if (all_read && components.size() == 1) return grf::Vec3d(components[0]);
+  if (all_read && components.size() == 3) return grf::Vec3d(components[0], components[1], components[2]);
+  note_unread(statement);
+  return std::nullopt;
+}
+
+// The last word: `d` may have the option `-halo` before its value.
+std::optional<double> MtlReader::number(const Statement& statement) {
+  if (!statement.arguments.empty()) {
+    if (const auto value = parse_number(statement.arguments.back())) return value;
+  }
+  note_unread(statement);
+  return std::nullopt;
+}
+
+void MtlReader::note_unread(const Statement& statement) {
+  if (unread_values_++ == 0) first_unread_ = reader_.location(statement.keyword);
+}
+
+void MtlReader::add_loss(Loss loss) {
+  std::vector<Loss>& losses = current_->losses;
+  if (std::find(losses.begin(), losses.end(), loss) == losses.end()) losses.push_back(loss);
+}
+
+}  // namespace
+
+std::vector<PhongMaterial> read_mtl(const std::string& path, const grf::SourceLocation& asked_for_at,
+                                    grf::Diagnostics& diagnostics) {
+  grf::Diagnostics problems;
+  const auto source = read_source_text(path, "a material library", problems, asked_for_at);
+  for (const grf::Diagnostic& problem : problems.entries()) {
+    diagnostics.warning(problem.location, problem.message);
+  }
+  return source ? MtlReader(*source, diagnostics).run() : std::vector<PhongMaterial>();
+}
+
+}  // namespace convert

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace convert {
+
+/// The text as UTF-8 without a byte-order mark. Text that begins with a mark of UTF-16 is taken at its word;
+/// other text is UTF-8 if it is valid as such, and else Latin-1, which old exporters write.
+std::string to_utf8(std::string_view bytes);
+
+}  // namespace convert

@@ -1,0 +1,72 @@
+// The samples are sound, and those that a program makes are what it makes.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "grf/catalogue.h"
+#include "grf/read.h"
+#include "grf/summary.h"
+#include "renderer/options/op_file.h"
+#include "renderer/reflectance/scheme.h"
+#include "tests/support/run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+const std::string Samples = GRANADA_SOURCE_DIR "/samples/";
+
+TEST(Teapot, IsWhatItsProgramMakes) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("teapot.obj");
+  ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_teapot", "8", path}).exit_code, 0);
+  EXPECT_TRUE(test::bytes_of(path) == test::bytes_of(Samples + "teapot/teapot.obj"));
+}
+
+TEST(Teapot, SaysWhenItsCommandLineIsBad) {
+  EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_teapot"}).exit_code, 2);
+  EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_teapot", "0", "x.obj"}).exit_code, 2);
+  EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_teapot", "4", "/no/such/folder/x.obj"}).exit_code, 1);
+}
+
+// Fronts, vertex normals and shape belong together: each face turns to where its normals point, the handle is
+// on the left and the spout on the right, and it is as tall as published.
+TEST(Teapot, TurnsItsFrontsOutwards) {
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read(Samples + "teapot/teapot.grf", diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  const grf::Block* block = &scene->contents.blocks.front();
+  const grf::Mesh& mesh = *std::get<grf::Shared<grf::Mesh>>(block->content);
+  ASSERT_EQ(mesh.face_count(), 2048U);
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    const grf::Vec3d area = grf::doubled_area_vector(mesh, i, {});
+    for (const std::uint32_t corner : mesh.face(i)) {
+      EXPECT_GT(area.normalized().dot(grf::Vec3d(mesh.normals[corner])), 0) << "face " << i;
+    }
+  }
+  const grf::Box3f bounds = grf::summarize(*scene).bounds;
+  EXPECT_NEAR(bounds.min.x, -3, 1e-5);
+  EXPECT_NEAR(bounds.max.y, 3.15, 1e-5);
+  EXPECT_NEAR(bounds.min.y, 0, 1e-5);
+  EXPECT_GT(bounds.max.x, 3.4);
+}
+
+TEST(Samples, AreReadWithoutAComplaint) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(Samples)) {
+    const std::string path = entry.path().string();
+    grf::Diagnostics diagnostics;
+    const bool is_op_file = entry.path().extension() == ".op";
+    EXPECT_TRUE(!is_op_file || options::read_op_file(path, diagnostics));
+    // The bunny's model is imported by scripts/demo.
+    const bool needs_import = path.find("bunny") != std::string::npos;
+    if (entry.path().extension() == ".grf" && !needs_import) {
+      const auto scene = grf::read(path, diagnostics);
+      EXPECT_TRUE(scene && grf::check(*scene, reflectance::catalogue(), diagnostics));
+      ++scenes;
+    }
+    EXPECT_EQ(diagnostics.to_text(), "");
+  }
+  EXPECT_GE(scenes, 3);
+}
+
+}  // namespace

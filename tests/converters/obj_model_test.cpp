@@ -1,0 +1,139 @@
+// The OBJ models of Debian's package assimp-testmodels, against a second reading of them.
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "grf/keywords.h"
+#include "grf/summary.h"
+#include "tests/converters/reading.h"
+#include "tests/converters/reference_obj.h"
+
+namespace convert {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string Models = "/usr/share/assimp/models/";
+
+/// The models that give an error, and a part of its text.
+const std::map<std::string, std::string> Errors = {
+    {"OBJ/number_formats.obj", "number_formats.obj:11:14: error: found '3.1+e2', expected a finite number"},
+    {"OBJ/point_cloud.obj", "point_cloud.obj: error: the file has no faces"},
+    {"OBJ/testline.obj", "testline.obj: error: the file has no faces"},
+    {"OBJ/testpoints.obj", "testpoints.obj: error: the file has no faces"},
+    {"invalid/empty.obj", "empty.obj: error: the file is empty, expected an OBJ model"},
+    {"invalid/malformed.obj", "malformed.obj:28:3: error: found '0', expected a corner"},
+    {"invalid/malformed2.obj", "malformed2.obj:23:1: error: a face without corners"},
+};
+
+/// Files that the second reader cannot read, and others that hold the same model.
+const std::map<std::string, std::string> Equals = {{"OBJ/box_UTF16BE.obj", "OBJ/box.obj"}};
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  for (const std::string folder : {"OBJ", "invalid"}) {
+    for (const auto& entry : fs::directory_iterator(Models + folder)) {
+      if (entry.path().extension() == ".obj")
+        names.push_back(folder + "/" + entry.path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string readable_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = fs::path(info.param).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !grf::is_word_character(c); }, '_');
+  return name;
+}
+
+/// The faces of all meshes, one after the other, as the second reader has them.
+std::vector<ReferenceFace> faces_of(const grf::Scene& scene) {
+  std::vector<ReferenceFace> faces;
+  for (const grf::Mesh& mesh : meshes_of(scene)) {
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      ReferenceFace face;
+      for (const std::uint32_t vertex : mesh.face(i)) face.corners.emplace_back(mesh.positions[vertex]);
+      face.material = grf::from_identifier(material_of(mesh, i));
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+bool agree(const grf::Vec3d& a, const grf::Vec3d& b) {
+  return (a - b).length() <= 1e-6 * std::max(1.0, b.length());
+}
+
+class ObjModel : public testing::TestWithParam<std::string> {};
+
+TEST_P(ObjModel, IsReadAsTheSecondReaderReadsItOrNotAtAll) {
+  const Reading reading = read_path(Models + GetParam());
+  if (const auto error = Errors.find(GetParam()); error != Errors.end()) {
+    EXPECT_FALSE(reading.scene.has_value());
+    EXPECT_THAT(reading.text(), HasSubstr(error->second));
+    return;
+  }
+  ASSERT_TRUE(reading.scene.has_value()) << reading.text();
+  EXPECT_FALSE(reading.diagnostics.has_errors());
+  const auto equal = Equals.find(GetParam());
+  const ReferenceModel reference =
+      read_reference(Models + (equal == Equals.end() ? GetParam() : equal->second));
+
+  const std::vector<ReferenceFace> faces = faces_of(*reading.scene);
+  ASSERT_EQ(faces.size(), reference.faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const ReferenceFace& expected = reference.faces[i];
+    ASSERT_EQ(faces[i].corners.size(), expected.corners.size()) << "face " << i;
+    // One model has its names in Latin-1, which are UTF-8 in the scene.
+    if (GetParam() != "OBJ/regr01.obj") {
+      EXPECT_EQ(faces[i].material, expected.material) << "face " << i;
+    }
+    for (std::size_t k = 0; k < expected.corners.size(); ++k) {
+      EXPECT_TRUE(agree(faces[i].corners[k], expected.corners[k])) << "face " << i << ", corner " << k;
+    }
+  }
+  EXPECT_NEAR(grf::summarize(*reading.scene).area, reference.area(), 1e-5 * reference.area());
+  EXPECT_EQ((ReferenceModel{faces}.distinct_positions()), reference.distinct_positions());
+}
+
+INSTANTIATE_TEST_SUITE_P(OfDebian, ObjModel, testing::ValuesIn(model_names()), readable_name);
+
+TEST(ObjModels, AreAllThere) { EXPECT_GE(model_names().size(), 25U); }
+
+TEST(ObjModels, TheBoxWithoutALastLineEndIsReadWithAWarningOfThatAlone) {
+  const Reading reading = read_path(Models + "OBJ/box_without_lineending.obj");
+  ASSERT_TRUE(reading.scene.has_value());
+  EXPECT_EQ(reading.diagnostics.warning_count(), 1U);
+  EXPECT_THAT(reading.text(), HasSubstr("warning: the file does not end with a line end"));
+}
+
+TEST(ObjModels, NamesInLatin1BecomeUtf8) {
+  const Reading reading = read_path(Models + "OBJ/regr01.obj");
+  ASSERT_TRUE(reading.scene.has_value());
+  std::set<std::string> names;
+  for (const grf::Definition& definition : definitions_of(*reading.scene)) {
+    names.insert(grf::from_identifier(definition.name));
+  }
+  EXPECT_TRUE(names.contains("Terraind\u00E6k"));
+}
+
+TEST(ObjModels, TheConcavePolygonStaysOneFace) {
+  const Reading reading = read_path(Models + "OBJ/concave_polygon.obj");
+  ASSERT_TRUE(reading.scene.has_value());
+  const std::vector<grf::Mesh> meshes = meshes_of(*reading.scene);
+  ASSERT_EQ(meshes.size(), 1U);
+  ASSERT_EQ(meshes[0].face_count(), 1U);
+  EXPECT_EQ(meshes[0].face(0).size(), 66U);
+}
+
+}  // namespace
+}  // namespace convert

@@ -1,0 +1,51 @@
+#include "tests/converters/reading.h"
+
+#include "grf/visit.h"
+#include "grf/write.h"
+
+namespace convert {
+
+Reading read_path(const std::string& path, const ReadOptions& options) {
+  Reading reading;
+  if (const Format* format = recognise(path, reading.diagnostics)) {
+    reading.scene = read(*format, path, options, reading.diagnostics);
+  }
+  return reading;
+}
+
+Reading read_obj_text(std::string_view obj, std::string_view mtl, const ReadOptions& options) {
+  const test::TemporaryFolder folder;
+  if (!mtl.empty()) folder.add("model.mtl", mtl);
+  return read_path(folder.add("model.obj", obj), options);
+}
+
+std::vector<grf::Mesh> meshes_of(const grf::Scene& scene) {
+  std::vector<grf::Mesh> meshes;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+    meshes.push_back(mesh);
+  };
+  grf::visit(scene, visitor);
+  return meshes;
+}
+
+std::vector<grf::Definition> definitions_of(const grf::Scene& scene) {
+  std::vector<grf::Definition> definitions;
+  grf::SceneVisitor visitor;
+  visitor.definition = [&](const grf::Definition& definition, const grf::Placement&) {
+    definitions.push_back(definition);
+  };
+  grf::visit(scene, visitor);
+  return definitions;
+}
+
+std::string brdf_text(const grf::Definition& definition) {
+  return grf::to_text(std::get<grf::BrdfModel>(definition.body));
+}
+
+std::string material_of(const grf::Mesh& mesh, std::size_t face) {
+  const auto& brdf = mesh.surface(face).brdf;
+  return brdf ? std::get<grf::Reference>(*brdf).name : std::string();
+}
+
+}  // namespace convert

@@ -1,0 +1,86 @@
+// The tables in documents are those of the code. To rewrite them after a change:
+//   GRANADA_UPDATE_DOCUMENTS=1 build/release/bin/documents_test
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "renderer/options/render_options.h"
+#include "renderer/reflectance/scheme.h"
+
+namespace {
+
+constexpr std::string_view Begin = "<!-- generated: documents_test -->\n";
+constexpr std::string_view End = "<!-- end -->\n";
+
+std::string read(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// Checks what stands between the marks of a document.
+void expect_generated(const std::string& document, const std::string& expected) {
+  const std::string path = GRANADA_SOURCE_DIR "/" + document;
+  const std::string text = read(path);
+  const std::size_t begin = text.find(Begin);
+  const std::size_t end = text.find(End);
+  ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << document << " has no marks";
+  const std::size_t first = begin + Begin.size();
+  if (std::getenv("GRANADA_UPDATE_DOCUMENTS") != nullptr) {
+    std::ofstream(path) << text.substr(0, first) << expected << text.substr(end);
+    return;
+  }
+  EXPECT_EQ(text.substr(first, end - first), expected) << document << " is not what the code says";
+}
+
+std::string option_rows() {
+  std::string rows = "| key | command line | value | default | meaning |\n|---|---|---|---|---|\n";
+  for (const options::OptionInfo& option : options::option_table()) {
+    rows += fmt::format("| {} | {} | {} | {} | {} |\n", option.key,
+                        option.flag.empty() ? "" : fmt::format("`{}`", option.flag), option.values,
+                        option.default_value, option.meaning);
+  }
+  return rows;
+}
+
+std::string parameter_rows(const grf::ModelInfo& model) {
+  if (model.parameters.empty()) return "No parameters.\n";
+  std::string rows = "| parameter | range | default | meaning |\n|---|---|---|---|\n";
+  for (const grf::ParameterInfo& parameter : model.parameters) {
+    const bool is_rgb = parameter.kind == grf::ParameterKind::Reflectance;
+    const std::string value = parameter.default_from.empty()
+                                  ? fmt::format("{}", parameter.default_value)
+                                  : fmt::format("that of {}", parameter.default_from);
+    rows += fmt::format("| {} | {} to {}{} | {} | {} |\n", parameter.name, parameter.minimum,
+                        parameter.maximum, is_rgb ? ", RGB" : "", value, parameter.help);
+  }
+  return rows;
+}
+
+std::string property(std::string_view name, std::string_view reason) {
+  return reason.empty() ? fmt::format("{}: yes.\n", name)
+                        : fmt::format("{}: not always; {}.\n", name, reason);
+}
+
+std::string model_sections() {
+  std::string text;
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    text += fmt::format("### `{}`: {}\n\n", model.keyword, model.title);
+    if (!model.paper.empty()) text += fmt::format("{}. ", model.paper);
+    text += fmt::format("Formula: [{0}.glsl](reflectance/{0}.glsl).\n\n", model.keyword);
+    text += parameter_rows(model) + "\n";
+    text += property("Isotropic", model.not_isotropic);
+    text += property("Reciprocal", model.not_reciprocal);
+    text += property("Conserves energy where its parts sum to at most 1", model.not_conserving);
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(Documents, OptionsAreThoseOfTheTable) { expect_generated("renderer/OPTIONS.md", option_rows()); }
+
+TEST(Documents, ModelsAreThoseOfTheCatalogue) { expect_generated("renderer/MODELS.md", model_sections()); }
+
+}  // namespace

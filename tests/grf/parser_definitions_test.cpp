@@ -1,0 +1,120 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "grf/visit.h"
+#include "tests/grf/reading.h"
+
+namespace grf {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> names_in(const std::string& definitions) {
+  const Scene scene = scene_of(definitions + " begin end");
+  std::vector<std::string> names;
+  for (const Definition& definition : block<DefinitionScope>(scene.contents).definitions) {
+    names.push_back(definition.name);
+  }
+  return names;
+}
+
+TEST(Definitions, NeedOneDefForAll) {
+  EXPECT_THAT(names_in("def a = rgb (1, 0, 0) def b = brdf ward def c = pdf diffuse"),
+              ElementsAre("a", "b", "c"));
+  EXPECT_THAT(names_in("def a = rgb (1, 0, 0) b = brdf ward c = pdf diffuse"), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(names_in("def a = brdf ward sx=1 b = rgb (1, 0, 0) c = brdf ward d = brdf phong n=2"),
+              ElementsAre("a", "b", "c", "d"));
+}
+
+TEST(Definitions, AreToldFromParametersByWhatFollows) {
+  const Scene scene =
+      scene_of("def a = brdf ward b=1 c=true d=(1, 2, 3) e=-1 f = colour (0, 0, 0) begin end");
+  const auto& definitions = block<DefinitionScope>(scene.contents).definitions;
+  ASSERT_EQ(definitions.size(), 2U);
+  EXPECT_EQ(std::get<BrdfModel>(definitions[0].body).arguments.size(), 4U);
+  EXPECT_EQ(definitions[1].body, decltype(definitions[1].body)(Colour(0, 0, 0)));
+}
+
+TEST(Definitions, NameBothReadingsOfAnyOtherWord) {
+  EXPECT_EQ(error_in("def a = brdf ward b = phong begin end"),
+            "found 'phong', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf' or 'pdf' for "
+            "a definition called 'b'");
+  EXPECT_EQ(error_in("def a = brdf ward b = begin end"),
+            "found 'begin', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf' or 'pdf' for "
+            "a definition called 'b'");
+}
+
+TEST(Definitions, AreCaseSensitiveAndMayHaveTheNamesOfKeywords) {
+  EXPECT_THAT(names_in("def red = rgb (1, 0, 0) Red = rgb (0.9, 0, 0)"), ElementsAre("red", "Red"));
+  EXPECT_THAT(names_in("def ward = brdf phong light = brdf ward transform = rgb (0, 0, 0) include = pdf a "
+                       "mesh = pdf b rgb = rgb (0, 0, 0) brdf = brdf ward"),
+              ElementsAre("ward", "light", "transform", "include", "mesh", "rgb", "brdf"));
+}
+
+/// What the attribute `brdf` of the mesh in the definitions means: its keyword.
+std::string meaning_of(const std::string& definitions, const std::string& brdf,
+                       const std::string& end = "end") {
+  std::string meaning = "nothing";
+  SceneVisitor visitor;
+  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
+    const ResolvedSurface surface = resolve(mesh.surface(0), *placement.scope);
+    if (surface.brdf != nullptr) meaning = surface.brdf->keyword;
+  };
+  visit(scene_of(definitions + " begin " + triangle("brdf " + brdf) + end), visitor);
+  return meaning;
+}
+
+TEST(BareWord, IsAReferenceWhereADefinitionOfThatKindAndSpellingIsInScope) {
+  EXPECT_EQ(meaning_of("def ward = brdf phong", "ward"), "phong");
+  EXPECT_EQ(meaning_of("def ward = brdf phong", "Ward"), "Ward") << "another spelling";
+  EXPECT_EQ(meaning_of("def ward = brdf phong", "ward sx=1"), "ward") << "a reference takes no parameters";
+  EXPECT_EQ(meaning_of("def ward = pdf diffuse", "ward"), "ward") << "another kind";
+  EXPECT_EQ(meaning_of("def ward = rgb (1, 0, 0)", "ward"), "ward");
+  EXPECT_EQ(meaning_of("def light = brdf ward", "light"), "ward");
+}
+
+TEST(Scope, EndsWithTheBody) {
+  EXPECT_EQ(error_in("def red = rgb (1, 0, 0) begin end " + triangle("rgb red")),
+            "no colour called 'red' is defined here");
+}
+
+TEST(Scope, InnerNamesHideOuterOnes) {
+  const std::string outer = "def a = brdf ward begin ";
+  EXPECT_EQ(meaning_of(outer + "def a = brdf phong", "a", "end end"), "phong");
+  EXPECT_EQ(meaning_of(outer + "def b = brdf phong", "a", "end end"), "ward");
+  EXPECT_EQ(meaning_of(outer + "def a = rgb (1, 0, 0)", "a", "end end"), "a")
+      << "all kinds share one name space";
+  EXPECT_EQ(error_in("def a = rgb (1, 0, 0) begin def a = brdf ward begin " + triangle("rgb a") + " end end"),
+            "'a' is a BRDF, expected a colour");
+}
+
+TEST(Scope, KnowsWhatCanBeSeen) {
+  const Definition outer{"a", Colour(1, 0, 0), {}, {}};
+  const Definition other{"b", PdfModel(), {}, {}};
+  const Definition inner{"a", BrdfModel(), {}, {}};
+  Scope scope;
+  for (const Definition* definition : {&outer, &other, &inner}) scope.enter(*definition);
+  EXPECT_EQ(scope.find("a"), &inner);
+  EXPECT_EQ(scope.find<Colour>("a"), nullptr);
+  EXPECT_EQ(scope.find("c"), nullptr);
+  EXPECT_THAT(scope.names(), testing::UnorderedElementsAre("a", "b"));
+  EXPECT_THAT(scope.names_of<BrdfModel>(), ElementsAre("a"));
+  EXPECT_THAT(scope.names_of<Colour>(), ElementsAre());
+  scope.leave(1);
+  EXPECT_EQ(scope.find("a"), &outer);
+  scope.leave(2);
+  EXPECT_EQ(scope.find("a"), nullptr);
+  EXPECT_THAT(scope.names(), ElementsAre());
+}
+
+TEST(UnknownColour, IsReportedOnceWithTheNearestNames) {
+  const std::string definitions = "def red = rgb (1, 0, 0) rot = rgb (0.9, 0, 0) rad = brdf ward begin ";
+  EXPECT_EQ(error_in(definitions + triangle("rgb rde", "rgb rde") + triangle("rgb rde") + "end"),
+            "no colour called 'rde' is defined here: did you mean 'red'?");
+}
+
+}  // namespace
+}  // namespace grf

@@ -1,0 +1,253 @@
+#include "tests/grf/scene_generator.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include <rapidcheck.h>
+
+#include "grf/keywords.h"
+
+namespace grf {
+namespace {
+
+constexpr int DeepestBody = 3;
+
+int number_up_to(int most) { return *rc::gen::inRange(0, most + 1); }
+bool coin() { return *rc::gen::arbitrary<bool>(); }
+
+std::string one_of(const std::vector<std::string>& texts) { return *rc::gen::elementOf(texts); }
+
+std::string text_of(const std::vector<std::string>& pieces) {
+  std::string text;
+  const int count = number_up_to(4);
+  for (int i = 0; i < count; ++i) text += one_of(pieces);
+  return text;
+}
+
+/// Few enough for definitions to hide each other and to be spelt like keywords.
+std::string definition_name() {
+  if (number_up_to(4) == 0) return to_identifier(text_of({"a", "ñ", " ", "$", "begin", "7", "_"}));
+  return one_of({"ward", "Ward", "light", "gold", "mesh", "transform", "rgb", "_2"});
+}
+
+/// Of several letters, so that there is always a spelling that is no definition's.
+std::string keyword() { return one_of({"ward", "WARD", "light", "gold", "cascadeCDF", "mesh", "he"}); }
+
+/// An equal surface of other text.
+Surface written_otherwise(Surface surface) {
+  if (surface.brdf) {
+    if (auto* model = std::get_if<BrdfModel>(&*surface.brdf)) model->keyword = lower_case(model->keyword);
+  }
+  if (surface.emission && surface.emission->x == 0) surface.emission->x = -surface.emission->x;
+  return surface;
+}
+
+}  // namespace
+
+Scene SceneGenerator::scene() { return {block_list(0)}; }
+
+float SceneGenerator::number() {
+  using Limits = std::numeric_limits<float>;
+  if (coin()) {
+    return *rc::gen::element(0.0F, 1.0F, -0.0F, -1.0F, 0.1F, 1.0F / 3, 16777216.0F, 1e20F, Limits::max(),
+                             Limits::lowest(), Limits::min(), Limits::denorm_min(), -Limits::denorm_min());
+  }
+  const auto number = std::bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>());
+  return std::isfinite(number) ? number : 2.0F;
+}
+
+Colour SceneGenerator::colour() {
+  const float red = number();
+  const float green = number();
+  return {red, green, number()};
+}
+
+BlockList SceneGenerator::block_list(int depth) {
+  BlockList list;
+  const int count = number_up_to(depth == 0 ? 4 : 2);
+  for (int i = 0; i < count; ++i) {
+    const bool again = !list.blocks.empty() && number_up_to(7) == 0;
+    list.blocks.push_back(again ? list.blocks.back() : block(depth));
+  }
+  list.end_comments = comment_lines();
+  return list;
+}
+
+Block SceneGenerator::block(int depth) {
+  Block block;
+  const int kind = number_up_to(depth < DeepestBody ? (with_includes_ ? 4 : 3) : 1);
+  if (kind == 0) block.content = light();
+  if (kind == 1) block.content = Shared<Mesh>(mesh());
+  if (kind == 2) block.content = transform(depth);
+  if (kind == 3) block.content = definitions(depth);
+  if (kind == 4) block.content = include(depth);
+  block.comments = comments();
+  return block;
+}
+
+AreaLight SceneGenerator::light() {
+  AreaLight light{colour(), colour(), colour(), {}};
+  if (coin()) light.radiance = colour();
+  return light;
+}
+
+Transform SceneGenerator::transform(int depth) {
+  Transform transform;
+  const int count = 1 + number_up_to(2);
+  for (int i = 0; i < count; ++i) {
+    TransformStep step{static_cast<TransformStep::Kind>(number_up_to(2)), colour()};
+    for (float* factor : {&step.value.x, &step.value.y, &step.value.z}) {
+      if (step.kind == TransformStep::Kind::Scale && *factor == 0) *factor = -1;
+    }
+    transform.steps.push_back(step);
+  }
+  transform.body = block_list(depth + 1);
+  return transform;
+}
+
+DefinitionScope SceneGenerator::definitions(int depth) {
+  DefinitionScope scope;
+  std::set<std::string> names;
+  const int count = 1 + number_up_to(3);
+  for (int i = 0; i < count; ++i) {
+    Definition definition;
+    definition.name = definition_name();
+    const bool is_new = names.insert(definition.name).second;
+    if (!is_new) definition.name += std::to_string(i);
+    const int kind = number_up_to(2);
+    if (kind == 0) definition.body = colour();
+    if (kind == 1) definition.body = model<BrdfModel>();
+    if (kind == 2) definition.body = model<PdfModel>();
+    definition.comments = comments();
+    scope.definitions.push_back(std::move(definition));
+  }
+  for (const Definition& definition : scope.definitions) scope_.enter(definition);
+  scope.body = block_list(depth + 1);
+  scope_.leave(scope.definitions.size());
+  return scope;
+}
+
+Include SceneGenerator::include(int depth) {
+  Include include;
+  const std::string folder = one_of({"", "parts/", "parts\\", "más partes/", "“a”/"});
+  include.file = folder + std::to_string(++include_count_) + one_of({"", " b", "ñ", "'"}) + ".grf";
+  include.contents = block_list(depth + 1);
+  return include;
+}
+
+Mesh SceneGenerator::mesh() {
+  Mesh mesh;
+  mesh.name = quotable();
+  mesh.surfaces[0] = surface();
+  const Surface& own = mesh.surfaces[0];
+  if (own.colour) mesh.comments.colour = comments();
+  if (own.brdf) mesh.comments.brdf = comments();
+  if (own.pdf) mesh.comments.pdf = comments();
+  if (own.emission) mesh.comments.emission = comments();
+  mesh.comments.vertices = comments();
+  mesh.comments.faces = comments();
+  mesh.comments.end = comment_lines();
+  fill_vertices(mesh);
+  if (!mesh.positions.empty()) fill_faces(mesh);
+  return mesh;
+}
+
+void SceneGenerator::fill_vertices(Mesh& mesh) {
+  const int count = number_up_to(5);
+  for (int i = 0; i < count; ++i) {
+    mesh.positions.push_back(colour());
+    const auto vertex = static_cast<std::size_t>(i);
+    if (coin()) mesh.normals.set(vertex, colour());
+    if (coin()) mesh.colours.set(vertex, colour());
+  }
+}
+
+void SceneGenerator::fill_faces(Mesh& mesh) {
+  const int surfaces = number_up_to(3);
+  for (int i = 0; i < surfaces; ++i) {
+    mesh.surfaces.push_back(number_up_to(3) == 0 ? written_otherwise(mesh.surfaces.back()) : surface());
+  }
+  const int faces = number_up_to(5);
+  for (int i = 0; i < faces; ++i) {
+    std::vector<std::uint32_t> corners(3 + static_cast<std::size_t>(number_up_to(2)));
+    for (std::uint32_t& corner : corners) {
+      corner = static_cast<std::uint32_t>(number_up_to(static_cast<int>(mesh.positions.size()) - 1));
+    }
+    mesh.add_face(corners, static_cast<std::uint32_t>(number_up_to(surfaces)));
+  }
+}
+
+Surface SceneGenerator::surface() {
+  Surface surface;
+  surface.colour = attribute<Colour>();
+  surface.brdf = attribute<BrdfModel>();
+  surface.pdf = attribute<PdfModel>();
+  if (coin()) surface.emission = colour();
+  return surface;
+}
+
+template <class Body>
+std::optional<std::variant<Body, Reference>> SceneGenerator::attribute() {
+  if (coin()) return std::nullopt;
+  std::vector<std::string> names = scope_.names_of<Body>();
+  std::sort(names.begin(), names.end());  // so that the same choice is the same name in every run
+  if (!names.empty() && coin()) return Reference{one_of(names), {}};
+  if constexpr (std::is_same_v<Body, Colour>) {
+    return colour();
+  } else {
+    return model<Body>();
+  }
+}
+
+template <class ModelOfKind>
+ModelOfKind SceneGenerator::model() {
+  ModelOfKind model;
+  model.keyword = keyword();
+  const int count = number_up_to(2);
+  for (int i = 0; i < count; ++i)
+    model.arguments.push_back({one_of({"sx", "Cx", "begin", "_", "$1"}), value(), {}});
+  return model;
+}
+
+Value SceneGenerator::value() {
+  const int kind = number_up_to(2);
+  if (kind == 0) return number();
+  if (kind == 1) return coin();
+  return colour();
+}
+
+Comments SceneGenerator::comments() {
+  Comments comments;
+  if (number_up_to(3) == 0) comments.before = comment_lines();
+  if (number_up_to(3) == 0) comments.behind = comment();
+  return comments;
+}
+
+std::vector<std::string> SceneGenerator::comment_lines() {
+  std::vector<std::string> lines;
+  const int count = number_up_to(3) == 0 ? 1 + number_up_to(1) : 0;
+  for (int i = 0; i < count; ++i) lines.push_back(comment());
+  return lines;
+}
+
+std::string SceneGenerator::comment() {
+  return text_of(
+      {" about", "/", "//", "\"", "“", " ", "\t", "end", " begin mesh", "niño", "\xF1", "\x01", "\r."});
+}
+
+std::string SceneGenerator::quotable() {
+  const std::vector<std::string> quotes =
+      coin() ? std::vector<std::string>{"\""} : std::vector<std::string>{"“", "”"};
+  std::vector<std::string> pieces = {"a", " ", "//", "\\", "ñ", "\xF1", "\t", "'", "\r"};
+  pieces.insert(pieces.end(), quotes.begin(), quotes.end());
+  return text_of(pieces);
+}
+
+}  // namespace grf

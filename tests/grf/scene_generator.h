@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grf/scene.h"
+#include "grf/visit.h"
+
+namespace grf {
+
+/// Makes random scenes that use everything that a scene can say, inside a rapidcheck property: each choice is
+/// a value that rapidcheck makes, so that a scene that fails shrinks to a small one.
+///
+/// The scenes keep what the types ask of who builds one: numbers are finite, references name a definition in
+/// scope, text that stands on one line has no line end, and so on.
+class SceneGenerator {
+ public:
+  explicit SceneGenerator(bool with_includes) : with_includes_(with_includes) {}
+
+  Scene scene();
+  /// Any float that is a number, the odd ones among them.
+  static float number();
+
+ private:
+  BlockList block_list(int depth);
+  Block block(int depth);
+  AreaLight light();
+  Transform transform(int depth);
+  DefinitionScope definitions(int depth);
+  Include include(int depth);
+  Mesh mesh();
+  void fill_vertices(Mesh& mesh);
+  void fill_faces(Mesh& mesh);
+  Surface surface();
+  template <class Body>
+  std::optional<std::variant<Body, Reference>> attribute();
+  Colour colour();
+  template <class ModelOfKind>
+  ModelOfKind model();
+  Value value();
+  Comments comments();
+  std::vector<std::string> comment_lines();
+  std::string comment();
+  std::string quotable();
+
+  bool with_includes_;
+  int include_count_ = 0;
+  Scope scope_;
+};
+
+}  // namespace grf

@@ -1,0 +1,263 @@
+#include "grf/write.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "grf/text_file.h"
+#include "tests/grf/reading.h"
+#include "tests/support/temporary_folder.h"
+
+namespace grf {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(Writing, HasOneStyle) {
+  const std::string text =
+      "// A room\n"
+      "include \"light.grf\"  // above\n"
+      "def\n"
+      "  // all walls\n"
+      "  red = rgb (1, 0.1, 0)\n"
+      "def chrome = brdf ward sx=0.1 kd=(0.1, 0.2, 0.3) fast=true  // for the ball\n"
+      "def few = pdf adaptive nqt=4\n"
+      "begin\n"
+      "  transform scale (2, 2, 2) rotation (0, 1.5707964, 0) translation (0, 1e-20, 0) begin\n"
+      "    begin mesh \"ball\"\n"
+      "      rgb red\n"
+      "      brdf chrome\n"
+      "      pdf few\n"
+      "      light rgb (10, 10, 10)\n"
+      "      // the corners\n"
+      "      begin vertexs\n"
+      "        (0, 0, 0)\n"
+      "        normal (0, 0, 1) (1, 0, 0)\n"
+      "        normal (0, 0, 1) rgb (1, 1, 1) (0, 1, 0)\n"
+      "      end vertexs\n"
+      "      begin faces\n"
+      "        (0, 1, 2)\n"
+      "        rgb none\n"
+      "        brdf ward\n"
+      "        (0, 2, 1)\n"
+      "        light none\n"
+      "        (0, 1, 2, 1)\n"
+      "      end faces  // three\n"
+      "    end mesh\n"
+      "  end\n"
+      "  light begin\n"
+      "    rgb (4, 4, 4)\n"
+      "    (0, 2, 0)\n"
+      "    (1, 0, 0)\n"
+      "    (0, 0, 1)\n"
+      "  end\n"
+      "end\n"
+      "// the end\n";
+  const test::TemporaryFolder folder;
+  folder.add("light.grf", "light begin (0, 2, 0) (1, 0, 0) (0, 0, 1) end");
+  Diagnostics diagnostics;
+  const auto scene = read(folder.add("scene.grf", text), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  EXPECT_EQ(to_text(*scene), text);
+}
+
+TEST(Writing, OfAModelIsWhatStandsAfterItsKind) {
+  BrdfModel model;
+  model.keyword = "ward";
+  EXPECT_EQ(to_text(model), "ward");
+  model.arguments = {{"sx", 0.1F, {}}, {"kd", Colour(0, 0.5F, 1), {}}, {"fast", false, {}}};
+  EXPECT_EQ(to_text(model), "ward sx=0.1 kd=(0, 0.5, 1) fast=false");
+}
+
+TEST(Writing, TellsAKeywordFromADefinitionOfTheSameSpelling) {
+  const std::string text = "def ward = brdf phong Ward = brdf phong begin " + triangle("brdf WARD") + "end";
+  Scene scene = scene_of(text);
+  auto& scope = std::get<DefinitionScope>(scene.contents.blocks[0].content);
+  auto& mesh = std::get<Shared<Mesh>>(scope.body.blocks[0].content).edit();
+  std::get<BrdfModel>(*mesh.surfaces[0].brdf).keyword = "ward";
+  EXPECT_THAT(to_text(scene), HasSubstr("    brdf wArd\n"));
+  EXPECT_EQ(scene_of(to_text(scene)), scene);
+}
+
+TEST(Writing, GivesAnythingButAReferenceItsOwnSpelling) {
+  const std::string colour = "def ward = rgb (1, 0, 0) begin " + triangle("brdf ward") + "end";
+  EXPECT_THAT(to_text(scene_of(colour)), HasSubstr("    brdf ward\n")) << "the name of a colour is no BRDF";
+  const std::string parameters = "def ward = brdf phong begin " + triangle("brdf ward sx=1") + "end";
+  EXPECT_THAT(to_text(scene_of(parameters)), HasSubstr("    brdf ward sx=1\n"));
+  const std::string definition = "def ward = brdf phong begin def shiny = brdf ward begin end end";
+  EXPECT_THAT(to_text(scene_of(definition)), HasSubstr("  def shiny = brdf ward\n"));
+}
+
+TEST(Writing, GivesTheSameBytesAgainForSurfacesThatAreEqualButWrittenOtherwise) {
+  const std::string faces = "(0, 1, 2) brdf none light none (0, 1, 2) brdf Ward light rgb (-0, 1, 1)";
+  const std::string text = to_text(scene_of(triangle("", "brdf ward light rgb (0, 1, 1) " + faces)));
+  EXPECT_THAT(text, HasSubstr("brdf Ward\n    light rgb (-0, 1, 1)\n"));
+  EXPECT_EQ(to_text(scene_of(text)), text);
+}
+
+/// What a scene that no text gives is written as, which has to be text that can be read.
+std::string written(const Scene& scene) {
+  scene_of(to_text(scene));
+  return to_text(scene);
+}
+
+Scene scene_with(Block block) {
+  Scene scene;
+  scene.contents.blocks.push_back(std::move(block));
+  return scene;
+}
+
+TEST(Writing, MakesReadableFilesOfTextThatNoFileCanHold) {
+  Mesh mesh;
+  mesh.name = "a \"b\"\n“c”";
+  mesh.comments.end = {std::string(" one\nend\r\0two", 13), "three\r\r"};
+  EXPECT_EQ(written(scene_with({Shared<Mesh>(mesh), {{"x\ny"}, "\r"}, {}})),
+            "//x y\n"
+            "begin mesh “a \"b\" \"c\"”\n"
+            "  begin vertexs\n"
+            "  end vertexs\n"
+            "  begin faces\n"
+            "  end faces\n"
+            "  // one end\r two\n"
+            "  //three\n"
+            "end mesh\n");
+}
+
+TEST(Writing, KeepsCommentsOfAttributesThatAreGone) {
+  Mesh mesh;
+  mesh.comments.brdf.before = {" shiny"};
+  EXPECT_THAT(written(scene_with({Shared<Mesh>(mesh), {}, {}})), HasSubstr("  // shiny\n  begin vertexs\n"));
+}
+
+TEST(Writing, KeepsTheMeaningOfBlocksThatTheGrammarLacks) {
+  EXPECT_EQ(written(scene_with({Transform(), {}, {}})), "transform translation (0, 0, 0) begin\nend\n");
+  EXPECT_EQ(written(scene_with({DefinitionScope(), {}, {}})), "transform translation (0, 0, 0) begin\nend\n");
+}
+
+TEST(Writing, OfNothingIsNoEmptyFile) { EXPECT_EQ(written(Scene()), "\n"); }
+
+class WriteTest : public testing::Test {
+ protected:
+  Scene read_scene(const std::string& name) {
+    Diagnostics diagnostics;
+    const auto scene = read(folder.path(name), diagnostics);
+    EXPECT_TRUE(scene) << diagnostics.to_text();
+    return scene ? *scene : Scene();
+  }
+
+  /// Writes, and gives what is said about it with the folder left out of its paths.
+  std::string write_scene(const Scene& scene, const std::string& name, bool expected = true) {
+    Diagnostics diagnostics;
+    EXPECT_EQ(write(scene, folder.path(name), diagnostics), expected);
+    std::string said = diagnostics.to_text();
+    for (auto at = said.find(folder.path()); at != std::string::npos; at = said.find(folder.path())) {
+      said.erase(at, folder.path().size() + 1);
+    }
+    return said;
+  }
+
+  void expect_same_after_reading(const Scene& scene, const std::string& name) {
+    EXPECT_EQ(read_scene(name), scene);
+  }
+
+  test::TemporaryFolder folder;
+  const std::string light = "light begin (0,2,0) (1,0,0) (0,0,1) end";
+};
+
+Include& include_in(Scene& scene, std::size_t index = 0) {
+  return std::get<Include>(scene.contents.blocks.at(index).content);
+}
+
+void move_light(Include& include, float height) {
+  std::get<AreaLight>(include.contents.edit().blocks[0].content).corner.y = height;
+}
+
+TEST_F(WriteTest, LeavesIncludedFilesThatDidNotChangeAsTheyAre) {
+  folder.add("light.grf", light);
+  folder.add("scene.grf", "include \"light.grf\"");
+  Scene scene = read_scene("scene.grf");
+  scene.contents.end_comments = {" changed"};
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "");
+  EXPECT_EQ(test::bytes_of(folder.path("light.grf")), light);
+  EXPECT_EQ(test::bytes_of(folder.path("scene.grf")), "include \"light.grf\"\n// changed\n");
+}
+
+TEST_F(WriteTest, NamesAndWritesIncludedFilesThatChanged) {
+  folder.add("parts/light.grf", light);
+  folder.add("parts/other.grf", light);
+  folder.add("parts/room.grf", "include \"light.grf\" include \"other.grf\"");
+  folder.add("scene.grf", "transform scale (2, 2, 2) begin include \"parts\\room.grf\" end");
+  Scene scene = read_scene("scene.grf");
+  auto& room =
+      std::get<Include>(std::get<Transform>(scene.contents.blocks[0].content).body.blocks[0].content);
+  move_light(std::get<Include>(room.contents.edit().blocks[0].content), 7);
+  EXPECT_EQ(write_scene(scene, "scene.grf"),
+            "parts/light.grf: note: the included file is written too\n"
+            "parts/room.grf: note: the included file is written too\n");
+  EXPECT_EQ(test::bytes_of(folder.path("parts/other.grf")), light);
+  expect_same_after_reading(scene, "scene.grf");
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "") << "they are as they should be now";
+}
+
+TEST_F(WriteTest, WritesIncludedFilesBesideACopy) {
+  folder.add("parts/light.grf", light);
+  folder.add("scene.grf", "include \"parts/light.grf\"");
+  const Scene scene = read_scene("scene.grf");
+  std::filesystem::create_directory(folder.path("copy"));
+  EXPECT_EQ(write_scene(scene, "copy/scene.grf"),
+            "copy/parts/light.grf: note: the included file is written too\n");
+  expect_same_after_reading(scene, "copy/scene.grf");
+}
+
+TEST_F(WriteTest, WritesAnIncludedFileThatWouldBeReadInAnotherWay) {
+  folder.add("part.grf", triangle("brdf ward"));
+  folder.add("scene.grf", "def shiny = brdf phong begin include \"part.grf\" end");
+  Scene scene = read_scene("scene.grf");
+  std::get<DefinitionScope>(scene.contents.blocks[0].content).definitions[0].name = "ward";
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "part.grf: note: the included file is written too\n");
+  expect_same_after_reading(scene, "scene.grf");
+}
+
+TEST_F(WriteTest, WritesAFileThatIsIncludedTwiceIfBothPlacesAgree) {
+  folder.add("light.grf", light);
+  folder.add("scene.grf", "include \"light.grf\" include \"light.grf\"");
+  Scene scene = read_scene("scene.grf");
+  move_light(include_in(scene, 0), 7);
+  EXPECT_EQ(
+      write_scene(scene, "scene.grf", false),
+      "light.grf: error: cannot write the file: it is included more than once, and was changed in one place "
+      "only\n");
+  EXPECT_EQ(test::bytes_of(folder.path("light.grf")), light);
+  move_light(include_in(scene, 1), 7);
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "light.grf: note: the included file is written too\n");
+  expect_same_after_reading(scene, "scene.grf");
+}
+
+TEST_F(WriteTest, WritesNothingOfASceneThatWouldIncludeItself) {
+  Scene scene;
+  Block block;
+  block.content = Include{"scene.grf", {}, {}};
+  scene.contents.blocks.push_back(block);
+  EXPECT_EQ(write_scene(scene, "scene.grf", false),
+            "scene.grf: error: cannot write the file: it would include itself\n");
+  EXPECT_THAT(folder.names(), ElementsAre());
+}
+
+TEST_F(WriteTest, SaysWhyAFileCannotBeWritten) {
+  EXPECT_EQ(write_scene(Scene(), "nowhere/scene.grf", false),
+            "nowhere/scene.grf: error: cannot create the file: No such file or directory\n");
+  folder.add("light.grf", light);
+  folder.add("scene.grf", "include \"light.grf\"");
+  Scene scene = read_scene("scene.grf");
+  move_light(include_in(scene), 7);
+  std::filesystem::remove(folder.path("light.grf"));
+  std::filesystem::create_directory(folder.path("light.grf"));
+  EXPECT_THAT(write_scene(scene, "scene.grf", false),
+              HasSubstr("light.grf: error: cannot write the file: it is a directory\n"));
+}
+
+}  // namespace
+}  // namespace grf

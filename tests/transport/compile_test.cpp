@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include "renderer/transport/camera.h"
+#include "tests/transport/scene_helpers.h"
+
+namespace {
+
+using transport::CompiledScene;
+using transport::Rgb;
+using transport::Vec3f;
+
+const std::string UnitQuad = test::quad("brdf diffuse kd=0.5", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)");
+
+std::optional<transport::SurfacePoint> down_at(const CompiledScene& scene, float x, float y) {
+  return scene.intersect({Vec3f(x, y, 100), Vec3f(0, 0, -1)});
+}
+
+TEST(Compile, PutsGeometryIntoTheWorld) {
+  const CompiledScene scene =
+      test::scene_of("transform scale (2,2,2) translation (10,0,1) begin " + UnitQuad + " end");
+  EXPECT_EQ(scene.bounds().min, Vec3f(10, 0, 1));
+  EXPECT_EQ(scene.bounds().max, Vec3f(12, 2, 1));
+  EXPECT_EQ(scene.triangle_count(), 2U);
+  ASSERT_TRUE(down_at(scene, 11, 1));
+  EXPECT_EQ(down_at(scene, 11, 1)->geometric_normal, Vec3f(0, 0, 1));
+  EXPECT_FALSE(down_at(scene, 9, 1));
+}
+
+// A mirror image keeps its front where it was relative to its vertices' normals.
+TEST(Compile, KeepsFrontsUnderMirroringTransforms) {
+  const CompiledScene scene = test::scene_of("transform scale (-1,1,1) begin " + UnitQuad + " end");
+  EXPECT_EQ(down_at(scene, -0.5F, 0.5F)->geometric_normal, Vec3f(0, 0, 1));
+  const CompiledScene lit =
+      test::scene_of("transform scale (-1,1,1) begin light begin (0,0,0) (1,0,0) (0,1,0) end end");
+  EXPECT_EQ(down_at(lit, -0.5F, 0.5F)->geometric_normal, Vec3f(0, 0, 1));
+}
+
+TEST(Compile, InterpolatesNormalsWhereAllCornersHaveOne) {
+  const std::string smooth =
+      "begin mesh begin vertexs normal (1,0,1) (0,0,0) normal (-1,0,1) (2,0,0) "
+      "normal (0,0,1) (0,2,0) end vertexs begin faces (0,1,2) end faces end mesh";
+  const CompiledScene scene = test::scene_of(smooth);
+  EXPECT_NEAR((down_at(scene, 1, 0.001F)->shading_normal - Vec3f(0, 0, 1)).length(), 0, 1e-2);
+  EXPECT_NEAR((down_at(scene, 0.001F, 0.001F)->shading_normal - Vec3f(1, 0, 1).normalized()).length(), 0,
+              1e-2);
+  const std::string flat =
+      "begin mesh begin vertexs normal (1,0,1) (0,0,0) (2,0,0) "
+      "normal (0,0,1) (0,2,0) end vertexs begin faces (0,1,2) end faces end mesh";
+  EXPECT_EQ(down_at(test::scene_of(flat), 0.1F, 0.1F)->shading_normal, Vec3f(0, 0, 1));
+}
+
+TEST(Compile, MultipliesFaceAndVertexColours) {
+  const CompiledScene scene = test::scene_of(
+      "begin mesh rgb (0.5, 1, 1) begin vertexs rgb (1,0,0) (0,0,0) rgb (1,0,0) (2,0,0) rgb (1,0,0) (0,2,0) "
+      "end vertexs begin faces (0,1,2) end faces end mesh");
+  EXPECT_NEAR((down_at(scene, 0.3F, 0.3F)->colour - Rgb(0.5F, 0, 0)).length(), 0, 1e-6);
+}
+
+TEST(Compile, MakesEmittersOfLightsAndOfFacesThatEmit) {
+  const CompiledScene scene =
+      test::scene_of("light begin rgb (2,2,2) (5,0,0) (1,0,0) (0,1,0) end\n" +
+                     test::quad("light rgb (1,1,1)", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)"));
+  ASSERT_EQ(scene.emitters().size(), 3U);  // one parallelogram, two triangles
+  // In proportion to power: the light has 2 of 3 parts on an area of 1.
+  EXPECT_NEAR(scene.emitters().area_density(0), 2.0 / 3, 1e-6);
+  EXPECT_NEAR(scene.emitters().area_density(1), 1.0 / 3, 1e-6);
+  const auto point = down_at(scene, 0.25F, 0.5F);
+  EXPECT_EQ(scene.reflector(*point->surface), nullptr);  // emits, has no BRDF: black
+}
+
+TEST(Compile, SharesReflectorsAndLooksNamesUpInTheirScope) {
+  const CompiledScene scene = test::scene_of(
+      "def a = brdf diffuse kd=1 begin " + test::quad("brdf a", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)") +
+      "def a = brdf diffuse kd=0 begin " + test::quad("brdf a", "(2,0,0) (3,0,0) (3,1,0) (2,1,0)") +
+      "end end");
+  const Vec3f u = Vec3f(0, 0, 1);
+  EXPECT_GT(scene.reflector(*down_at(scene, 0.5F, 0.5F)->surface)->evaluate(u, u).x, 0);
+  EXPECT_EQ(scene.reflector(*down_at(scene, 2.5F, 0.5F)->surface)->evaluate(u, u).x, 0);
+}
+
+TEST(Compile, RefusesASchemeThatCannotServeTheBrdf) {
+  try {
+    test::scene_of(test::quad("brdf ward pdf specular", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)"));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("use 'diffuse' or 'auto'"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Camera, LooksThroughTheMiddleOfTheImage) {
+  transport::View view;
+  view.eye = Vec3f(1, 2, 3);
+  view.target = Vec3f(1, 2, -5);
+  view.field_of_view = 90;
+  const transport::Camera camera(view, 200, 100);
+  EXPECT_NEAR((camera.ray(100, 50).direction - Vec3f(0, 0, -1)).length(), 0, 1e-6);
+  EXPECT_NEAR((camera.ray(100, 0).direction - Vec3f(0, 1, -1).normalized()).length(), 0, 1e-6);
+  EXPECT_NEAR((camera.ray(200, 50).direction - Vec3f(2, 0, -1).normalized()).length(), 0, 1e-6);
+}
+
+TEST(Camera, HasAnUpwardEvenAlongItsUpVector) {
+  transport::View view;
+  view.eye = Vec3f(0, 5, 0);
+  const transport::Camera camera(view, 100, 100);
+  EXPECT_NEAR((camera.ray(50, 50).direction - Vec3f(0, -1, 0)).length(), 0, 1e-6);
+  EXPECT_NEAR(camera.ray(50, 0).direction.z / camera.ray(50, 0).direction.y, -0.4142, 1e-3);
+}
+
+TEST(Camera, SeesTheWholeSceneWhenNobodyPlacesIt) {
+  const grf::Box3f bounds(Vec3f(-1, -2, -3), Vec3f(4, 5, 6));
+  for (const float aspect : {0.3F, 1.0F, 3.0F}) {
+    const transport::View view = transport::view_of(bounds, 45, aspect);
+    const Vec3f forward = (view.target - view.eye).normalized();
+    const float narrow = std::atan(std::tan(static_cast<float>(M_PI) / 8) * std::min(1.0F, aspect));
+    for (int i = 0; i < 8; ++i) {
+      const Vec3f corner((i & 1) != 0 ? 4.0F : -1.0F, (i & 2) != 0 ? 5.0F : -2.0F,
+                         (i & 4) != 0 ? 6.0F : -3.0F);
+      EXPECT_LE(std::acos((corner - view.eye).normalized().dot(forward)), narrow + 1e-5F);
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,224 @@
+// Scenes whose image is known.
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/transport/scene_helpers.h"
+
+namespace {
+
+using test::Look;
+using test::render;
+using transport::CompiledScene;
+using transport::Film;
+using transport::Image;
+using transport::Rgb;
+using transport::Vec3f;
+
+void expect_everywhere(const Film& film, double expected, double tolerance) {
+  const Image image = film.mean();
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(image.at(x, y)[k], expected, tolerance) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Furnace, WhiteSphereVanishesInWhiteSurroundings) {
+  Look look;
+  look.background = 1;
+  look.width = look.height = 64;
+  expect_everywhere(render(test::scene_of(test::sphere("brdf diffuse kd=1", 40, false)), look), 1, 1e-3);
+}
+
+TEST(Furnace, OpenWhiteFloorVanishesUnderAWhiteSky) {
+  Look look;
+  look.eye = Vec3f(0, 3, 6);
+  look.background = 1;
+  const std::string floor = test::quad("brdf diffuse kd=1", "(-5,0,5) (5,0,5) (5,0,-5) (-5,0,-5)");
+  expect_everywhere(render(test::scene_of(floor), look), 1, 1e-3);
+}
+
+TEST(Furnace, PerfectMirrorVanishesToo) {
+  Look look;
+  look.background = 1;
+  expect_everywhere(render(test::scene_of(test::sphere("brdf specular ks=1", 40, false)), look), 1, 1e-3);
+}
+
+// A closed white box that emits 1/2 everywhere, with an albedo of 1/2: each event adds half of what came
+// before.
+TEST(Furnace, ClosedBoxFollowsTheGeometricSeries) {
+  const std::string walls = "brdf diffuse kd=0.5 light rgb (0.5,0.5,0.5)";
+  std::string box =
+      "begin mesh " + walls +
+      " begin vertexs (-1,-1,-1) (1,-1,-1) (1,1,-1) (-1,1,-1) (-1,-1,1) (1,-1,1) (1,1,1) (-1,1,1) "
+      "end vertexs begin faces (0,1,2,3) (4,7,6,5) (0,4,5,1) (2,6,7,3) (0,3,7,4) (1,5,6,2) "
+      "end faces end mesh";
+  const CompiledScene scene = test::scene_of(box);
+  for (const int depth : {0, 1, 2, 20}) {
+    Look look;
+    look.eye = Vec3f(0.1F, 0.2F, 0.3F);
+    look.target = Vec3f(1, 0.3F, -0.2F);
+    look.depth = depth;
+    look.samples = 256;
+    look.width = look.height = 16;
+    const test::Estimate estimate = test::mean_radiance(render(scene, look));
+    const double expected = 1 - std::pow(0.5, depth + 1);
+    EXPECT_NEAR(estimate.mean, expected, 5 * estimate.deviation + 1e-5) << depth;
+    EXPECT_LT(estimate.deviation, 0.01);
+  }
+}
+
+/// Irradiance of a polygon of radiance 1 at a point with a normal, by Lambert's formula.
+double lambert_irradiance(const std::vector<Imath::V3d>& corners, const Imath::V3d& point,
+                          const Imath::V3d& normal) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Imath::V3d a = (corners[i] - point).normalized();
+    const Imath::V3d b = (corners[(i + 1) % corners.size()] - point).normalized();
+    sum += std::acos(a.dot(b)) * a.cross(b).normalized().dot(normal);
+  }
+  return std::abs(sum) / 2;
+}
+
+TEST(DirectLight, OfAParallelogramIsLambertsFormula) {
+  const std::string light = "light begin rgb (3,3,3) (-1,2,-1) (2,0,0) (0.5,0,2) end\n";
+  const std::string floor = test::quad("brdf diffuse kd=0.7", "(-9,0,9) (9,0,9) (9,0,-9) (-9,0,-9)");
+  const CompiledScene scene = test::scene_of(light + floor);
+  const std::vector<Imath::V3d> corners = {{-1, 2, -1}, {1, 2, -1}, {1.5, 2, 1}, {-0.5, 2, 1}};
+  for (const Vec3f& target : {Vec3f(0, 0, 0), Vec3f(2, 0, 1), Vec3f(-4, 0, 3), Vec3f(6, 0, -6)}) {
+    Look look;
+    look.eye = target + Vec3f(0, 1, 0.3F);
+    look.target = target;
+    look.field_of_view = 0.01F;
+    look.width = look.height = 8;
+    look.samples = 1024;
+    look.depth = 1;
+    const test::Estimate estimate = test::mean_radiance(render(scene, look));
+    const double expected = 3 * 0.7 / M_PI * lambert_irradiance(corners, Imath::V3d(target), {0, 1, 0});
+    EXPECT_NEAR(estimate.mean, expected, 5 * estimate.deviation + 1e-4 * expected) << target;
+    EXPECT_LT(estimate.deviation, 0.01 * expected);
+  }
+}
+
+TEST(DirectLight, ReachesNothingBehindTheLight) {
+  const std::string light = "light begin rgb (3,3,3) (-1,2,-1) (0,0,2) (2,0,0) end\n";  // shines upwards
+  const std::string floor = test::quad("brdf diffuse kd=0.7", "(-9,0,9) (9,0,9) (9,0,-9) (-9,0,-9)");
+  Look look;
+  look.eye = Vec3f(0, 1, 0.3F);
+  expect_everywhere(render(test::scene_of(light + floor), look), 0, 0);
+}
+
+// The sampling scheme changes the noise and not the image.
+TEST(SamplingSchemes, GiveTheSameImage) {
+  const std::string light = "light begin rgb (9,9,9) (-1,3,-1) (2,0,0) (0,0,2) end\n";
+  for (const char* brdf : {"ward sx=0.3 ks=0.6 kd=0.2", "phong n=20 ks=0.5 kd=0.3",
+                           "blinn n=20 ks=0.4 kd=0.3", "lewis n=20 ks=0.6 kd=0.3"}) {
+    std::vector<test::Estimate> estimates;
+    for (const char* pdf : {"pdf auto", "pdf diffuse"}) {
+      const std::string floor =
+          test::quad(fmt::format("brdf {} {}", brdf, pdf), "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
+      Look look;
+      look.eye = Vec3f(0, 2, 5);
+      look.background = 0.3F;
+      look.samples = 400;
+      estimates.push_back(test::mean_radiance(render(test::scene_of(light + floor), look)));
+    }
+    const double deviation = std::hypot(estimates[0].deviation, estimates[1].deviation);
+    EXPECT_NEAR(estimates[0].mean, estimates[1].mean, 5 * deviation) << brdf;
+    EXPECT_LT(deviation, 0.01 * estimates[0].mean);
+  }
+}
+
+TEST(Mirror, ShowsTheLight) {
+  const std::string light = "light begin rgb (2,3,4) (-50,5,-50) (100,0,0) (0,0,100) end\n";
+  const std::string floor = test::quad("brdf specular ks=0.5", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
+  Look look;
+  look.eye = Vec3f(0, 2, 0.1F);
+  look.field_of_view = 20;
+  const Image image = render(test::scene_of(light + floor), look).mean();
+  for (const Rgb& pixel : image.pixels) ASSERT_EQ(pixel, Rgb(1, 1.5F, 2));
+}
+
+std::string cornell_box() { return std::string(GRANADA_SOURCE_DIR) + "/samples/cornell_box/cornell_box.grf"; }
+
+CompiledScene cornell_scene() {
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read(cornell_box(), diagnostics);
+  return *transport::compile(scene.value(), diagnostics);
+}
+
+Look cornell_look() {
+  Look look;
+  look.eye = Vec3f(278, 273, -800);
+  look.target = Vec3f(278, 273, 0);
+  look.field_of_view = 39.3076F;
+  look.depth = 8;
+  look.width = look.height = 48;
+  return look;
+}
+
+TEST(CornellBox, DoesNotDependOnTheNumberOfThreads) {
+  const CompiledScene scene = cornell_scene();
+  Look look = cornell_look();
+  look.threads = 1;
+  const Image one = render(scene, look).mean();
+  for (const int threads : {2, 7}) {
+    look.threads = threads;
+    EXPECT_EQ(render(scene, look).mean().pixels, one.pixels) << threads;
+  }
+}
+
+TEST(CornellBox, HasTheSameMeanForAllSeeds) {
+  const CompiledScene scene = cornell_scene();
+  Look look = cornell_look();
+  look.samples = 64;
+  const test::Estimate first = test::mean_radiance(render(scene, look));
+  Image first_image = render(scene, look).mean();
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    look.seed = seed;
+    const Film film = render(scene, look);
+    const test::Estimate estimate = test::mean_radiance(film);
+    EXPECT_NEAR(estimate.mean, first.mean, 4.5 * std::hypot(estimate.deviation, first.deviation));
+    EXPECT_NE(film.mean().pixels, first_image.pixels);
+  }
+  EXPECT_LT(first.deviation, 0.005 * first.mean);
+}
+
+// The error that the film states without a reference, against the one that a long render shows.
+TEST(CornellBox, KnowsItsError) {
+  const CompiledScene scene = cornell_scene();
+  Look look = cornell_look();
+  const Film film = render(scene, look);
+  look.samples = 4096;
+  look.seed = 99;
+  const Image reference = render(scene, look).mean();
+  const Image image = film.mean();
+  double sum = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double exact = reference.pixels[i][k];
+      sum += (image.pixels[i][k] - exact) * (image.pixels[i][k] - exact) / (exact * exact + 0.01);
+    }
+  }
+  const double error = std::sqrt(sum / (3.0 * static_cast<double>(image.pixels.size())));
+  EXPECT_NEAR(*film.estimated_error(), error, 0.2 * error);
+}
+
+TEST(Render, StopsEarlyWithTheImageSoFar) {
+  const CompiledScene scene = cornell_scene();
+  Look look = cornell_look();
+  look.samples = 1'000'000;
+  transport::Render render(scene, test::settings_of(look));
+  std::thread stopper([&] {
+    while (render.progress().done <= 0) std::this_thread::yield();
+    render.stop();
+  });
+  render.run();
+  stopper.join();
+  EXPECT_TRUE(render.is_stopped());
+  EXPECT_LT(render.progress().done, 1);
+  EXPECT_GT(test::mean_radiance(render.film()).mean, 0);
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "grf/catalogue.h"
+#include "grf/read.h"
+#include "renderer/reflectance/scheme.h"
+#include "renderer/transport/render.h"
+
+namespace test {
+
+/// A compiled scene from GRF text; throws the diagnostics if there is an error in it.
+inline transport::CompiledScene scene_of(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read_text(text, "test.grf", diagnostics);
+  if (scene && grf::check(*scene, reflectance::catalogue(), diagnostics)) {
+    if (auto compiled = transport::compile(*scene, diagnostics)) return std::move(*compiled);
+  }
+  throw std::runtime_error(diagnostics.to_text());
+}
+
+/// A quad of which the front is the side from which the corners are counter-clockwise.
+inline std::string quad(const std::string& attributes, const std::string& corners) {
+  return "begin mesh " + attributes + " begin vertexs " + corners +
+         " end vertexs begin faces (0,1,2,3) end faces end mesh\n";
+}
+
+/// A sphere of radius 1 about the origin, of quads and triangles with outward fronts.
+inline std::string sphere(const std::string& attributes, int rows, bool normals) {
+  const int columns = 2 * rows;
+  std::string text = "begin mesh " + attributes + " begin vertexs\n";
+  for (int i = 0; i <= rows; ++i) {
+    for (int k = 0; k < columns; ++k) {
+      const double theta = M_PI * i / rows;
+      const double phi = 2 * M_PI * k / columns;
+      const std::string p = fmt::format("({},{},{})", static_cast<float>(std::sin(theta) * std::cos(phi)),
+                                        static_cast<float>(std::cos(theta)),
+                                        static_cast<float>(-std::sin(theta) * std::sin(phi)));
+      text += (normals ? "normal " + p + " " : "") + p + "\n";
+    }
+  }
+  text += "end vertexs begin faces\n";
+  for (int i = 0; i < rows; ++i) {
+    for (int k = 0; k < columns; ++k) {
+      const int a = i * columns + k;
+      const int b = i * columns + (k + 1) % columns;
+      if (i == 0)
+        text += fmt::format("({},{},{})\n", a, a + columns, b + columns);
+      else if (i == rows - 1)
+        text += fmt::format("({},{},{})\n", a, a + columns, b);
+      else
+        text += fmt::format("({},{},{},{})\n", a, a + columns, b + columns, b);
+    }
+  }
+  return text + "end faces end mesh\n";
+}
+
+struct Look {
+  transport::Vec3f eye = transport::Vec3f(0, 0, 4);
+  transport::Vec3f target = transport::Vec3f(0);
+  int width = 32;
+  int height = 32;
+  int samples = 16;
+  int depth = 5;
+  float background = 0;
+  std::uint32_t seed = 0;
+  int threads = 0;
+  float field_of_view = 45;
+};
+
+inline transport::RenderSettings settings_of(const Look& look) {
+  transport::RenderSettings settings;
+  settings.width = look.width;
+  settings.height = look.height;
+  settings.view.eye = look.eye;
+  settings.view.target = look.target;
+  settings.view.field_of_view = look.field_of_view;
+  settings.path.background = transport::Rgb(look.background);
+  settings.path.depth = look.depth;
+  settings.samples = look.samples;
+  settings.seed = look.seed;
+  settings.threads = look.threads;
+  return settings;
+}
+
+/// The film of a finished render.
+inline transport::Film render(const transport::CompiledScene& scene, const Look& look) {
+  transport::Render render(scene, settings_of(look));
+  render.run();
+  if (render.rejected_samples() > 0) throw std::runtime_error("samples that are not finite");
+  return render.film();
+}
+
+struct Estimate {
+  double mean = 0;
+  double deviation = 0;  ///< of the mean
+};
+
+/// The image's mean over pixels and channels, with its standard deviation from the two scramblings.
+inline Estimate mean_radiance(const transport::Film& film) {
+  const transport::Image mean = film.mean();
+  const transport::Image variance = film.variance();
+  Estimate estimate;
+  double total_variance = 0;
+  const double count = static_cast<double>(mean.pixels.size());
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    estimate.mean += reflectance::mean(mean.pixels[i]) / count;
+    // Channels share their paths: their errors add up, not their variances.
+    const auto& v = variance.pixels[i];
+    const double deviation = (std::sqrt(v.x) + std::sqrt(v.y) + std::sqrt(v.z)) / 3;
+    total_variance += deviation * deviation / (count * count);
+  }
+  estimate.deviation = std::sqrt(total_variance);
+  return estimate;
+}
+
+}  // namespace test
