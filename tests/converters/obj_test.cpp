@@ -168,11 +168,13 @@ TEST(Obj, VerticesThatAreNoneAreErrors) {
   EXPECT_THAT(
       error_of("v 0 0\n" + Square + "f 1 2 3\n"),
       HasSubstr("model.obj:1:1: error: found 2 numbers for a vertex, expected 3 or 4 or 6\n  v 0 0\n  ^\n"));
-  EXPECT_THAT(error_of("v 0 0 0 0 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: 5 numbers for a vertex"));
-  EXPECT_THAT(error_of("v 0 0 x\n" + Square + "f 1 2 3\n"), HasSubstr(":1:7: error: 'x': a finite number"));
-  EXPECT_THAT(error_of("v 0 nan 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: 'nan'"));
-  EXPECT_THAT(error_of("v 0 1e39 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: '1e39'"));
-  EXPECT_THAT(error_of("v 0,5 1 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: '0,5'"));
+  EXPECT_THAT(error_of("v 0 0 0 0 0\n" + Square + "f 1 2 3\n"),
+              HasSubstr("error: found 5 numbers for a vertex"));
+  EXPECT_THAT(error_of("v 0 0 x\n" + Square + "f 1 2 3\n"),
+              HasSubstr(":1:7: error: found 'x', expected a finite number"));
+  EXPECT_THAT(error_of("v 0 nan 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: found 'nan'"));
+  EXPECT_THAT(error_of("v 0 1e39 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: found '1e39'"));
+  EXPECT_THAT(error_of("v 0,5 1 0\n" + Square + "f 1 2 3\n"), HasSubstr("error: found '0,5'"));
   EXPECT_THAT(error_of("v 0 1 0 0\n" + Square + "f 1 2 3\n"), HasSubstr("infinitely far"));
   EXPECT_THAT(error_of("v 1e30 1 0 1e-30\n" + Square + "f 1 2 3\n"), HasSubstr("too large for a float"));
   EXPECT_THAT(error_of("v 0 1 0 1 -1 0\n" + Square + "f 1 2 3\n"), HasSubstr("0 or more"));
