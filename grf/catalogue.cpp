@@ -13,7 +13,7 @@
 namespace grf {
 namespace {
 
-std::string with_suggestion(std::string message, std::string_view word,
+std::string with_suggestion(const std::string& message, std::string_view word,
                             const std::vector<std::string>& candidates) {
   const std::string suggestion = did_you_mean(word, candidates);
   return suggestion.empty() ? message : message + ": " + suggestion;

@@ -157,19 +157,19 @@ std::string source_line(const SourceLocation& location) {
   return text ? std::string(line_of(*text, location.line)) : std::string();
 }
 
-void Diagnostics::error(SourceLocation location, std::string message) {
-  add(Severity::Error, std::move(location), std::move(message));
+void Diagnostics::error(SourceLocation location, std::string_view message) {
+  add(Severity::Error, std::move(location), message);
 }
 
-void Diagnostics::warning(SourceLocation location, std::string message) {
-  add(Severity::Warning, std::move(location), std::move(message));
+void Diagnostics::warning(SourceLocation location, std::string_view message) {
+  add(Severity::Warning, std::move(location), message);
 }
 
-void Diagnostics::note(SourceLocation location, std::string message) {
-  add(Severity::Note, std::move(location), std::move(message));
+void Diagnostics::note(SourceLocation location, std::string_view message) {
+  add(Severity::Note, std::move(location), message);
 }
 
-void Diagnostics::add(Severity severity, SourceLocation location, std::string message) {
+void Diagnostics::add(Severity severity, SourceLocation location, std::string_view message) {
   if (severity == Severity::Error) ++error_count_;
   if (severity == Severity::Warning) ++warning_count_;
   const bool is_kept = severity == Severity::Note ||

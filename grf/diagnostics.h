@@ -30,10 +30,10 @@ class Diagnostics {
 
   // The same thing said twice about the same place, as of a file that is included twice, is kept once.
 
-  void error(SourceLocation location, std::string message);
-  void warning(SourceLocation location, std::string message);
+  void error(SourceLocation location, std::string_view message);
+  void warning(SourceLocation location, std::string_view message);
   /// Says something that is neither right nor wrong, such as the name of a file that was rewritten.
-  void note(SourceLocation location, std::string message);
+  void note(SourceLocation location, std::string_view message);
 
   bool has_errors() const { return error_count_ > 0; }
   // Both count what was not kept too.
@@ -48,7 +48,7 @@ class Diagnostics {
   std::string to_text() const;
 
  private:
-  void add(Severity severity, SourceLocation location, std::string message);
+  void add(Severity severity, SourceLocation location, std::string_view message);
 
   std::vector<Diagnostic> entries_;
   std::size_t error_count_ = 0;

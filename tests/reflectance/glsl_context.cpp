@@ -28,8 +28,10 @@ GLuint compile(GLenum kind, const std::string& source) {
   GLint compiled = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   std::string log(4096, '\0');
-  glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  require(compiled != 0, log.c_str());
+  GLsizei length = 0;
+  glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  require(compiled != 0, log);
   return shader;
 }
 

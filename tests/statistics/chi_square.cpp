@@ -48,9 +48,10 @@ double ChiSquareTest::p_value(const Sampler& sampler, int samples) const {
     std::size_t cell = counts.size() - 1;
     if (v) {
       const double phi = std::atan2(v->y, v->x) + (v->y < 0 ? Tau : 0);
-      const int row = std::clamp(static_cast<int>(v->z * Rows), 0, Rows - 1);
-      const int column = std::clamp(static_cast<int>(phi / Tau * Columns), 0, Columns - 1);
-      cell = static_cast<std::size_t>(row * Columns + column);
+      const auto row = static_cast<std::size_t>(std::clamp(static_cast<int>(v->z * Rows), 0, Rows - 1));
+      const auto column =
+          static_cast<std::size_t>(std::clamp(static_cast<int>(phi / Tau * Columns), 0, Columns - 1));
+      cell = row * Columns + column;
     }
     counts[cell] += 1;
   }
