@@ -51,8 +51,8 @@ struct IncludeOrigin {
 
 /// A file whose blocks stand in the place of the include.
 struct Include {
-  std::string
-      file;  ///< as written, relative to the folder of the file that names it; quotes as in a mesh's name
+  /// As written, relative to the folder of the file that names it; quotes as in a mesh's name.
+  std::string file;
   Shared<BlockList> contents;
   IncludeOrigin origin;
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
-#include "renderer/reflectance/mixture.h"
 #include "renderer/reflectance/model.h"
 
 namespace reflectance::glsl {
@@ -20,7 +20,7 @@ struct BlinnFormula {
 namespace reflectance {
 
 /// The lobe (n.h)^n, not normalised; Blinn's own model of 1977, with facets and Fresnel, is `torrance`.
-struct Blinn {
+struct Blinn : DiffuseAndLobe<Blinn> {
   float n = 100;
   Rgb ks = Rgb(0.4F);
   Rgb kd = Rgb(0.6F);
@@ -59,12 +59,6 @@ struct Blinn {
   float lobe_albedo(const Vec3f&) const {
     return std::min(1.0F, 8 * Pi * (n + std::exp2(-n / 2)) / ((n + 2) * (n + 4)));
   }
-
-  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
-  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
-    return sample_mixture(*this, u, xi);
-  }
-  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
 };
 
 }  // namespace reflectance

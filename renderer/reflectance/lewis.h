@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
-#include "renderer/reflectance/mixture.h"
 #include "renderer/reflectance/model.h"
 
 namespace reflectance::glsl {
@@ -21,7 +21,7 @@ namespace reflectance {
 
 /// The Phong lobe, normalised: reciprocal, with an albedo of at most kd + ks. About the mirror direction, and
 /// not about h as printed, where the same factor would reflect up to four times what is received.
-struct Lewis {
+struct Lewis : DiffuseAndLobe<Lewis> {
   float n = 100;
   Rgb ks = Rgb(0.4F);
   Rgb kd = Rgb(0.6F);
@@ -48,12 +48,6 @@ struct Lewis {
   float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
   float lobe_ratio(const Vec3f&, const Vec3f& v) const { return (n + 2) / (n + 1) * v.z; }
   float lobe_albedo(const Vec3f&) const { return 1; }
-
-  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
-  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
-    return sample_mixture(*this, u, xi);
-  }
-  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
 };
 
 }  // namespace reflectance

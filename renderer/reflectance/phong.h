@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
-#include "renderer/reflectance/mixture.h"
 #include "renderer/reflectance/model.h"
 
 namespace reflectance::glsl {
@@ -21,7 +21,7 @@ namespace reflectance {
 
 /// The Phong lobe as published: its specular term is a BRDF value as it stands, neither normalised nor
 /// divided by the light's cosine (which the rendering equation has). `lewis` is the normalised one.
-struct Phong {
+struct Phong : DiffuseAndLobe<Phong> {
   float n = 100;
   Rgb ks = Rgb(0.4F);
   Rgb kd = Rgb(0.6F);
@@ -48,12 +48,6 @@ struct Phong {
   float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
   float lobe_ratio(const Vec3f&, const Vec3f& v) const { return 2 * Pi / (n + 1) * v.z; }
   float lobe_albedo(const Vec3f&) const { return 2 * Pi / (n + 2); }
-
-  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
-  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
-    return sample_mixture(*this, u, xi);
-  }
-  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
 };
 
 }  // namespace reflectance

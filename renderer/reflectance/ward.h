@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
-#include "renderer/reflectance/mixture.h"
 #include "renderer/reflectance/model.h"
 
 namespace reflectance::glsl {
@@ -21,7 +21,7 @@ struct WardFormula {
 namespace reflectance {
 
 /// Ward's lobe of Gaussian slopes, fitted to measurements; isotropic where sx = sy.
-struct Ward {
+struct Ward : DiffuseAndLobe<Ward> {
   float sx = 0.2F;
   float sy = 0.2F;
   Rgb ks = Rgb(0.5F);
@@ -68,12 +68,6 @@ struct Ward {
     return cosine_of_half(u, v) * cosine * cosine * cosine * std::sqrt(v.z / u.z);
   }
   float lobe_albedo(const Vec3f&) const { return 1; }
-
-  float albedo_estimate(const Vec3f& u) const { return mixture_albedo(*this, u); }
-  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
-    return sample_mixture(*this, u, xi);
-  }
-  float density(const Vec3f& u, const Vec3f& v) const { return mixture_density(*this, u, v); }
 };
 
 }  // namespace reflectance
