@@ -129,8 +129,8 @@ class Parser {
   bool parse_vector(Vec3f& vector);
   bool parse_string(std::string& string, std::string_view what);
   bool parse_index(std::uint32_t& index, std::string_view what);
-  void error(const Token& token, std::string message);
-  bool fail(const Token& token, std::string message);
+  void error(const Token& token, std::string_view message);
+  bool fail(const Token& token, std::string_view message);
   bool fail_expected(std::string_view expected);
   bool fail_unclosed(const Token& opening, std::string_view end);
   std::vector<std::string> take_comments();

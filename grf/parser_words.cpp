@@ -104,12 +104,12 @@ bool Parser::expect(char punctuation, std::string_view where) {
   return accept(punctuation) || fail_expected(fmt::format("'{}' {}", punctuation, where));
 }
 
-void Parser::error(const Token& token, std::string message) {
-  context_.diagnostics.error(lexer_.location(token), std::move(message));
+void Parser::error(const Token& token, std::string_view message) {
+  context_.diagnostics.error(lexer_.location(token), message);
 }
 
-bool Parser::fail(const Token& token, std::string message) {
-  error(token, std::move(message));
+bool Parser::fail(const Token& token, std::string_view message) {
+  error(token, message);
   return false;
 }
 
