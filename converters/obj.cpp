@@ -59,8 +59,8 @@ class ObjReader {
   void report(const ObjText& text);
   grf::Scene scene();
 
-  std::optional<grf::Scene> fail(std::string message) {
-    diagnostics_.error(location_, std::move(message));
+  std::optional<grf::Scene> fail(const std::string& message) {
+    diagnostics_.error(location_, message);
     return std::nullopt;
   }
 

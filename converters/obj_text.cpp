@@ -79,8 +79,8 @@ class Checker {
     for (const std::string_view argument : arguments) text_.statements.append(" ").append(argument);
     text_.statements += '\n';
   }
-  bool fail(std::string_view part, std::string message) {
-    diagnostics_.error(reader_.location(part), std::move(message));
+  bool fail(std::string_view part, const std::string& message) {
+    diagnostics_.error(reader_.location(part), message);
     return false;
   }
   bool failed() const { return diagnostics_.error_count() > errors_before_; }

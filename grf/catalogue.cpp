@@ -1,13 +1,16 @@
 #include "grf/catalogue.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <set>
+#include <system_error>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
+#include "grf/text_file.h"
 #include "grf/visit.h"
 
 namespace grf {
@@ -142,12 +145,28 @@ class Check {
       check_attribute(surface.brdf, brdfs_, scope);
       check_attribute(surface.pdf, pdfs_, scope);
       check_attribute(surface.colour, block, scope);
+      check_texture(surface.texture, scope);
       if (surface.emission) check_colour(*surface.emission, block.location, "radiance");
     }
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       if (mesh.colours.has(i)) check_colour(mesh.colours[i], block.location, "vertex colour");
     }
     warn_of_default(mesh, block);
+    warn_of_missing_uvs(mesh, block);
+  }
+
+  void warn_of_missing_uvs(const Mesh& mesh, const Block& block) {
+    std::size_t faces = 0;
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      const auto corners = mesh.face(i);
+      const auto lacks_uv = [&](std::uint32_t corner) { return !mesh.uvs.has(corner); };
+      if (mesh.surface(i).texture && std::any_of(corners.begin(), corners.end(), lacks_uv)) ++faces;
+    }
+    if (faces == 0) return;
+    diagnostics_.warning(
+        block.location,
+        fmt::format("{} with a texture {} corners without uv: it is (0, 0) there",
+                    faces == 1 ? "a face" : fmt::format("{} faces", faces), faces == 1 ? "has" : "have"));
   }
 
   template <class ModelOfKind>
@@ -171,6 +190,24 @@ class Check {
     }
   }
 
+  void check_texture(const std::optional<TextureAttribute>& attribute, const Scope& scope) {
+    if (!attribute) return;
+    if (const auto* reference = std::get_if<Reference>(&*attribute)) {
+      check_reference<Texture>(*reference, "texture", scope);
+    } else {
+      check_image(std::get<Texture>(*attribute));
+    }
+  }
+
+  // A scene is of use without its images, so one that is missing is no error. Each is reported once.
+  void check_image(const Texture& texture) {
+    const SourceLocation& location = texture.location;
+    const std::string path = location.file ? path_beside(location.file->path, texture.file) : texture.file;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error) || !missing_images_.insert(path).second) return;
+    diagnostics_.warning(location, fmt::format("there is no image '{}'", path));
+  }
+
   template <class Body>
   void check_reference(const Reference& reference, std::string_view kind, const Scope& scope) {
     if (scope.find<Body>(reference.name) != nullptr) return;
@@ -185,6 +222,8 @@ class Check {
       check_model(*pdf, pdfs_, scope);
     } else if (const auto* colour = std::get_if<Colour>(&definition.body)) {
       check_colour(*colour, definition.location, "colour");
+    } else if (const auto* texture = std::get_if<Texture>(&definition.body)) {
+      check_image(*texture);
     }
   }
 
@@ -202,6 +241,7 @@ class Check {
   const Kind<PdfModel> pdfs_;
   Diagnostics& diagnostics_;
   std::set<std::string> files_with_default_;
+  std::set<std::string> missing_images_;
 };
 
 }  // namespace

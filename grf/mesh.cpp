@@ -12,8 +12,9 @@ void Mesh::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t s
 
 bool operator==(const Mesh& a, const Mesh& b) {
   const bool same_shape = a.name == b.name && a.comments == b.comments && a.positions == b.positions &&
-                          a.normals == b.normals && a.colours == b.colours && a.corners == b.corners &&
-                          a.face_offsets == b.face_offsets && a.surfaces.front() == b.surfaces.front();
+                          a.normals == b.normals && a.colours == b.colours && a.uvs == b.uvs &&
+                          a.corners == b.corners && a.face_offsets == b.face_offsets &&
+                          a.surfaces.front() == b.surfaces.front();
   if (!same_shape) return false;
   std::uint32_t known_a = 0;
   std::uint32_t known_b = 0;  // the last pair found equal: faces come in runs

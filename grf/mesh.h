@@ -54,9 +54,9 @@ class OptionalVertexValues {
 
 /// Comments inside a mesh. Those inside the lists of vertices and faces are not kept.
 struct MeshComments {
-  Comments colour, brdf, pdf, emission;  ///< of the mesh's own attributes
-  Comments vertices, faces;              ///< of the two lists as a whole
-  std::vector<std::string> end;          ///< before `end mesh`
+  Comments colour, brdf, pdf, texture, emission;  ///< of the mesh's own attributes
+  Comments vertices, faces;                       ///< of the two lists as a whole
+  std::vector<std::string> end;                   ///< before `end mesh`
 
   bool operator==(const MeshComments&) const = default;
 };
@@ -72,6 +72,7 @@ struct Mesh {
   std::vector<Vec3f> positions;
   OptionalVertexValues<Vec3f> normals;  ///< as written, not necessarily of unit length
   OptionalVertexValues<Colour> colours;
+  OptionalVertexValues<Vec2f> uvs;  ///< where a texture is looked up; (0,0) is the image's lower left corner
 
   std::vector<std::uint32_t> corners;             ///< vertex indices of all faces, one after the other
   std::vector<std::uint32_t> face_offsets = {0};  ///< where each face's corners begin, and one end

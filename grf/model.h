@@ -40,4 +40,13 @@ struct PdfModel : Model {
   bool operator==(const PdfModel&) const = default;
 };
 
+/// An image that multiplies the colour of faces.
+struct Texture {
+  std::string
+      file;  ///< as written, relative to the folder of the file that names it; quotes as in a mesh's name
+  SourceLocation location;
+
+  bool operator==(const Texture&) const = default;
+};
+
 }  // namespace grf

@@ -112,8 +112,13 @@ class Parser {
   bool end_mesh(const Token& opening);
   bool is_attribute(const Token& token) const;
   bool parse_attribute(Surface& surface, bool reset_allowed);
+  bool parse_emission(Surface& surface);
   bool parse_colour_attribute(Surface& surface);
-  void report_unknown_colour(const Token& name);
+  bool parse_texture_attribute(Surface& surface);
+  template <class Body>
+  Reference parse_reference();
+  template <class Body>
+  void report_unknown(const Token& name);
   template <class ModelOfKind>
   bool parse_model_attribute(std::optional<std::variant<ModelOfKind, Reference>>& attribute);
   Comments* comments_of_attribute(Mesh& mesh, const Token& keyword) const;
@@ -127,6 +132,7 @@ class Parser {
   bool at(std::string_view keyword) const;
   bool parse_number(float& number);
   bool parse_vector(Vec3f& vector);
+  bool parse_vector(Vec2f& vector);
   bool parse_string(std::string& string, std::string_view what);
   bool parse_index(std::uint32_t& index, std::string_view what);
   void error(const Token& token, std::string_view message);

@@ -21,7 +21,7 @@ bool starts_value(const Token& token) {
 bool starts_definition_body(const Token& token) {
   return token.kind == TokenKind::Word &&
          (is_colour_keyword(token.text) || same_keyword(token.text, "brdf") ||
-          same_keyword(token.text, "pdf"));
+          same_keyword(token.text, "pdf") || same_keyword(token.text, "texture"));
 }
 
 }  // namespace
@@ -112,7 +112,12 @@ bool Parser::parse_definition_body(Definition& definition, std::optional<NextDef
   }
   if (accept("brdf")) return parse_model(definition.body.emplace<BrdfModel>(), &next);
   if (accept("pdf")) return parse_model(definition.body.emplace<PdfModel>(), &next);
-  return fail_expected("'rgb', 'brdf' or 'pdf'");
+  if (accept("texture")) {
+    Texture& texture = definition.body.emplace<Texture>();
+    texture.location = lexer_.location(lexer_.peek());
+    return parse_string(texture.file, "the name of an image file, in quotes");
+  }
+  return fail_expected("'rgb', 'brdf', 'pdf' or 'texture'");
 }
 
 // In a list of definitions, `name = value` is one more parameter and `name = brdf ...` the next definition:
@@ -132,9 +137,10 @@ bool Parser::parse_model(Model& model, std::optional<NextDefinition>* next) {
       return true;
     }
     if (next != nullptr && !starts_value(lexer_.peek())) {
-      return fail_expected(fmt::format(
-          "a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf' or 'pdf' for a definition called '{0}'",
-          name.text, model.keyword));
+      return fail_expected(
+          fmt::format("a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf', 'pdf' or 'texture' for a "
+                      "definition called '{0}'",
+                      name.text, model.keyword));
     }
     Argument argument{std::string(name.text), {}, lexer_.location(name)};
     if (!parse_value(name, argument.value)) return false;

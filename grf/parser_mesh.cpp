@@ -64,8 +64,12 @@ bool Parser::parse_vertex(Mesh& mesh) {
       lexer_.next();
       if (!parse_vector(value)) return false;
       mesh.colours.set(vertex, value);
+    } else if (accept("uv")) {
+      Vec2f uv;
+      if (!parse_vector(uv)) return false;
+      mesh.uvs.set(vertex, uv);
     } else {
-      return fail_expected("'normal', 'rgb', the three numbers of a vertex or 'end vertexs'");
+      return fail_expected("'normal', 'rgb', 'uv', the three numbers of a vertex or 'end vertexs'");
     }
   }
   if (!parse_vector(value)) return false;
@@ -176,12 +180,14 @@ bool Parser::end_mesh(const Token& opening) {
 bool Parser::is_attribute(const Token& token) const {
   return token.kind == TokenKind::Word &&
          (is_colour_keyword(token.text) || same_keyword(token.text, "brdf") ||
-          same_keyword(token.text, "pdf") || same_keyword(token.text, "light"));
+          same_keyword(token.text, "pdf") || same_keyword(token.text, "texture") ||
+          same_keyword(token.text, "light"));
 }
 
 Comments* Parser::comments_of_attribute(Mesh& mesh, const Token& keyword) const {
   if (same_keyword(keyword.text, "brdf")) return &mesh.comments.brdf;
   if (same_keyword(keyword.text, "pdf")) return &mesh.comments.pdf;
+  if (same_keyword(keyword.text, "texture")) return &mesh.comments.texture;
   if (same_keyword(keyword.text, "light")) return &mesh.comments.emission;
   return &mesh.comments.colour;
 }
@@ -199,20 +205,25 @@ bool Parser::parse_attribute(Surface& surface, bool reset_allowed) {
   } else if (same_keyword(keyword.text, "pdf")) {
     if (!reset) return parse_model_attribute(surface.pdf);
     surface.pdf.reset();
+  } else if (same_keyword(keyword.text, "texture")) {
+    if (!reset) return parse_texture_attribute(surface);
+    surface.texture.reset();
   } else if (same_keyword(keyword.text, "light")) {
-    if (!reset) {
-      if (lexer_.peek().kind != TokenKind::Word || !is_colour_keyword(lexer_.peek().text)) {
-        return fail_expected("'rgb' and the emitted radiance");
-      }
-      lexer_.next();
-      return parse_vector(surface.emission.emplace());
-    }
+    if (!reset) return parse_emission(surface);
     surface.emission.reset();
   } else {
     if (!reset) return parse_colour_attribute(surface);
     surface.colour.reset();
   }
   return true;
+}
+
+bool Parser::parse_emission(Surface& surface) {
+  if (lexer_.peek().kind != TokenKind::Word || !is_colour_keyword(lexer_.peek().text)) {
+    return fail_expected("'rgb' and the emitted radiance");
+  }
+  lexer_.next();
+  return parse_vector(surface.emission.emplace());
 }
 
 bool Parser::parse_colour_attribute(Surface& surface) {
@@ -223,22 +234,42 @@ bool Parser::parse_colour_attribute(Surface& surface) {
     return true;
   }
   if (!is_identifier(lexer_.peek().text)) return fail_expected("three numbers or the name of a colour");
-  const Token name = lexer_.next();
-  if (context_.scope.find<Colour>(name.text) == nullptr) report_unknown_colour(name);
-  surface.colour = Reference{std::string(name.text), lexer_.location(name)};
+  surface.colour = parse_reference<Colour>();
   return true;
 }
 
-void Parser::report_unknown_colour(const Token& name) {
+bool Parser::parse_texture_attribute(Surface& surface) {
+  if (lexer_.peek().kind == TokenKind::String) {
+    const Token file = lexer_.next();
+    surface.texture = Texture{std::string(file.text), lexer_.location(file)};
+    return true;
+  }
+  const bool is_name = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
+  if (!is_name) return fail_expected("the name of an image file, in quotes, or of a texture");
+  surface.texture = parse_reference<Texture>();
+  return true;
+}
+
+// The name of a definition of a kind, which must be in scope.
+template <class Body>
+Reference Parser::parse_reference() {
+  const Token name = lexer_.next();
+  if (context_.scope.find<Body>(name.text) == nullptr) report_unknown<Body>(name);
+  return Reference{std::string(name.text), lexer_.location(name)};
+}
+
+template <class Body>
+void Parser::report_unknown(const Token& name) {
   if (context_.lacks_names || context_.is_over()) return;
   if (!context_.reported_names.emplace(name.text).second) return;
+  const std::string_view expected = kind_of(Definition::Body(Body()));
   const Definition* definition = context_.scope.find(name.text);
   if (definition != nullptr) {
-    const bool is_brdf = std::holds_alternative<BrdfModel>(definition->body);
-    return error(name, fmt::format("'{}' is a {}, expected a colour", name.text, is_brdf ? "BRDF" : "PDF"));
+    return error(name,
+                 fmt::format("'{}' is a {}, expected a {}", name.text, kind_of(definition->body), expected));
   }
-  const std::string suggestion = did_you_mean(name.text, context_.scope.names_of<Colour>());
-  error(name, fmt::format("no colour called '{}' is defined here{}{}", name.text,
+  const std::string suggestion = did_you_mean(name.text, context_.scope.names_of<Body>());
+  error(name, fmt::format("no {} called '{}' is defined here{}{}", expected, name.text,
                           suggestion.empty() ? "" : ": ", suggestion));
 }
 

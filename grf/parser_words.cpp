@@ -148,6 +148,11 @@ bool Parser::parse_vector(Vec3f& vector) {
          expect(')', "after three numbers");
 }
 
+bool Parser::parse_vector(Vec2f& vector) {
+  return expect('(', "before two numbers") && parse_number(vector.x) &&
+         expect(',', "between the two numbers") && parse_number(vector.y) && expect(')', "after two numbers");
+}
+
 bool Parser::parse_string(std::string& string, std::string_view what) {
   if (lexer_.peek().kind != TokenKind::String) return fail_expected(what);
   string = lexer_.next().text;

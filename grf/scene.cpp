@@ -1,9 +1,17 @@
 #include "grf/scene.h"
 
+#include <array>
+
 namespace grf {
 
 bool operator==(const BlockList& a, const BlockList& b) {
   return a.blocks == b.blocks && a.end_comments == b.end_comments;
+}
+
+std::string_view kind_of(const Definition::Body& body) {
+  constexpr std::array<std::string_view, std::variant_size_v<Definition::Body>> Kinds = {"colour", "BRDF",
+                                                                                         "PDF", "texture"};
+  return Kinds[body.index()];
 }
 
 Matrix44d matrix_of(const std::vector<TransformStep>& steps) {

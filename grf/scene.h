@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -77,8 +78,10 @@ struct Transform {
 };
 
 struct Definition {
+  using Body = std::variant<Colour, BrdfModel, PdfModel, Texture>;
+
   std::string name;
-  std::variant<Colour, BrdfModel, PdfModel> body;
+  Body body;
   Comments comments;
   SourceLocation location;
 
@@ -107,6 +110,9 @@ struct Scene {
 
   bool operator==(const Scene&) const = default;
 };
+
+/// What a definition defines, as messages say it: `colour`, `BRDF`, `PDF` or `texture`.
+std::string_view kind_of(const Definition::Body& body);
 
 /// The matrix of a list of transform steps, in double so that nested ones lose nothing.
 Matrix44d matrix_of(const std::vector<TransformStep>& steps);

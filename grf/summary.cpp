@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grf/keywords.h"
+#include "grf/text_file.h"
 #include "grf/visit.h"
 #include "grf/write.h"
 
@@ -75,10 +76,12 @@ class Counter {
     visitor.definition = [this](const Definition& definition, const Placement&) {
       if (std::holds_alternative<BrdfModel>(definition.body)) ++summary_.brdfs;
       if (std::holds_alternative<PdfModel>(definition.body)) ++summary_.pdfs;
+      if (const auto* texture = std::get_if<Texture>(&definition.body)) add_image(*texture);
     };
     visit(scene, visitor);
     summary_.brdfs += brdfs_.size();
     summary_.pdfs += pdfs_.size();
+    summary_.textures = images_.size();
     return summary_;
   }
 
@@ -100,10 +103,17 @@ class Counter {
       const Surface& surface = mesh.surfaces[i];
       if (surface.brdf) add_model<BrdfModel>(*surface.brdf, brdfs_);
       if (surface.pdf) add_model<PdfModel>(*surface.pdf, pdfs_);
+      if (const auto* texture = surface.texture ? std::get_if<Texture>(&*surface.texture) : nullptr)
+        add_image(*texture);
       emits = emits || surface.emission.has_value();
     }
     if (emits) ++summary_.lights;
     count_edges(mesh, summary_);
+  }
+
+  void add_image(const Texture& texture) {
+    const auto& file = texture.location.file;
+    images_.insert(file ? path_beside(file->path, texture.file) : texture.file);
   }
 
   template <class Model>
@@ -114,6 +124,7 @@ class Counter {
   Summary summary_;
   std::set<std::string> brdfs_;
   std::set<std::string> pdfs_;
+  std::set<std::string> images_;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct Summary {
   std::size_t lights = 0;     ///< light blocks, and meshes with faces that emit
   std::size_t brdfs = 0;      ///< definitions, and different ones that faces have on the spot
   std::size_t pdfs = 0;
+  std::size_t textures = 0;           ///< different images that faces or definitions name
   std::size_t boundary_edges = 0;     ///< edges of one face; vertices at one place count as one
   std::size_t nonmanifold_edges = 0;  ///< edges of more than two faces
   Box3f bounds;                       ///< empty if there is nothing

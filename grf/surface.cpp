@@ -26,6 +26,8 @@ std::size_t hash_of(const Colour& colour) {
 
 std::size_t hash_of(const Reference& reference) { return std::hash<std::string>()(reference.name); }
 
+std::size_t hash_of(const Texture& texture) { return std::hash<std::string>()(texture.file); }
+
 std::size_t hash_of(const Model& model) {
   std::size_t hash = std::hash<std::string>()(lower_case(model.keyword));
   for (const Argument& argument : model.arguments) {
@@ -47,6 +49,7 @@ bool written_alike(const Colour& a, const Colour& b) {
   return written_alike(a.x, b.x) && written_alike(a.y, b.y) && written_alike(a.z, b.z);
 }
 bool written_alike(const Reference& a, const Reference& b) { return a.name == b.name; }
+bool written_alike(const Texture& a, const Texture& b) { return a == b; }
 bool written_alike(const Model& a, const Model& b);
 
 template <class... Alternatives>
@@ -75,13 +78,14 @@ std::size_t hash_value(const Surface& surface) {
   std::size_t hash = hash_of_attribute(surface.colour);
   mix(hash, hash_of_attribute(surface.brdf));
   mix(hash, hash_of_attribute(surface.pdf));
+  mix(hash, hash_of_attribute(surface.texture));
   mix(hash, surface.emission ? hash_of(*surface.emission) : 0);
   return hash;
 }
 
 bool is_written_alike(const Surface& a, const Surface& b) {
   return written_alike(a.colour, b.colour) && written_alike(a.brdf, b.brdf) && written_alike(a.pdf, b.pdf) &&
-         written_alike(a.emission, b.emission);
+         written_alike(a.texture, b.texture) && written_alike(a.emission, b.emission);
 }
 
 }  // namespace grf

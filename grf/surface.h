@@ -22,13 +22,15 @@ struct Reference {
 using ColourAttribute = std::variant<Colour, Reference>;
 using BrdfAttribute = std::variant<BrdfModel, Reference>;
 using PdfAttribute = std::variant<PdfModel, Reference>;
+using TextureAttribute = std::variant<Texture, Reference>;
 
 /// What faces share. An attribute that is absent was not given, and its default holds: colour 1,
-/// BRDF diffuse with kd = 0.5, the BRDF's own sampling scheme, no emission.
+/// BRDF diffuse with kd = 0.5, the BRDF's own sampling scheme, no texture, no emission.
 struct Surface {
   std::optional<ColourAttribute> colour;
   std::optional<BrdfAttribute> brdf;
   std::optional<PdfAttribute> pdf;
+  std::optional<TextureAttribute> texture;
   std::optional<Colour> emission;  ///< radiance from the front, W/(sr m2)
 
   bool operator==(const Surface&) const = default;

@@ -85,6 +85,7 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
   if (const Colour* colour = look_up(surface.colour, scope)) resolved.colour = *colour;
   resolved.brdf = look_up(surface.brdf, scope);
   resolved.pdf = look_up(surface.pdf, scope);
+  resolved.texture = look_up(surface.texture, scope);
   resolved.emission = surface.emission;
   return resolved;
 }

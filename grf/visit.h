@@ -67,6 +67,7 @@ struct ResolvedSurface {
   Colour colour = Colour(1);
   const BrdfModel* brdf = nullptr;
   const PdfModel* pdf = nullptr;
+  const Texture* texture = nullptr;
   std::optional<Colour> emission;
 };
 

@@ -20,6 +20,9 @@ namespace {
 constexpr std::string_view NoTransform = " translation (0, 0, 0)";
 
 // fmt writes the fewest digits that read back to the same float, without regard to the locale.
+void put(std::string& text, const Vec2f& v) {
+  fmt::format_to(std::back_inserter(text), "({}, {})", v.x, v.y);
+}
 void put(std::string& text, const Vec3f& v) {
   fmt::format_to(std::back_inserter(text), "({}, {}, {})", v.x, v.y, v.z);
 }
@@ -94,6 +97,7 @@ class Writer {
   void put_attribute(const ColourAttribute& colour);
   void put_attribute(const BrdfAttribute& brdf) { put_model("brdf ", brdf); }
   void put_attribute(const PdfAttribute& pdf) { put_model("pdf ", pdf); }
+  void put_attribute(const TextureAttribute& texture);
   void put_attribute(const Colour& emission);
   template <class Attribute>
   void put_model(const char* keyword, const Attribute& attribute);
@@ -200,6 +204,8 @@ void Writer::put_definition(const Definition& definition, bool first) {
     text_ += "brdf " + to_text(*brdf);
   } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
     text_ += "pdf " + to_text(*pdf);
+  } else if (const auto* texture = std::get_if<Texture>(&definition.body)) {
+    text_ += "texture " + quoted(texture->file);
   }
   end_line(definition.comments);
 }
@@ -240,6 +246,11 @@ void Writer::put_vertices(const Mesh& mesh) {
       put(text_, mesh.colours[i]);
       text_ += ' ';
     }
+    if (mesh.uvs.has(i)) {
+      text_ += "uv ";
+      put(text_, mesh.uvs[i]);
+      text_ += ' ';
+    }
     put(text_, mesh.positions[i]);
     end_line();
   }
@@ -278,6 +289,7 @@ void Writer::put_attributes(const Surface& surface, const MeshComments& comments
   put_own(surface.colour, comments.colour);
   put_own(surface.brdf, comments.brdf);
   put_own(surface.pdf, comments.pdf);
+  put_own(surface.texture, comments.texture);
   put_own(surface.emission, comments.emission);
 }
 
@@ -298,6 +310,7 @@ void Writer::put_changes(const Surface& before, const Surface& after) {
   put_change("rgb", before.colour, after.colour);
   put_change("brdf", before.brdf, after.brdf);
   put_change("pdf", before.pdf, after.pdf);
+  put_change("texture", before.texture, after.texture);
   put_change("light", before.emission, after.emission);
 }
 
@@ -308,6 +321,11 @@ void Writer::put_attribute(const ColourAttribute& colour) {
   } else {
     put(text_, std::get<Colour>(colour));
   }
+}
+
+void Writer::put_attribute(const TextureAttribute& texture) {
+  const auto* reference = std::get_if<Reference>(&texture);
+  text_ += "texture " + (reference != nullptr ? reference->name : quoted(std::get<Texture>(texture).file));
 }
 
 void Writer::put_attribute(const Colour& emission) {

@@ -28,12 +28,12 @@ nlohmann::ordered_json to_json(const Format& format, const grf::Summary& summary
   json["vertices"] = summary.vertices;
   json["faces"] = summary.faces;
   json["triangles"] = summary.triangles;
-  // Scenes hold neither yet: `use` and `texture` come with their own blocks.
+  // A scene can place a mesh by one block only.
   json["instances"] = 0;
   json["lights"] = summary.lights;
   json["brdfs"] = summary.brdfs;
   json["pdfs"] = summary.pdfs;
-  json["textures"] = 0;
+  json["textures"] = summary.textures;
   if (summary.bounds.isEmpty()) {
     json["bounds"] = nullptr;
   } else {
@@ -64,6 +64,7 @@ void print_table(const std::string& path, const Format& format, const grf::Summa
   print_row("lights", summary.lights);
   print_row("BRDFs", summary.brdfs);
   print_row("PDFs", summary.pdfs);
+  print_row("textures", summary.textures);
   if (!summary.bounds.isEmpty()) {
     print_row("bounds", fmt::format("{} to {}", to_text(summary.bounds.min), to_text(summary.bounds.max)));
     print_row("size", to_text(summary.bounds.size()));

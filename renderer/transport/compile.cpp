@@ -43,6 +43,10 @@ class Compiler {
   void add(const AreaLight& light, const Placement& placement);
 
   CompiledScene finish() {
+    if (textured_faces_ > 0) {
+      diagnostics_.warning({}, fmt::format("textures are not rendered: {} {} shown without", textured_faces_,
+                                           textured_faces_ == 1 ? "face is" : "faces are"));
+    }
     if (emitters_.empty()) geometry_.emitter_of_triangle.clear();
     for (const Vec3f& position : geometry_.positions) geometry_.bounds.extendBy(position);
     geometry_.positions.emplace_back(0.0F);  // padding, see RayCaster
@@ -67,6 +71,7 @@ class Compiler {
   std::vector<Reflector> reflectors_;
   std::map<std::string, std::uint32_t> reflector_by_text_;
   std::vector<Emitter> emitters_;
+  std::size_t textured_faces_ = 0;
 };
 
 // A mirroring transform turns triangles inside out: the other winding keeps their front where it was.
@@ -77,6 +82,7 @@ void Compiler::add(const Mesh& mesh, const Placement& placement) {
   const bool turn = mirrors(placement.to_world);
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     add_face(mesh, i, surfaces[mesh.surface_of_face[i]], first_vertex, turn);
+    if (mesh.surface(i).texture) ++textured_faces_;
   }
 }
 

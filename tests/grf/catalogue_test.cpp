@@ -22,7 +22,7 @@ ParameterInfo parameter(std::string_view name, ParameterKind kind, float maximum
 }
 
 const Catalogue& catalogue() {
-  static const Catalogue Known = [] {
+  static const Catalogue known = [] {
     ModelInfo glossy;
     glossy.keyword = "glossy";
     glossy.parameters = {
@@ -35,7 +35,7 @@ const Catalogue& catalogue() {
     cosine.parameters = {parameter("n", ParameterKind::Number, 100)};
     return Catalogue{{glossy, flat}, {cosine}};
   }();
-  return Known;
+  return known;
 }
 
 /// The messages about a text that can be read, a line each, with the severity before those of warnings.
@@ -169,14 +169,35 @@ std::string said_of_reference(const std::string& definitions, const Surface& sur
 
 TEST(Check, ReportsReferencesToDefinitionsThatAreNotThere) {
   const Reference gold{"gold", {}};
-  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}}),
+  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}, {}}),
             "no BRDF called 'gold' is defined here: did you mean 'god'?");
-  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}, {}}),
             "no BRDF called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}, {}}),
             "no PDF called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}, {}}),
             "no colour called 'gold' is defined here");
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), {}, gold, {}}),
+            "no texture called 'gold' is defined here");
+}
+
+TEST(Check, WarnsOfImagesThatAreMissingAndOfCornersWithoutUv) {
+  const test::TemporaryFolder folder;
+  folder.add("there.png", "an image");
+  const std::string vertices =
+      "begin vertexs uv (0, 0) (0, 0, 0) uv (1, 0) (1, 0, 0) uv (1, 1) (1, 1, 0) (0, 1, 0) end vertexs ";
+  const std::string path = folder.add(
+      "scene.grf",
+      "def stone = texture \"gone.png\" begin begin mesh brdf flat texture \"there.png\" " + vertices +
+          "begin faces (0, 1, 2) texture stone (0, 2, 3) texture \"gone.png\" (0, 1, 3) end faces "
+          "end mesh end");
+  Diagnostics diagnostics;
+  const auto scene = read(path, diagnostics);
+  ASSERT_TRUE(scene && check(*scene, catalogue(), diagnostics)) << diagnostics.to_text();
+  ASSERT_EQ(diagnostics.entries().size(), 2U) << diagnostics.to_text();
+  EXPECT_EQ(diagnostics.entries()[0].message, "there is no image '" + folder.path("gone.png") + "'");
+  EXPECT_EQ(diagnostics.entries()[1].message,
+            "2 faces with a texture have corners without uv: it is (0, 0) there");
 }
 
 TEST(CheckOfAModel, NeedsNoScene) {

@@ -40,10 +40,12 @@ TEST(Definitions, AreToldFromParametersByWhatFollows) {
 
 TEST(Definitions, NameBothReadingsOfAnyOtherWord) {
   EXPECT_EQ(error_in("def a = brdf ward b = phong begin end"),
-            "found 'phong', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf' or 'pdf' for "
+            "found 'phong', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf' or "
+            "'texture' for "
             "a definition called 'b'");
   EXPECT_EQ(error_in("def a = brdf ward b = begin end"),
-            "found 'begin', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf' or 'pdf' for "
+            "found 'begin', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf' or "
+            "'texture' for "
             "a definition called 'b'");
 }
 

@@ -36,6 +36,32 @@ TEST(Vertices, KeepAbsentWhatIsAbsent) {
   EXPECT_EQ(mesh.colours[2], Colour(1, 0, 0));
 }
 
+TEST(Vertices, MayHaveTextureCoordinates) {
+  const Mesh mesh =
+      mesh_of(scene_of("begin mesh begin vertexs uv (0.5, -1) (0, 0, 0) rgb (1, 0, 0) uv (0, 2) "
+                       "(1, 0, 0) (2, 0, 0) end vertexs begin faces end faces end mesh"));
+  EXPECT_EQ(mesh.uvs[0], Vec2f(0.5F, -1));
+  EXPECT_EQ(mesh.uvs[1], Vec2f(0, 2));
+  EXPECT_FALSE(mesh.uvs.has(2));
+}
+
+TEST(Faces, MayHaveATextureFromAFileOrADefinition) {
+  const Scene scene =
+      scene_of("def wood = texture \"wood.png\" begin begin mesh texture wood " + Square +
+               "begin faces (0, 1, 2) texture \"a b\\c.exr\" (0, 1, 2) texture none (0, 1, 2) "
+               "end faces end mesh end");
+  std::vector<std::string> files;
+  SceneVisitor visitor;
+  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      const Texture* texture = resolve(mesh.surface(i), *placement.scope).texture;
+      files.push_back(texture == nullptr ? "none" : texture->file);
+    }
+  };
+  visit(scene, visitor);
+  EXPECT_THAT(files, ElementsAre("wood.png", "a b\\c.exr", "none"));
+}
+
 TEST(Faces, ArePolygonsWrittenInThreeWays) {
   const Scene scene = square("(0, 1, 2) 4 (0, 1, 2, 3) 3 3 2 1 (0, 2, 3)");
   const Mesh& mesh = mesh_of(scene);

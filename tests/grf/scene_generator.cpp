@@ -121,10 +121,11 @@ DefinitionScope SceneGenerator::definitions(int depth) {
     definition.name = definition_name();
     const bool is_new = names.insert(definition.name).second;
     if (!is_new) definition.name += std::to_string(i);
-    const int kind = number_up_to(2);
+    const int kind = number_up_to(3);
     if (kind == 0) definition.body = colour();
     if (kind == 1) definition.body = model<BrdfModel>();
     if (kind == 2) definition.body = model<PdfModel>();
+    if (kind == 3) definition.body = texture();
     definition.comments = comments();
     scope.definitions.push_back(std::move(definition));
   }
@@ -150,6 +151,7 @@ Mesh SceneGenerator::mesh() {
   if (own.colour) mesh.comments.colour = comments();
   if (own.brdf) mesh.comments.brdf = comments();
   if (own.pdf) mesh.comments.pdf = comments();
+  if (own.texture) mesh.comments.texture = comments();
   if (own.emission) mesh.comments.emission = comments();
   mesh.comments.vertices = comments();
   mesh.comments.faces = comments();
@@ -166,6 +168,7 @@ void SceneGenerator::fill_vertices(Mesh& mesh) {
     const auto vertex = static_cast<std::size_t>(i);
     if (coin()) mesh.normals.set(vertex, colour());
     if (coin()) mesh.colours.set(vertex, colour());
+    if (coin()) mesh.uvs.set(vertex, Vec2f(number(), number()));
   }
 }
 
@@ -189,6 +192,7 @@ Surface SceneGenerator::surface() {
   surface.colour = attribute<Colour>();
   surface.brdf = attribute<BrdfModel>();
   surface.pdf = attribute<PdfModel>();
+  surface.texture = attribute<Texture>();
   if (coin()) surface.emission = colour();
   return surface;
 }
@@ -201,6 +205,8 @@ std::optional<std::variant<Body, Reference>> SceneGenerator::attribute() {
   if (!names.empty() && coin()) return Reference{one_of(names), {}};
   if constexpr (std::is_same_v<Body, Colour>) {
     return colour();
+  } else if constexpr (std::is_same_v<Body, Texture>) {
+    return texture();
   } else {
     return model<Body>();
   }
@@ -215,6 +221,8 @@ ModelOfKind SceneGenerator::model() {
     model.arguments.push_back({one_of({"sx", "Cx", "begin", "_", "$1"}), value(), {}});
   return model;
 }
+
+Texture SceneGenerator::texture() { return {quotable(), {}}; }
 
 Value SceneGenerator::value() {
   const int kind = number_up_to(2);

@@ -37,6 +37,7 @@ class SceneGenerator {
   Colour colour();
   template <class ModelOfKind>
   ModelOfKind model();
+  Texture texture();
   Value value();
   Comments comments();
   std::vector<std::string> comment_lines();

@@ -102,5 +102,13 @@ TEST(AreaVector, IsRightForPolygonsThatAreNotConvex) {
   }
 }
 
+TEST(Summary, CountsDifferentImages) {
+  const Scene scene = scene_of(
+      "def a = texture \"a.png\" b = texture \"b.png\" begin begin mesh texture a begin vertexs (0, 0, 0) "
+      "(1, 0, 0) (0, 1, 0) end vertexs begin faces (0, 1, 2) texture \"c.png\" (0, 1, 2) texture \"b.png\" "
+      "(0, 1, 2) end faces end mesh end");
+  EXPECT_EQ(summarize(scene).textures, 3U);
+}
+
 }  // namespace
 }  // namespace grf

@@ -78,6 +78,15 @@ TEST(Compile, SharesReflectorsAndLooksNamesUpInTheirScope) {
   EXPECT_EQ(scene.reflector(*down_at(scene, 2.5F, 0.5F)->surface)->evaluate(u, u).x, 0);
 }
 
+TEST(Compile, SaysThatItShowsNoTextures) {
+  grf::Diagnostics diagnostics;
+  const auto scene =
+      grf::read_text(test::quad("brdf diffuse texture \"wood.png\"", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)"),
+                     "test.grf", diagnostics);
+  ASSERT_TRUE(scene && transport::compile(*scene, diagnostics));
+  EXPECT_EQ(diagnostics.to_text(), "warning: textures are not rendered: 1 face is shown without\n");
+}
+
 TEST(Compile, RefusesASchemeThatCannotServeTheBrdf) {
   try {
     test::scene_of(test::quad("brdf ward pdf specular", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)"));
