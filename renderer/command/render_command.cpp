@@ -79,8 +79,12 @@ bool can_write(const std::string& output, Diagnostics& diagnostics) {
   }
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   const std::string folder_name = folder.empty() ? "." : folder.string();
-  if (::access(folder_name.c_str(), W_OK | X_OK) == 0) return true;
-  diagnostics.error(grf::whole_file(output), fmt::format("cannot write into the folder '{}'", folder_name));
+  if (::access(folder_name.c_str(), W_OK | X_OK) != 0) {
+    diagnostics.error(grf::whole_file(output), fmt::format("cannot write into the folder '{}'", folder_name));
+    return false;
+  }
+  if (!std::filesystem::is_directory(output)) return true;
+  diagnostics.error(grf::whole_file(output), "cannot write the image: it is a directory");
   return false;
 }
 

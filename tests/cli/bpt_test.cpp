@@ -123,7 +123,9 @@ TEST_F(Bpt, ReportsMistakesInOptions) {
 
 TEST_F(Bpt, RefusesOutputsBeforeItRenders) {
   const std::string scene = write("scene.grf", Quad);
-  for (const std::string& output : {path("image.bmp"), path("image"), path("no/such/folder/image.png")}) {
+  write("folder.png/file", "");
+  for (const std::string& output :
+       {path("image.bmp"), path("image"), path("no/such/folder/image.png"), path("folder.png")}) {
     const Outcome outcome = bpt({"render", scene, "--output", output, "--samples", "1000000"});
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find(output + ": error: "), std::string::npos) << outcome.err;
@@ -147,7 +149,7 @@ TEST_F(Bpt, KeepsTheImageWhenItIsInterrupted) {
     const std::string output = path("image" + std::to_string(signal) + ".png");
     const Outcome outcome = test::run({GRANADA_BIN_DIR "/bpt", "render", scene, "--output", output,
                                        "--samples", "100000000", "--size", "64x64", "--json"},
-                                      {}, test::Interruption{signal, std::chrono::milliseconds(700)});
+                                      {}, test::Interruption{signal, std::chrono::milliseconds(1500)});
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     ASSERT_TRUE(std::filesystem::exists(output));
     const double samples = nlohmann::json::parse(outcome.out)["samples"].get<double>();
