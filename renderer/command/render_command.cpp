@@ -70,13 +70,7 @@ std::optional<RenderOptions> read_options(const std::string& path, Diagnostics& 
 
 /// An image that cannot be kept is better known before the render than after it.
 bool can_write(const std::string& output, Diagnostics& diagnostics) {
-  if (transport::image_format_of(output) == nullptr) {
-    std::string known;
-    for (const auto& format : transport::image_formats()) known += fmt::format(" .{}", format.extension);
-    diagnostics.error(grf::whole_file(output),
-                      "unknown type of image: the extension has to be one of" + known);
-    return false;
-  }
+  if (transport::image_format_of(output, diagnostics) == nullptr) return false;
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   const std::string folder_name = folder.empty() ? "." : folder.string();
   if (::access(folder_name.c_str(), W_OK | X_OK) != 0) {

@@ -101,26 +101,24 @@ const std::vector<ImageFormat>& image_formats() {
   return formats;
 }
 
-const ImageFormat* image_format_of(const std::string& path) {
+const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics) {
   const std::string extension = std::filesystem::path(path).extension().string();
   const auto& formats = image_formats();
   const auto found = std::find_if(formats.begin(), formats.end(), [&](const ImageFormat& format) {
     return !extension.empty() && grf::same_keyword(extension.substr(1), format.extension);
   });
-  return found == formats.end() ? nullptr : &*found;
+  if (found != formats.end()) return &*found;
+  std::vector<std::string_view> known;
+  for (const ImageFormat& format : formats) known.push_back(format.extension);
+  diagnostics.error(
+      grf::whole_file(path),
+      fmt::format("unknown type of image, expected one of the extensions {}", fmt::join(known, ", ")));
+  return nullptr;
 }
 
 bool write_image(const Image& image, const std::string& path, grf::Diagnostics& diagnostics) {
-  const ImageFormat* format = image_format_of(path);
-  if (format == nullptr) {
-    std::vector<std::string_view> extensions;
-    for (const ImageFormat& known : image_formats()) extensions.push_back(known.extension);
-    diagnostics.error(
-        grf::whole_file(path),
-        fmt::format("unknown type of image: the extension has to be one of {}", fmt::join(extensions, ", ")));
-    return false;
-  }
-  return grf::replace_file(path, format->encode(image), diagnostics);
+  const ImageFormat* format = image_format_of(path, diagnostics);
+  return format != nullptr && grf::replace_file(path, format->encode(image), diagnostics);
 }
 
 }  // namespace transport

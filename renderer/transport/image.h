@@ -30,8 +30,8 @@ struct ImageFormat {
 
 const std::vector<ImageFormat>& image_formats();
 
-/// The format that a path's extension means, or null.
-const ImageFormat* image_format_of(const std::string& path);
+/// The format that a path's extension means, or null after an error.
+const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics);
 
 /// Replaces the file by the image, or leaves it as it was and says why. EXR keeps linear radiance in 32-bit
 /// floats; PNG is sRGB-encoded, with radiance 1 as white.
