@@ -184,7 +184,7 @@ bool Parser::parse_light(AreaLight& light) {
     if (lexer_.peek().kind != TokenKind::Word || !is_colour_keyword(lexer_.peek().text)) return true;
     const Token keyword = lexer_.next();
     if (light.radiance) error(keyword, "a light has one 'rgb', before or after its corner and edges");
-    return parse_vector(light.radiance.emplace());
+    return parse_vector(light.radiance.emplace(0.0F));
   };
   if (!parse_radiance() || !parse_vector(light.corner) || !parse_vector(light.edge1) ||
       !parse_vector(light.edge2) || !parse_radiance()) {

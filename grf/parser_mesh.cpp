@@ -55,7 +55,7 @@ bool Parser::parse_vertices(Mesh& mesh) {
 
 bool Parser::parse_vertex(Mesh& mesh) {
   const std::size_t vertex = mesh.positions.size();
-  Vec3f value;
+  Vec3f value(0);
   while (lexer_.peek().kind == TokenKind::Word) {
     if (accept("normal")) {
       if (!parse_vector(value)) return false;
@@ -65,7 +65,7 @@ bool Parser::parse_vertex(Mesh& mesh) {
       if (!parse_vector(value)) return false;
       mesh.colours.set(vertex, value);
     } else if (accept("uv")) {
-      Vec2f uv;
+      Vec2f uv(0);
       if (!parse_vector(uv)) return false;
       mesh.uvs.set(vertex, uv);
     } else {
@@ -223,12 +223,12 @@ bool Parser::parse_emission(Surface& surface) {
     return fail_expected("'rgb' and the emitted radiance");
   }
   lexer_.next();
-  return parse_vector(surface.emission.emplace());
+  return parse_vector(surface.emission.emplace(0.0F));
 }
 
 bool Parser::parse_colour_attribute(Surface& surface) {
   if (lexer_.peek().kind != TokenKind::Word) {
-    Colour colour;
+    Colour colour(0);
     if (!parse_vector(colour)) return false;
     surface.colour = colour;
     return true;

@@ -11,7 +11,7 @@ namespace convert {
 namespace {
 
 grf::Vec3d parse_position(std::istringstream& words) {
-  grf::Vec3d position;
+  grf::Vec3d position(0);
   for (double* component : {&position.x, &position.y, &position.z}) {
     std::string word;
     words >> word;
