@@ -1,19 +1,9 @@
 #include "renderer/reflectance/brdf.h"
 
-#include "grf/keywords.h"
 #include "renderer/reflectance/each_type.h"
 
 namespace reflectance {
-std::optional<Brdf> make_brdf(const grf::Model& data) {
-  std::optional<Brdf> brdf;
-  EachType<Brdf>::any([&](auto model) {
-    using Model = decltype(model);
-    if (!grf::same_keyword(Model::table().keyword, data.keyword)) return false;
-    brdf = make<Model>(data);
-    return true;
-  });
-  return brdf;
-}
+std::optional<Brdf> make_brdf(const grf::Model& data) { return make_any<Brdf>(data); }
 
 Brdf default_brdf() { return Diffuse(); }
 
@@ -50,13 +40,6 @@ bool is_anisotropic(const Brdf& brdf) {
   return ward != nullptr && ward->sx != ward->sy;
 }
 
-std::vector<grf::ModelInfo> brdf_infos() {
-  std::vector<grf::ModelInfo> infos;
-  EachType<Brdf>::any([&](auto model) {
-    infos.push_back(info_of<decltype(model)>());
-    return false;
-  });
-  return infos;
-}
+std::vector<grf::ModelInfo> brdf_infos() { return infos_of<Brdf>(); }
 
 }  // namespace reflectance

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <variant>
+#include <vector>
+
+#include "grf/keywords.h"
+#include "renderer/reflectance/model.h"
 
 namespace reflectance {
 
@@ -15,5 +20,29 @@ struct EachType<std::variant<Types...>> {
     return (function(Types()) || ...);
   }
 };
+
+/// The type of the variant whose keyword a model has, with the model's values; nothing if none has it.
+template <class Variant>
+std::optional<Variant> make_any(const grf::Model& data) {
+  std::optional<Variant> made;
+  EachType<Variant>::any([&](auto candidate) {
+    using Candidate = decltype(candidate);
+    if (!grf::same_keyword(Candidate::table().keyword, data.keyword)) return false;
+    made = make<Candidate>(data);
+    return true;
+  });
+  return made;
+}
+
+/// The descriptors of all types of the variant.
+template <class Variant>
+std::vector<grf::ModelInfo> infos_of() {
+  std::vector<grf::ModelInfo> infos;
+  EachType<Variant>::any([&](auto candidate) {
+    infos.push_back(info_of<decltype(candidate)>());
+    return false;
+  });
+  return infos;
+}
 
 }  // namespace reflectance
