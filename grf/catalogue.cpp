@@ -87,6 +87,14 @@ void check_arguments(const Model& model, const ModelInfo& info, Diagnostics& dia
   }
 }
 
+/// What no single parameter's range says; not asked of values of which one is already wrong.
+void check_together(const Model& model, const ModelInfo& info, std::size_t errors_before,
+                    Diagnostics& diagnostics) {
+  if (info.wrong_together == nullptr || diagnostics.error_count() != errors_before) return;
+  const std::string wrong = info.wrong_together(model);
+  if (!wrong.empty()) diagnostics.error(model.location, fmt::format("'{}': {}", info.keyword, wrong));
+}
+
 /// The models of one kind, and what messages call them.
 template <class ModelOfKind>
 struct Kind {
@@ -279,6 +287,7 @@ bool check(const Model& model, const std::vector<ModelInfo>& models, std::string
   const ModelInfo* info = find_model(models, model.keyword);
   if (info != nullptr) {
     check_arguments(model, *info, diagnostics);
+    check_together(model, *info, errors_before, diagnostics);
   } else {
     diagnostics.error(model.location, with_suggestion(fmt::format("unknown {} '{}'", kind, model.keyword),
                                                       model.keyword, keywords_of(models)));

@@ -10,18 +10,24 @@ Brdf default_brdf() { return Diffuse(); }
 bool has_mirror(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {
+        if constexpr (requires { model.has_mirror(); }) return model.has_mirror();
         return requires { model.mirror(Vec3f()); };
       },
       brdf);
 }
 
-bool has_density(const Brdf& brdf) { return !std::holds_alternative<Specular>(brdf); }
+bool has_density(const Brdf& brdf) { return has_diffuse_part(brdf) || has_glossy_part(brdf); }
 
 bool has_diffuse_part(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {
-        if constexpr (requires { model.kd; }) return !is_black(model.kd);
-        return false;
+        if constexpr (requires { model.has_diffuse_part(); }) {
+          return model.has_diffuse_part();
+        } else if constexpr (requires { model.kd; }) {
+          return !is_black(model.kd);
+        } else {
+          return false;
+        }
       },
       brdf);
 }
@@ -29,15 +35,24 @@ bool has_diffuse_part(const Brdf& brdf) {
 bool has_glossy_part(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {
-        if constexpr (requires { model.lobe_albedo(Vec3f()); }) return !is_black(model.ks);
-        return false;
+        if constexpr (requires { model.has_glossy_part(); }) {
+          return model.has_glossy_part();
+        } else if constexpr (requires { model.ks; }) {
+          return !is_black(model.ks);
+        } else {
+          return true;
+        }
       },
       brdf);
 }
 
 bool is_anisotropic(const Brdf& brdf) {
-  const auto* ward = std::get_if<Ward>(&brdf);
-  return ward != nullptr && ward->sx != ward->sy;
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.is_anisotropic(); }) return model.is_anisotropic();
+        return !model.table().not_isotropic.empty();
+      },
+      brdf);
 }
 
 std::vector<grf::ModelInfo> brdf_infos() { return infos_of<Brdf>(); }

@@ -29,27 +29,34 @@ inline Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
 
 /// The weight of the Dirac part of a model, 0 for those that have none.
 template <class Model>
-Rgb mirror(const Model& model, const Vec3f& u) {
+Rgb mirror_of(const Model& model, const Vec3f& u) {
   if constexpr (requires { model.mirror(u); }) {
     return model.mirror(u);
   } else {
     return Rgb(0);
   }
 }
+inline Rgb mirror(const Brdf& brdf, const Vec3f& u) {
+  return std::visit([&](const auto& model) { return mirror_of(model, u); }, brdf);
+}
 
-/// True if the model has a Dirac part.
+// What a BRDF is made of, with the parameters that it has. A model that has a member of the same name says so
+// itself; the others are guessed, so that a part is rather assumed than overlooked.
+
+/// True if there is a Dirac part: guessed from `mirror`.
 bool has_mirror(const Brdf& brdf);
 
 /// True if there is anything besides a Dirac part.
 bool has_density(const Brdf& brdf);
 
-/// True if there is a part that reflects the same radiance in all directions.
+/// True if there is a matte part, which cosine-distributed directions serve: guessed from `kd`.
 bool has_diffuse_part(const Brdf& brdf);
 
-/// True if there is a lobe: a part that is neither diffuse nor a Dirac part.
+/// True if there is a lobe: a part that is neither matte nor a Dirac part. Guessed from `ks`, and for a model
+/// without, true.
 bool has_glossy_part(const Brdf& brdf);
 
-/// True if turning both directions about the normal changes the value.
+/// True if turning both directions about the normal changes the value: guessed from the table.
 bool is_anisotropic(const Brdf& brdf);
 
 std::vector<grf::ModelInfo> brdf_infos();

@@ -30,6 +30,7 @@ struct Diffuse {
     return glsl::DiffuseFormula<Real>().diffuse(u, v, Vec3<Real>(kd));
   }
 
+  bool has_glossy_part() const { return false; }
   float albedo_estimate(const Vec3f&) const { return mean(kd); }
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = cosine_direction(xi.direction);

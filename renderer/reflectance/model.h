@@ -6,9 +6,11 @@
 //     static ModelTable<Ward> table();        // names, ranges and what the model is
 //     template <class Real> Vec3<Real> evaluate(u, v) const;
 //     Rgb mirror(u) const;                    // only where there is a Dirac part
+//     std::string wrong_together() const;     // only where ranges alone do not say which values are right
 //     float albedo_estimate(u) const;         // mean reflectance without the Dirac part, for picking parts
 //     std::optional<DirectionSample> sample(u, xi) const;   // its own closed form
 //     float density(u, v) const;
+//     bool is_anisotropic() const;            // and the others that brdf.h names, where it guesses wrong
 //   };
 //
 // The contract, which all models and sampling schemes keep: local frame, z = normal; u towards the eye, v
@@ -19,6 +21,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -38,6 +41,12 @@ struct Uniforms {
   Vec2f direction;
   float choice = 0;
 };
+
+/// What is left of them when the choice fell on a part above `taken`.
+inline Uniforms rest_of(Uniforms xi, float taken) {
+  xi.choice = (xi.choice - taken) / (1 - taken);
+  return xi;
+}
 
 struct DirectionSample {
   Vec3f direction;
@@ -61,6 +70,7 @@ struct ModelTable {
   std::string_view not_isotropic = {};  ///< see grf::ModelInfo
   std::string_view not_reciprocal = {};
   std::string_view not_conserving = {};
+  std::string_view not_continuous = {};
 };
 
 inline void describe(grf::ParameterInfo& entry, float default_value) {
@@ -70,25 +80,11 @@ inline void describe(grf::ParameterInfo& entry, float default_value) {
 inline void describe(grf::ParameterInfo& entry, const Rgb& default_value) {
   entry.kind = grf::ParameterKind::Reflectance;
   entry.default_value = default_value.x;
+  if (default_value != Rgb(default_value.x)) entry.default_rgb = default_value;
 }
 inline void describe(grf::ParameterInfo& entry, bool default_value) {
   entry.kind = grf::ParameterKind::Boolean;
   entry.default_value = default_value ? 1.0F : 0.0F;
-}
-
-/// The descriptor of a model for those who do not know its type.
-template <class Model>
-grf::ModelInfo info_of() {
-  const ModelTable<Model> table = Model::table();
-  grf::ModelInfo info{table.keyword,       table.title,          table.paper,         {},
-                      table.not_isotropic, table.not_reciprocal, table.not_conserving};
-  static const Model defaults;
-  for (const Parameter<Model>& parameter : table.parameters) {
-    info.parameters.push_back(parameter.info);
-    grf::ParameterInfo& entry = info.parameters.back();
-    std::visit([&](auto field) { describe(entry, defaults.*field); }, parameter.field);
-  }
-  return info;
 }
 
 inline void assign(float& field, const grf::Value& value) {
@@ -125,6 +121,25 @@ Model make(const grf::Model& data) {
   return model;
 }
 
+/// The descriptor of a model for those who do not know its type.
+template <class Model>
+grf::ModelInfo info_of() {
+  const ModelTable<Model> table = Model::table();
+  grf::ModelInfo info{
+      table.keyword,        table.title,          table.paper,          {},     table.not_isotropic,
+      table.not_reciprocal, table.not_conserving, table.not_continuous, nullptr};
+  static const Model defaults;
+  for (const Parameter<Model>& parameter : table.parameters) {
+    info.parameters.push_back(parameter.info);
+    grf::ParameterInfo& entry = info.parameters.back();
+    std::visit([&](auto field) { describe(entry, defaults.*field); }, parameter.field);
+  }
+  if constexpr (requires { defaults.wrong_together(); }) {
+    info.wrong_together = [](const grf::Model& data) { return make<Model>(data).wrong_together(); };
+  }
+  return info;
+}
+
 // Rows of tables.
 
 template <class Model>
@@ -137,12 +152,34 @@ Parameter<Model> reflectance_parameter(Rgb Model::*field, std::string_view name,
   return {field, std::move(info)};
 }
 
+/// A number that may differ from channel to channel, such as a wavelength.
+template <class Model>
+Parameter<Model> rgb_parameter(Rgb Model::*field, std::string_view name, float minimum, float maximum,
+                               std::string_view help, grf::ParameterScale scale = grf::ParameterScale::Linear,
+                               std::vector<std::string_view> aliases = {}) {
+  Parameter<Model> parameter = reflectance_parameter(field, name, help, std::move(aliases));
+  parameter.info.minimum = minimum;
+  parameter.info.maximum = maximum;
+  parameter.info.scale = scale;
+  return parameter;
+}
+
+template <class Model>
+Parameter<Model> boolean_parameter(bool Model::*field, std::string_view name, std::string_view help) {
+  grf::ParameterInfo info;
+  info.name = name;
+  info.help = help;
+  return {field, std::move(info)};
+}
+
 template <class Model>
 Parameter<Model> number_parameter(float Model::*field, std::string_view name, float minimum, float maximum,
                                   std::string_view help,
-                                  grf::ParameterScale scale = grf::ParameterScale::Linear) {
+                                  grf::ParameterScale scale = grf::ParameterScale::Linear,
+                                  std::vector<std::string_view> aliases = {}) {
   grf::ParameterInfo info;
   info.name = name;
+  info.aliases = std::move(aliases);
   info.minimum = minimum;
   info.maximum = maximum;
   info.scale = scale;

@@ -31,8 +31,7 @@ class Reflector {
   std::optional<ScatterSample> sample(const Vec3f& u, Uniforms xi) const {
     const float share = mirror_share(u);
     if (xi.choice < share) {
-      const Rgb weight = std::visit([&](const auto& model) { return mirror(model, u); }, brdf_);
-      return ScatterSample{mirrored(u), weight / share, 0, true};
+      return ScatterSample{mirrored(u), mirror(brdf_, u) / share, 0, true};
     }
     xi.choice = (xi.choice - share) / (1 - share);
     const auto drawn = std::visit([&](const auto& scheme) { return scheme.sample(brdf_, u, xi); }, scheme_);
@@ -50,7 +49,7 @@ class Reflector {
   float mirror_share(const Vec3f& u) const {
     return std::visit(
         [&](const auto& model) {
-          const float dirac = mean(mirror(model, u));
+          const float dirac = mean(mirror_of(model, u));
           return dirac > 0 ? dirac / (dirac + model.albedo_estimate(u)) : 0.0F;
         },
         brdf_);

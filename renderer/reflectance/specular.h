@@ -34,6 +34,7 @@ struct Specular {
   }
 
   Rgb mirror(const Vec3f& u) const { return u.z > 1e-12F ? ks : Rgb(0); }
+  bool has_glossy_part() const { return false; }
   float albedo_estimate(const Vec3f&) const { return 0; }
   std::optional<DirectionSample> sample(const Vec3f&, const Uniforms&) const { return std::nullopt; }
   float density(const Vec3f&, const Vec3f&) const { return 0; }

@@ -48,6 +48,8 @@ struct Ward : DiffuseAndLobe<Ward> {
     return glsl::WardFormula<Real>().ward(u, v, Real(sx), Real(sy), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
+  bool is_anisotropic() const { return sx != sy; }
+
   // The print has tan(phi_h) = (sx/sy) tan(psi); the exponent asks for sy/sx.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     const float psi = 2 * Pi * xi.y;

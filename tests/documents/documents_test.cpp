@@ -45,16 +45,31 @@ std::string option_rows() {
   return rows;
 }
 
+std::string names_of(const grf::ParameterInfo& parameter) {
+  std::string names(parameter.name);
+  for (const std::string_view alias : parameter.aliases) names += fmt::format(" or {}", alias);
+  return names;
+}
+
+std::string default_of(const grf::ParameterInfo& parameter) {
+  if (!parameter.default_from.empty()) return fmt::format("that of {}", parameter.default_from);
+  if (parameter.kind == grf::ParameterKind::Boolean) return parameter.default_value != 0 ? "true" : "false";
+  if (!parameter.default_rgb) return fmt::format("{}", parameter.default_value);
+  const grf::Colour& rgb = *parameter.default_rgb;
+  return fmt::format("({}, {}, {})", rgb.x, rgb.y, rgb.z);
+}
+
 std::string parameter_rows(const grf::ModelInfo& model) {
   if (model.parameters.empty()) return "No parameters.\n";
   std::string rows = "| parameter | range | default | meaning |\n|---|---|---|---|\n";
   for (const grf::ParameterInfo& parameter : model.parameters) {
     const bool is_rgb = parameter.kind == grf::ParameterKind::Reflectance;
-    const std::string value = parameter.default_from.empty()
-                                  ? fmt::format("{}", parameter.default_value)
-                                  : fmt::format("that of {}", parameter.default_from);
-    rows += fmt::format("| {} | {} to {}{} | {} | {} |\n", parameter.name, parameter.minimum,
-                        parameter.maximum, is_rgb ? ", RGB" : "", value, parameter.help);
+    const std::string value = default_of(parameter);
+    const std::string range = parameter.kind == grf::ParameterKind::Boolean
+                                  ? "true or false"
+                                  : fmt::format("{} to {}", parameter.minimum, parameter.maximum);
+    rows += fmt::format("| {} | {}{} | {} | {} |\n", names_of(parameter), range, is_rgb ? ", RGB" : "", value,
+                        parameter.help);
   }
   return rows;
 }
@@ -74,6 +89,7 @@ std::string model_sections() {
     text += property("Isotropic", model.not_isotropic);
     text += property("Reciprocal", model.not_reciprocal);
     text += property("Conserves energy where its parts sum to at most 1", model.not_conserving);
+    if (!model.not_continuous.empty()) text += property("Continuous", model.not_continuous);
     text += "\n";
   }
   return text;
