@@ -23,3 +23,17 @@ real mirror_power(vec3 u, vec3 v, real n) {
 
 // (n . h)^n
 real half_power(vec3 u, vec3 v, real n) { return exp(-n / 2 * log1p(tan2_of_half(u + v))); }
+
+// u . h = v . h, h of unit length
+real cosine_at_half(vec3 u, vec3 v) {
+  vec3 h = u + v;
+  return min(real(1), sqrt(h.x * h.x + h.y * h.y + h.z * h.z) / 2);
+}
+
+real fifth_power(real x) {
+  real x2 = x * x;
+  return x2 * x2 * x;
+}
+
+// 1 - (1 - c)^5, without the difference: exact where c is small.
+real one_minus_fifth_power(real c) { return c * (5 + c * (-10 + c * (10 + c * (-5 + c)))); }

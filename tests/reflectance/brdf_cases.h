@@ -22,6 +22,11 @@ inline Brdf brdf_of(const std::string& text) {
   return *reflectance::make_brdf(*model);
 }
 
+inline grf::ModelInfo info_of(const Brdf& brdf) {
+  return std::visit([](const auto& model) { return reflectance::info_of<std::decay_t<decltype(model)>>(); },
+                    brdf);
+}
+
 /// Instances whose lobes a grid can resolve: those of the thesis' table 5.5 among them.
 inline const std::vector<std::string>& plain_cases() {
   static const std::vector<std::string> cases = {
@@ -35,6 +40,17 @@ inline const std::vector<std::string>& plain_cases() {
       "ward sx=0.2 ks=0.5 kd=0.5",
       "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3",
       "ward sx=1 ks=1 kd=0",
+  };
+  return cases;
+}
+
+/// Instances whose formulas lose their digits where they are not written with care.
+inline const std::vector<std::string>& hard_cases() {
+  static const std::vector<std::string> cases = {
+      "phong n=100000",
+      "blinn n=100000",
+      "lewis n=100000",
+      "ward sx=0.001 sy=1",
   };
   return cases;
 }

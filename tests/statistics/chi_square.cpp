@@ -20,28 +20,25 @@ struct Pool {
 
 }  // namespace
 
-std::vector<double> ChiSquareTest::expected(int samples) const {
-  const Quadrature quadrature(density_, peak_, 1e-9);
-  std::vector<double> cells;
+ChiSquareTest::ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth) {
+  // Along a step the error has no direction, and cells of a greater one add up to less.
+  const Quadrature quadrature(density, peak, depth > 0 ? 1e-7 : 1e-9, depth);
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) {
-      const Cell cell = {double(row) / Rows, double(row + 1) / Rows, Tau * column / Columns,
-                         Tau * (column + 1) / Columns};
-      cells.push_back(samples * quadrature.over(cell));
+      probabilities_.push_back(quadrature.over({double(row) / Rows, double(row + 1) / Rows,
+                                                Tau * column / Columns, Tau * (column + 1) / Columns}));
     }
   }
-  const double inside = std::accumulate(cells.begin(), cells.end(), 0.0);
-  cells.push_back(std::max(0.0, samples - inside));
-  return cells;
+  probabilities_.push_back(std::max(0.0, 1 - mass()));
 }
 
 double ChiSquareTest::mass() const {
-  const std::vector<double> cells = expected(1);
-  return std::accumulate(cells.begin(), cells.end() - 1, 0.0);
+  return std::accumulate(probabilities_.begin(), probabilities_.begin() + Rows * Columns, 0.0);
 }
 
 double ChiSquareTest::p_value(const Sampler& sampler, int samples) const {
-  const std::vector<double> expectation = expected(samples);
+  std::vector<double> expectation = probabilities_;
+  for (double& cell : expectation) cell *= samples;
   std::vector<double> counts(expectation.size(), 0.0);
   for (int i = 0; i < samples; ++i) {
     const std::optional<Vec3f> v = sampler();

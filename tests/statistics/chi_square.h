@@ -16,8 +16,8 @@ class ChiSquareTest {
  public:
   using Sampler = std::function<std::optional<Vec3f>()>;
 
-  ChiSquareTest(Quadrature::Function density, const Vec3f& peak)
-      : density_(std::move(density)), peak_(peak) {}
+  /// `depth` is the quadrature's: over 0 for a density with steps.
+  ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth = 0);
 
   double p_value(const Sampler& sampler, int samples) const;
 
@@ -28,10 +28,7 @@ class ChiSquareTest {
   static constexpr int Rows = 12;
   static constexpr int Columns = 24;
 
-  std::vector<double> expected(int samples) const;
-
-  Quadrature::Function density_;
-  Vec3f peak_;
+  std::vector<double> probabilities_;  ///< of the cells, and last of no sample
 };
 
 /// The significance to ask of each of `tests` tests so that all together raise a false alarm in 1 % of runs

@@ -33,9 +33,10 @@ class Quadrature {
  public:
   using Function = std::function<double(const Vec3f&)>;
 
-  /// Cells that contain the peak are divided at least 10 times, so that it is not stepped over.
-  Quadrature(Function function, const Vec3f& peak, double tolerance)
-      : function_(std::move(function)), peak_(peak), tolerance_(tolerance) {}
+  /// Cells that contain the peak are divided at least 10 times, so that it is not stepped over, and all cells
+  /// at least `depth` times: a step that only cuts off a cell's corner would not be seen.
+  Quadrature(Function function, const Vec3f& peak, double tolerance, int depth = 0)
+      : function_(std::move(function)), peak_(peak), tolerance_(tolerance), depth_(depth) {}
 
   double over(const Cell& cell) const { return refine(cell, gauss(cell), 0); }
 
@@ -75,7 +76,7 @@ class Quadrature {
     double estimates[4];
     double sum = 0;
     for (int i = 0; i < 4; ++i) sum += estimates[i] = gauss(parts[i]);
-    const bool must_divide = depth < 10 && cell.contains(peak_);
+    const bool must_divide = depth < depth_ || (depth < 10 && cell.contains(peak_));
     if (!must_divide && (depth >= 16 || std::abs(sum - estimate) <= tolerance_)) return sum;
     double refined = 0;
     for (int i = 0; i < 4; ++i) refined += refine(parts[i], estimates[i], depth + 1);
@@ -85,6 +86,7 @@ class Quadrature {
   Function function_;
   Vec3f peak_;
   double tolerance_;
+  int depth_;
 };
 
 }  // namespace statistics

@@ -1,0 +1,34 @@
+// The reflectance of unpolarised light that comes from air upon n + ik; k = 0 is a dielectric, n = 0 a perfect
+// conductor. c is the cosine of incidence. With a + ib = sqrt((n + ik)^2 - s2), every term is a sum of squares;
+// a - c comes from a^2 - c^2 = m + b^2, since the difference has lost its digits where n is near 1.
+real fresnel(real c, real n, real k) {
+  if (n == 1 && k == 0) return real(0);
+  if (n <= 0 || c <= 0) return real(1);
+  real s2 = (1 - c) * (1 + c);
+  real m = (n - 1) * (n + 1) - k * k;
+  real t = m + c * c;
+  real nk = n * k;
+  real q = sqrt(t * t + 4 * nk * nk);
+  real a = sqrt((q + t) / 2);
+  real b = a > 0 ? nk / a : real(0);
+  if (t < 0) {
+    b = sqrt((q - t) / 2);
+    a = nk / b;
+  }
+  real b2 = b * b;
+  real difference = (m + b2) / (a + c);
+  real sum = a + c;
+  real perpendicular = (difference * difference + b2) / (sum * sum + b2);
+  real below = a * c - s2;
+  real above = a * c + s2;
+  real parallel = perpendicular * (below * below + b2 * c * c) / (above * above + b2 * c * c);
+  return min(real(1), (perpendicular + parallel) / 2);
+}
+
+// Schlick's approximation, from the reflectance at normal incidence and 1 - c.
+vec3 schlick_fresnel(vec3 normal, real below_one) {
+  return normal + (vec3(1) - normal) * fifth_power(below_one);
+}
+
+// What that leaves, from c: without the difference, which cancels at grazing.
+vec3 schlick_transmittance(vec3 normal, real c) { return (vec3(1) - normal) * one_minus_fifth_power(c); }
