@@ -11,6 +11,7 @@ namespace reflectance::glsl {
 template <class real>
 struct CommonFormulas {
   using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
 };
 
@@ -20,10 +21,7 @@ namespace reflectance {
 
 /// A direction with density (n+1)/(2 pi) (v . r_u)^n; it may be under the horizon.
 inline Vec3f cosine_lobe_direction(const Vec3f& u, float n, const Vec2f& xi) {
-  // By way of 1 - cos, so that lobes of n = 1e6 keep their shape.
-  const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
-  const float sine = std::sqrt(below_one * (2 - below_one));
-  return Frame(mirrored(u)).to_world(from_angles(1 - below_one, sine, 2 * Pi * xi.y));
+  return Frame(mirrored(u)).to_world(power_direction(n, xi));
 }
 
 inline float cosine_lobe_density(const Vec3f& u, const Vec3f& v, float n) {

@@ -35,6 +35,13 @@ inline Vec3f from_angles(float cosine, float sine, float phi) {
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
+/// A direction with density (n+1)/(2 pi) cos(theta)^n. By way of 1 - cos, so that n = 1e6 keeps its shape.
+inline Vec3f power_direction(float n, const Vec2f& xi) {
+  const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
+  const float sine = std::sqrt(below_one * (2 - below_one));
+  return from_angles(1 - below_one, sine, 2 * Pi * xi.y);
+}
+
 /// An orthonormal frame about a unit vector, without the poor digits of crossing with a fixed axis
 /// (Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin 2017, "Building an orthonormal basis,
 /// revisited").
@@ -69,6 +76,10 @@ inline Vec2f to_disc(const Vec2f& xi) {
 inline Vec3f cosine_direction(const Vec2f& xi) {
   const Vec2f point = to_disc(xi);
   return {point.x, point.y, std::sqrt(std::max(0.0F, 1 - point.dot(point)))};
+}
+/// A direction with density 1/(2 pi) over the hemisphere.
+inline Vec3f uniform_direction(const Vec2f& xi) {
+  return from_angles(1 - xi.x, std::sqrt(xi.x * (2 - xi.x)), 2 * Pi * xi.y);
 }
 inline float cosine_density(const Vec3f& v) { return std::max(0.0F, v.z) / Pi; }
 

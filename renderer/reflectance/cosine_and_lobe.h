@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "renderer/reflectance/model.h"
+
+namespace reflectance {
+
+/// The sampler of models that are a matte part and a lobe: cosine-distributed directions and the lobe's own,
+/// each picked in proportion to its estimated albedo. A model derives from it and gives
+///   Rgb matte_weight(u, v)        matte part * pi,
+///   float matte_albedo(u)         an estimate,
+///   Vec3f lobe_direction(u, xi)   xi a Vec2f, or Uniforms where a third number is needed; drawn with
+///   float lobe_density(u, v)      per solid angle,
+///   Rgb lobe_weight(u, v)         lobe cos(theta_v) / lobe_density, in closed form,
+///   float lobe_share(u)           an estimate of the lobe's albedo.
+template <class Model>
+struct CosineAndLobe {
+  float albedo_estimate(const Vec3f& u) const { return model().matte_albedo(u) + model().lobe_share(u); }
+
+  float density(const Vec3f& u, const Vec3f& v) const {
+    if (u.z <= 0 || v.z <= 0) return 0;
+    const float cosine_part = cosine_probability(u);
+    return cosine_part * cosine_density(v) + (1 - cosine_part) * model().lobe_density(u, v);
+  }
+
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    if (u.z <= 0) return std::nullopt;
+    const float cosine_part = cosine_probability(u);
+    const Vec3f v =
+        xi.choice < cosine_part ? cosine_direction(xi.direction) : drawn_from_lobe(u, xi, cosine_part);
+    if (!(v.z > 0)) return std::nullopt;
+    const float lobe_density = model().lobe_density(u, v);
+    const float density = cosine_part * cosine_density(v) + (1 - cosine_part) * lobe_density;
+    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+    // f cos(theta_v), with the lobe as its ratio times its density: no large value is divided by another.
+    const Rgb weight = model().matte_weight(u, v) * (cosine_density(v) / density) +
+                       model().lobe_weight(u, v) * (lobe_density / density);
+    return DirectionSample{v, weight, density};
+  }
+
+ private:
+  const Model& model() const { return static_cast<const Model&>(*this); }
+
+  Vec3f drawn_from_lobe(const Vec3f& u, const Uniforms& xi, float cosine_part) const {
+    if constexpr (requires { model().lobe_direction(u, xi); }) {
+      return model().lobe_direction(u, rest_of(xi, cosine_part));
+    } else {
+      return model().lobe_direction(u, xi.direction);
+    }
+  }
+
+  // Never under 5 %, so that no direction in which the BRDF reflects is left out where the lobe's own density
+  // vanishes.
+  float cosine_probability(const Vec3f& u) const {
+    const float matte = model().matte_albedo(u);
+    const float total = matte + model().lobe_share(u);
+    return total > 0 ? std::max(0.05F, matte / total) : 1.0F;
+  }
+};
+
+}  // namespace reflectance
