@@ -7,6 +7,7 @@
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/diffuse.h"
 #include "renderer/reflectance/lewis.h"
+#include "renderer/reflectance/minnaert.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/ward.h"
@@ -14,7 +15,7 @@
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

@@ -40,6 +40,8 @@ inline const std::vector<std::string>& plain_cases() {
       "ward sx=0.2 ks=0.5 kd=0.5",
       "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3",
       "ward sx=1 ks=1 kd=0",
+      "minnaert k=0.8 kd=1",
+      "minnaert k=4 kd=(0.9, 0.5, 0.7)",
   };
   return cases;
 }
@@ -47,10 +49,7 @@ inline const std::vector<std::string>& plain_cases() {
 /// Instances whose formulas lose their digits where they are not written with care.
 inline const std::vector<std::string>& hard_cases() {
   static const std::vector<std::string> cases = {
-      "phong n=100000",
-      "blinn n=100000",
-      "lewis n=100000",
-      "ward sx=0.001 sy=1",
+      "phong n=100000", "blinn n=100000", "lewis n=100000", "ward sx=0.001 sy=1", "minnaert k=0.5 kd=1",
   };
   return cases;
 }
