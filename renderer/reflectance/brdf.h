@@ -6,6 +6,7 @@
 #include "grf/catalogue.h"
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/diffuse.h"
+#include "renderer/reflectance/lafortune.h"
 #include "renderer/reflectance/lewis.h"
 #include "renderer/reflectance/minnaert.h"
 #include "renderer/reflectance/phong.h"
@@ -15,7 +16,7 @@
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

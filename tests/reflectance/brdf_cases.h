@@ -42,6 +42,11 @@ inline const std::vector<std::string>& plain_cases() {
       "ward sx=1 ks=1 kd=0",
       "minnaert k=0.8 kd=1",
       "minnaert k=4 kd=(0.9, 0.5, 0.7)",
+      "lafortune n=100 kp=0.96",
+      "lafortune n=10 kp=(0.2, 0.1, 0.3) Cx=-0.9 Cy=-0.6 Cz=0.8",
+      "lafortune n=3 kp=0 Cx=1 Cy=1 Cz=0.9",
+      "lafortune n=4 kp=0 Cx=-1 Cy=-1 Cz=-0.5",
+      "lafortune n=0 kp=0.2 Cx=-1 Cy=-1 Cz=0.3",
   };
   return cases;
 }
@@ -49,7 +54,15 @@ inline const std::vector<std::string>& plain_cases() {
 /// Instances whose formulas lose their digits where they are not written with care.
 inline const std::vector<std::string>& hard_cases() {
   static const std::vector<std::string> cases = {
-      "phong n=100000", "blinn n=100000", "lewis n=100000", "ward sx=0.001 sy=1", "minnaert k=0.5 kd=1",
+      "phong n=100000",
+      "blinn n=100000",
+      "lewis n=100000",
+      "ward sx=0.001 sy=1",
+      "minnaert k=0.5 kd=1",
+      "lafortune n=1000000 kp=0 Cx=-1.00006 Cy=-1.00003 Cz=1.00005",
+      "lafortune n=1000000 kp=0 Cx=-1 Cy=-0.9 Cz=0.5",
+      "lafortune n=29 kp=0 Cx=-10 Cy=-10 Cz=10",
+      "lafortune n=69 kp=0 Cx=2.7 Cy=-1 Cz=2",
   };
   return cases;
 }

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "renderer/reflectance/cosine_and_lobe.h"
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct LafortuneFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/lafortune.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// A cosine lobe about the direction (Cx ux, Cy uy, Cz uz): (-1, -1, 1) is Phong's, (1, 1, 1) reflects back,
+/// |Cz| < |Cx| is off-specular, Cx != Cy anisotropic. Not normalised: the C's carry the lobe's strength. The
+/// mirror direction of u is 2 (u.n) n - u; the print's points into the surface.
+struct Lafortune : CosineAndLobe<Lafortune> {
+  float n = 20;
+  Rgb kp = Rgb(0.5F);
+  float cx = -1;
+  float cy = -1;
+  float cz = 1;
+
+  static ModelTable<Lafortune> table() {
+    return {"lafortune",
+            "Generalised cosine lobe",
+            "Lafortune, Foo, Torrance and Greenberg 1997",
+            {number_parameter(&Lafortune::n, "n", 0, 1e6F, "exponent of the lobe",
+                              grf::ParameterScale::Logarithmic),
+             reflectance_parameter(&Lafortune::kp, "kp", "albedo of the diffuse part", {"kd"}),
+             number_parameter(&Lafortune::cx, "Cx", -10, 10, "factor of the lobe's direction along x"),
+             number_parameter(&Lafortune::cy, "Cy", -10, 10, "factor of the lobe's direction along y"),
+             number_parameter(&Lafortune::cz, "Cz", -10, 10, "factor of the lobe's direction along z")},
+            "isotropic where Cx = Cy",
+            {},
+            "the lobe is not normalised: its albedo at normal incidence is 2 pi Cz^n/(n+2)"};
+  }
+
+  /// The lobe's peak is at most 1e30.
+  std::string wrong_together() const {
+    const float largest = formula().lafortune_largest(cx, cy, cz);
+    return largest > 0 && n * std::log(largest) > 69
+               ? "n log(max(|Cx|, |Cy|, |Cz|)) is over 69, and the lobe's peak over 1e30"
+               : "";
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::LafortuneFormula<Real>().lafortune(u, v, Real(n), Vec3<Real>(kp), Real(cx), Real(cy),
+                                                    Real(cz));
+  }
+
+  bool has_diffuse_part() const { return !is_black(kp); }
+  bool has_glossy_part() const { return true; }
+  bool is_anisotropic() const { return cx != cy; }
+
+  Rgb matte_weight(const Vec3f&, const Vec3f&) const { return kp; }
+  float matte_albedo(const Vec3f&) const { return mean(kp); }
+
+  // A lobe whose axis is not over the horizon is drawn by cosine.
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
+    if (!(cz > 0)) return cosine_direction(xi);
+    return Frame(Vec3f(cx * u.x, cy * u.y, cz * u.z).normalized()).to_world(power_direction(n, xi));
+  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+    if (!(cz > 0)) return cosine_density(v);
+    const float log_cosine = formula().lafortune_log_cosine(u, v, cx, cy, cz);
+    if (log_cosine < -1e29F) return 0;
+    return (n + 1) / (2 * Pi) * std::exp(n * std::min(0.0F, log_cosine - log_length(u)));
+  }
+  Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
+    if (!(cz > 0)) return Rgb(formula().lafortune_lobe(u, v, n, cx, cy, cz) * Pi);
+    return Rgb(2 * Pi / (n + 1) * strength(u) * v.z);
+  }
+  float lobe_share(const Vec3f& u) const { return 2 * Pi / (n + 2) * strength(u); }
+
+ private:
+  static glsl::LafortuneFormula<float> formula() { return {}; }
+
+  /// The logarithm of the axis' length, over the largest of the C's.
+  float log_length(const Vec3f& u) const {
+    const float largest = formula().lafortune_largest(cx, cy, cz);
+    const auto lack = [&](float factor, float component) {
+      const float ratio = factor / largest;
+      return (1 - ratio) * (1 + ratio) * component * component;
+    };
+    return glsl::log1p(-std::min(1.0F, lack(cx, u.x) + lack(cy, u.y) + lack(cz, u.z))) / 2;
+  }
+  /// The axis' length to the power n: the lobe's peak.
+  float strength(const Vec3f& u) const {
+    const float largest = formula().lafortune_largest(cx, cy, cz);
+    return largest > 0 ? std::exp(n * (log_length(u) + glsl::log(largest))) : 0;
+  }
+};
+
+}  // namespace reflectance
