@@ -9,6 +9,7 @@
 #include "renderer/reflectance/lafortune.h"
 #include "renderer/reflectance/lewis.h"
 #include "renderer/reflectance/minnaert.h"
+#include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/ward.h"
@@ -16,7 +17,7 @@
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

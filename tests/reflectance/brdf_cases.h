@@ -47,6 +47,8 @@ inline const std::vector<std::string>& plain_cases() {
       "lafortune n=3 kp=0 Cx=1 Cy=1 Cz=0.9",
       "lafortune n=4 kp=0 Cx=-1 Cy=-1 Cz=-0.5",
       "lafortune n=0 kp=0.2 Cx=-1 Cy=-1 Cz=0.3",
+      "oren s=0.3 r=1",
+      "oren s=1 r=(0.9, 0.5, 0.2)",
   };
   return cases;
 }
@@ -63,6 +65,8 @@ inline const std::vector<std::string>& hard_cases() {
       "lafortune n=1000000 kp=0 Cx=-1 Cy=-0.9 Cz=0.5",
       "lafortune n=29 kp=0 Cx=-10 Cy=-10 Cz=10",
       "lafortune n=69 kp=0 Cx=2.7 Cy=-1 Cz=2",
+      "oren s=0.05 r=1",
+      "oren s=1 r=1",
   };
   return cases;
 }
