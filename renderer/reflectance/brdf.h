@@ -12,12 +12,13 @@
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/specular.h"
+#include "renderer/reflectance/torrance.h"
 #include "renderer/reflectance/ward.h"
 
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

@@ -49,6 +49,10 @@ inline const std::vector<std::string>& plain_cases() {
       "lafortune n=0 kp=0.2 Cx=-1 Cy=-1 Cz=0.3",
       "oren s=0.3 r=1",
       "oren s=1 r=(0.9, 0.5, 0.2)",
+      "torrance rough=0.35 nreal=0.617 nimag=2.63 ks=0.7 kd=0.3",
+      "torrance rough=0.05 nreal=1.5 ks=1 kd=0.2",
+      "torrance rough=0.2 nreal=0.37 nimag=2.82 ks=(1, 0.8, 0.4) kd=0",
+      "torrance rough=1.5 nreal=2.485 nimag=3.433 ks=1 kd=0",
   };
   return cases;
 }
@@ -67,6 +71,10 @@ inline const std::vector<std::string>& hard_cases() {
       "lafortune n=69 kp=0 Cx=2.7 Cy=-1 Cz=2",
       "oren s=0.05 r=1",
       "oren s=1 r=1",
+      "torrance rough=0.0001 nreal=0.177 nimag=3.638 kd=0",
+      "torrance rough=0.1 nreal=1.00001 kd=0",
+      "torrance rough=1 nreal=0.001 nimag=100 ks=1 kd=0",
+      "torrance rough=10 nreal=0.9 ks=1 kd=0",
   };
   return cases;
 }
