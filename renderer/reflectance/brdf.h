@@ -5,6 +5,7 @@
 
 #include "grf/catalogue.h"
 #include "renderer/reflectance/blinn.h"
+#include "renderer/reflectance/coupled.h"
 #include "renderer/reflectance/diffuse.h"
 #include "renderer/reflectance/lafortune.h"
 #include "renderer/reflectance/lewis.h"
@@ -18,7 +19,8 @@
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance>;
+using Brdf =
+    std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance, Coupled>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

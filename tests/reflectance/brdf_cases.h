@@ -53,6 +53,8 @@ inline const std::vector<std::string>& plain_cases() {
       "torrance rough=0.05 nreal=1.5 ks=1 kd=0.2",
       "torrance rough=0.2 nreal=0.37 nimag=2.82 ks=(1, 0.8, 0.4) kd=0",
       "torrance rough=1.5 nreal=2.485 nimag=3.433 ks=1 kd=0",
+      "coupled Rm=1 R0=0.05",
+      "coupled Rm=(0.9, 0.5, 0.1) R0=(0.3, 0.2, 0.1)",
   };
   return cases;
 }
@@ -75,6 +77,7 @@ inline const std::vector<std::string>& hard_cases() {
       "torrance rough=0.1 nreal=1.00001 kd=0",
       "torrance rough=1 nreal=0.001 nimag=100 ks=1 kd=0",
       "torrance rough=10 nreal=0.9 ks=1 kd=0",
+      "coupled Rm=1 R0=0.999",
   };
   return cases;
 }

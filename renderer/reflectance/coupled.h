@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct CoupledFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/coupled.glsl"
+#include "renderer/reflectance/fresnel.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// Polished matte, such as paint and plastic: a mirror of Fresnel reflectance R, and under it a matte part
+/// that has the rest. With Rm = 1 both sum to 1 at every angle.
+struct Coupled {
+  Rgb rm = Rgb(0.5F);
+  Rgb r0 = Rgb(0.05F);
+
+  static ModelTable<Coupled> table() {
+    return {"coupled",
+            "Polished matte",
+            "Shirley, Hu, Smits and Lafortune 1997",
+            {reflectance_parameter(&Coupled::rm, "Rm", "reflectance of the matte part"),
+             rgb_parameter(&Coupled::r0, "R0", 0, 0.999F, "reflectance of the polish at normal incidence",
+                           grf::ParameterScale::Linear, {"Ro"})}};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::CoupledFormula<Real>().coupled(u, v, Vec3<Real>(rm), Vec3<Real>(r0));
+  }
+
+  Rgb mirror(const Vec3f& u) const {
+    return u.z > 1e-12F ? glsl::CoupledFormula<float>().coupled_mirror(u, r0) : Rgb(0);
+  }
+
+  bool has_diffuse_part() const { return !is_black(rm); }
+  bool has_glossy_part() const { return false; }
+
+  float albedo_estimate(const Vec3f& u) const {
+    return mean(rm * glsl::CoupledFormula<float>().schlick_transmittance(r0, u.z));
+  }
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    const Vec3f v = cosine_direction(xi.direction);
+    if (u.z <= 0 || v.z <= 0) return std::nullopt;
+    return DirectionSample{v, evaluate(u, v) * Pi, cosine_density(v)};
+  }
+  float density(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_density(v) : 0; }
+};
+
+}  // namespace reflectance
