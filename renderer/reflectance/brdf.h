@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "grf/catalogue.h"
+#include "renderer/reflectance/ashikhmin.h"
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/coupled.h"
 #include "renderer/reflectance/diffuse.h"
@@ -19,8 +20,8 @@
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf =
-    std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance, Coupled>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
+                          Coupled, Ashikhmin>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

@@ -55,6 +55,9 @@ inline const std::vector<std::string>& plain_cases() {
       "torrance rough=1.5 nreal=2.485 nimag=3.433 ks=1 kd=0",
       "coupled Rm=1 R0=0.05",
       "coupled Rm=(0.9, 0.5, 0.1) R0=(0.3, 0.2, 0.1)",
+      "ashikhmin ex=25 Rs=0.39 Rd=0.6",
+      "ashikhmin ex=10 ey=100 Rs=(0.5, 0.2, 0.1) Rd=0.5",
+      "ashikhmin ex=0 Rs=1 Rd=0",
   };
   return cases;
 }
@@ -78,6 +81,8 @@ inline const std::vector<std::string>& hard_cases() {
       "torrance rough=1 nreal=0.001 nimag=100 ks=1 kd=0",
       "torrance rough=10 nreal=0.9 ks=1 kd=0",
       "coupled Rm=1 R0=0.999",
+      "ashikhmin ex=1000000 ey=0 Rs=0 Rd=0",
+      "ashikhmin ex=100000 Rs=1",
   };
   return cases;
 }

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/reflectance/cosine_and_lobe.h"
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct AshikhminFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/ashikhmin.glsl"
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/fresnel.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// An anisotropic Phong lobe with Fresnel over a matte part that has what the lobe leaves.
+struct Ashikhmin : CosineAndLobe<Ashikhmin> {
+  float ex = 25;
+  float ey = 25;
+  Rgb rs = Rgb(0.39F);
+  Rgb rd = Rgb(0.6F);
+
+  static ModelTable<Ashikhmin> table() {
+    using grf::ParameterScale;
+    Parameter<Ashikhmin> y = number_parameter(&Ashikhmin::ey, "ey", 0, 1e6F, "exponent of the lobe along y",
+                                              ParameterScale::Logarithmic, {"nv"});
+    y.info.default_from = "ex";
+    return {
+        "ashikhmin",
+        "Ashikhmin-Shirley",
+        "Ashikhmin and Shirley 2000",
+        {number_parameter(&Ashikhmin::ex, "ex", 0, 1e6F, "exponent of the lobe along x",
+                          ParameterScale::Logarithmic, {"nu"}),
+         y, reflectance_parameter(&Ashikhmin::rs, "Rs", "reflectance of a facet at normal incidence", {"ks"}),
+         reflectance_parameter(&Ashikhmin::rd, "Rd", "reflectance of the matte part", {"kd"})},
+        "isotropic where ex = ey"};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return formula<Real>().ashikhmin(u, v, Real(ex), Real(ey), Vec3<Real>(rs), Vec3<Real>(rd));
+  }
+
+  bool has_diffuse_part() const { return !is_black(rd); }
+  bool has_glossy_part() const { return true; }
+  bool is_anisotropic() const { return ex != ey; }
+
+  Rgb matte_weight(const Vec3f& u, const Vec3f& v) const {
+    return formula<float>().ashikhmin_matte(u, v, rs, rd) * Pi;
+  }
+  float matte_albedo(const Vec3f&) const { return mean(rd * (Rgb(1) - rs)); }
+
+  // The print has v = u + 2(u.h)h, which is right for a u that points into the surface.
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
+    // tan(phi_h) = sqrt((ex+1)/(ey+1)) tan(psi), of which the cosine and sine are enough.
+    const float psi = 2 * Pi * xi.y;
+    const float x = std::sqrt(ey + 1) * std::cos(psi);
+    const float y = std::sqrt(ex + 1) * std::sin(psi);
+    const float length2 = x * x + y * y;
+    const float exponent = (ex * x * x + ey * y * y) / length2;
+    const float below_one = -std::expm1(std::log1p(-xi.x) / (exponent + 1));
+    const float sine = std::sqrt(below_one * (2 - below_one) / length2);
+    return reflected(u, Vec3f(sine * x, sine * y, 1 - below_one));
+  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+    return std::sqrt((ex + 1) * (ey + 1)) / (8 * Pi) * formula<float>().ashikhmin_power(u + v, ex, ey) /
+           cosine_of_half(u, v);
+  }
+  Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
+    return formula<float>().schlick_fresnel(rs, 1 - std::min(1.0F, cosine_of_half(u, v))) *
+           (v.z / std::max(u.z, v.z));
+  }
+  float lobe_share(const Vec3f& u) const { return mean(formula<float>().schlick_fresnel(rs, 1 - u.z)); }
+
+ private:
+  template <class Real>
+  static glsl::AshikhminFormula<Real> formula() {
+    return {};
+  }
+};
+
+}  // namespace reflectance
