@@ -13,6 +13,7 @@
 #include "renderer/reflectance/minnaert.h"
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
+#include "renderer/reflectance/schlick.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/torrance.h"
 #include "renderer/reflectance/ward.h"
@@ -21,7 +22,7 @@ namespace reflectance {
 
 /// All models: the one list that a new model is added to.
 using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
-                          Coupled, Ashikhmin>;
+                          Coupled, Ashikhmin, Schlick>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

@@ -58,6 +58,11 @@ inline const std::vector<std::string>& plain_cases() {
       "ashikhmin ex=25 Rs=0.39 Rd=0.6",
       "ashikhmin ex=10 ey=100 Rs=(0.5, 0.2, 0.1) Rd=0.5",
       "ashikhmin ex=0 Rs=1 Rd=0",
+      "schlick SC=0.7 Sr=0.31",
+      "schlick SC=(0.7, 0.3, 0.1) Sr=0.1 Sp=0.4",
+      "schlick SC=0.7 Sr=0.31 Ly=true DC=0.5 Dr=0",
+      "schlick SC=0.1 Sr=0 Ly=true DC=(0.9, 0.6, 0.3) Dr=1 Dp=0.7",
+      "schlick SC=0.3 Sr=0.05 Ly=true DC=0.8 Dr=0.6",
   };
   return cases;
 }
@@ -83,6 +88,8 @@ inline const std::vector<std::string>& hard_cases() {
       "coupled Rm=1 R0=0.999",
       "ashikhmin ex=1000000 ey=0 Rs=0 Rd=0",
       "ashikhmin ex=100000 Rs=1",
+      "schlick SC=1 Sr=1e-20 Sp=0",
+      "schlick SC=0 Sr=0.0001 Sp=0.001 Ly=true DC=1 Dr=1 Dp=0",
   };
   return cases;
 }

@@ -1,0 +1,189 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct SchlickFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/fresnel.glsl"
+#include "renderer/reflectance/schlick.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// What the sampler has to know of one layer, for a Fresnel factor of 1. It draws the facets as they are
+/// distributed. The light between facets it draws uniformly: its value grows as 1/cos(theta_v).
+struct SchlickLayer {
+  float roughness = 0;  ///< 0: a mirror, which reflects nothing here
+  float isotropy = 1;
+
+  Vec3f facets_direction(const Vec3f& u, const Vec2f& xi) const {
+    const float slope = std::sqrt(r() * xi.x / (1 - xi.x));
+    const float psi = 2 * Pi * xi.y;
+    const float x = p() * std::cos(psi);
+    const float y = std::sin(psi);
+    const float scale = slope / std::sqrt(x * x + y * y);
+    return reflected(u, Vec3f(scale * x, scale * y, 1).normalized());
+  }
+  float facets_density(const Vec3f& u, const Vec3f& v) const {
+    if (!(roughness > 0)) return 0;
+    const Vec3f h = u + v;
+    const float c = cosine_of_half(u, v);
+    const float azimuth = formula().schlick_azimuth(h, p());
+    return formula().schlick_zenith(h, r()) * azimuth * azimuth * (u.z + v.z) / (8 * Pi * c * c);
+  }
+  /// D cos(theta_v) / density of the facets.
+  float facets_weight(const Vec3f& u, const Vec3f& v) const {
+    const float c = cosine_of_half(u, v);
+    return 2 * c * c * v.z / (u.z + v.z) / (formula().schlick_azimuth(u + v, p()) * visible(u) * visible(v));
+  }
+  /// The same of the light between facets, for uniform directions.
+  float between_weight(const Vec3f& u, const Vec3f& v) const {
+    if (!(roughness > 0)) return 0;
+    return formula().schlick_between_facets(u, v, r()) * v.z / (2 * visible(u) * visible(v));
+  }
+
+  float facets_albedo(const Vec3f& u) const { return roughness > 0 ? u.z / visible(u) : 0; }
+  float between_albedo(const Vec3f& u) const {
+    if (!(roughness > 0)) return 0;
+    const float a = 1 - r();
+    // The integral of (1 - c)/(r + (1-r) c) over c, by its series where the closed form is a difference.
+    const float scattered = a < 0.1F ? 0.5F + a / 3 : (-std::log(r()) / a - 1) / a;
+    return r() / (2 * visible(u)) * ((1 - u.z) / u.z + scattered);
+  }
+
+ private:
+  static glsl::SchlickFormula<float> formula() { return {}; }
+  float r() const { return formula().schlick_roughness(roughness); }
+  float p() const { return formula().schlick_isotropy(isotropy); }
+  float visible(const Vec3f& w) const { return formula().schlick_visible(r(), w.z); }
+};
+
+/// One or two layers of facets, each anything from a mirror to rough, with Fresnel; between the facets light
+/// is scattered too.
+struct Schlick {
+  Rgb sc = Rgb(0.7F);
+  float sr = 0.31F;
+  float sp = 1;
+  bool ly = false;
+  Rgb dc = Rgb(0.5F);
+  float dr = 1;
+  float dp = 1;
+
+  static ModelTable<Schlick> table() {
+    return {"schlick",
+            "Schlick",
+            "Schlick 1994",
+            {reflectance_parameter(&Schlick::sc, "SC", "reflectance of the layer at normal incidence"),
+             number_parameter(&Schlick::sr, "Sr", 0, 1, "roughness: 0 is a mirror"),
+             number_parameter(&Schlick::sp, "Sp", 0, 1, "isotropy: 1 is isotropic, less is longer along x"),
+             boolean_parameter(&Schlick::ly, "Ly", "whether there is a second layer, under the first"),
+             reflectance_parameter(&Schlick::dc, "DC", "reflectance of the second layer at normal incidence"),
+             number_parameter(&Schlick::dr, "Dr", 0, 1, "roughness of the second layer"),
+             number_parameter(&Schlick::dp, "Dp", 0, 1, "isotropy of the second layer")},
+            "isotropic where Sp = Dp = 1",
+            {},
+            "the light between facets makes the albedo of a rough layer grow as 1/(2 cos(theta)) towards "
+            "grazing, as "
+            "published"};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::SchlickFormula<Real>().schlick(u, v, Vec3<Real>(sc), Real(sr), Real(sp), ly, Vec3<Real>(dc),
+                                                Real(dr), Real(dp));
+  }
+
+  Rgb mirror(const Vec3f& u) const {
+    return u.z > 1e-12F ? glsl::SchlickFormula<float>().schlick_mirror(u, sc, sr, ly, dc, dr) : Rgb(0);
+  }
+
+  bool has_mirror() const { return !(sr > 0) || (ly && !(dr > 0)); }
+  bool has_diffuse_part() const { return false; }
+  bool has_glossy_part() const { return sr > 0 || (ly && dr > 0); }
+  bool is_anisotropic() const { return (sr > 0 && sp != 1) || (ly && dr > 0 && dp != 1); }
+
+  float albedo_estimate(const Vec3f& u) const {
+    const Shares shares = shares_of(u);
+    return u.z > 1e-12F ? shares.first + shares.second + shares.between : 0;
+  }
+
+  float density(const Vec3f& u, const Vec3f& v) const {
+    if (!(u.z > 1e-12F && v.z > 1e-12F)) return 0;
+    const Shares p = shares_of(u).probabilities();
+    return p.first * first().facets_density(u, v) + p.second * second().facets_density(u, v) +
+           p.between * UniformDensity;
+  }
+
+  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
+    if (!(u.z > 1e-12F)) return std::nullopt;
+    const Shares p = shares_of(u).probabilities();
+    Vec3f v = uniform_direction(xi.direction);
+    if (xi.choice < p.first) {
+      v = first().facets_direction(u, xi.direction);
+    } else if (xi.choice < p.first + p.second) {
+      v = second().facets_direction(u, xi.direction);
+    }
+    const float density = this->density(u, v);
+    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+    const Reflectances factors = reflectances(std::min(1.0F, cosine_of_half(u, v)));
+    const Rgb weight = factors.first * weight_of(first(), u, v, density) +
+                       factors.second * weight_of(second(), u, v, density);
+    return DirectionSample{v, weight, density};
+  }
+
+ private:
+  static constexpr float UniformDensity = 1 / (2 * Pi);
+
+  /// Of the three parts that are drawn: estimated albedos, or probabilities.
+  struct Shares {
+    float first = 0;
+    float second = 0;
+    float between = 0;  ///< of both layers
+
+    // The light between facets has at least 5 %, since it is all there is far from the lobes.
+    Shares probabilities() const {
+      const float facets = first + second;
+      if (!(facets > 0)) return {0, 0, between > 0 ? 1.0F : 0.0F};
+      const float rest = std::max(0.05F, between / (facets + between));
+      return {(1 - rest) * (first / facets), (1 - rest) * (second / facets), rest};
+    }
+  };
+  struct Reflectances {
+    Rgb first, second;
+  };
+
+  SchlickLayer first() const { return {sr, sp}; }
+  SchlickLayer second() const { return {ly ? dr : 0, dp}; }
+
+  Reflectances reflectances(float c) const {
+    glsl::SchlickFormula<float> formula;
+    return {formula.schlick_fresnel(sc, 1 - c), ly ? formula.schlick_second(c, sc, dc) : Rgb(0)};
+  }
+  Shares shares_of(const Vec3f& u) const {
+    const Reflectances weights = reflectances(u.z);
+    const float upper = mean(weights.first);
+    const float lower = mean(weights.second);
+    return {upper * first().facets_albedo(u), lower * second().facets_albedo(u),
+            upper * first().between_albedo(u) + lower * second().between_albedo(u)};
+  }
+  /// D cos(theta_v) / density.
+  static float weight_of(const SchlickLayer& layer, const Vec3f& u, const Vec3f& v, float density) {
+    const float facets_density = layer.facets_density(u, v);
+    const float facets = facets_density > 0 ? layer.facets_weight(u, v) * (facets_density / density) : 0;
+    return facets + layer.between_weight(u, v) * (UniformDensity / density);
+  }
+};
+
+}  // namespace reflectance
