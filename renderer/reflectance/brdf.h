@@ -15,6 +15,7 @@
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/schlick.h"
 #include "renderer/reflectance/specular.h"
+#include "renderer/reflectance/strauss.h"
 #include "renderer/reflectance/torrance.h"
 #include "renderer/reflectance/ward.h"
 
@@ -22,7 +23,7 @@ namespace reflectance {
 
 /// All models: the one list that a new model is added to.
 using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
-                          Coupled, Ashikhmin, Schlick>;
+                          Coupled, Ashikhmin, Schlick, Strauss>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

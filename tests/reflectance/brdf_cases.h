@@ -63,6 +63,9 @@ inline const std::vector<std::string>& plain_cases() {
       "schlick SC=0.7 Sr=0.31 Ly=true DC=0.5 Dr=0",
       "schlick SC=0.1 Sr=0 Ly=true DC=(0.9, 0.6, 0.3) Dr=1 Dp=0.7",
       "schlick SC=0.3 Sr=0.05 Ly=true DC=0.8 Dr=0.6",
+      "strauss s=0.5 ks=0.5 kd=0.5",
+      "strauss s=0.9 m=1 ks=1 kd=(0.9, 0.6, 0.3)",
+      "strauss s=0 ks=1 kd=0",
   };
   return cases;
 }
@@ -90,6 +93,8 @@ inline const std::vector<std::string>& hard_cases() {
       "ashikhmin ex=100000 Rs=1",
       "schlick SC=1 Sr=1e-20 Sp=0",
       "schlick SC=0 Sr=0.0001 Sp=0.001 Ly=true DC=1 Dr=1 Dp=0",
+      "strauss s=0.99999 m=1 ks=1 kd=(1, 0, 0)",
+      "strauss s=0.001 ks=1 kd=0",
   };
   return cases;
 }

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "renderer/reflectance/cosine_and_lobe.h"
+#include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct StraussFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/strauss.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// Metals and plastics from few knobs: smoothness and metalness. The colour that Strauss gives a surface is
+/// kd's.
+struct Strauss : CosineAndLobe<Strauss> {
+  float s = 0.5F;
+  float m = 0;
+  Rgb ks = Rgb(0.5F);
+  Rgb kd = Rgb(0.5F);
+
+  static ModelTable<Strauss> table() {
+    return {
+        "strauss",
+        "Strauss",
+        "Strauss 1990",
+        {number_parameter(&Strauss::s, "s", 0, 1, "smoothness: 0 is matte, 1 a mirror"),
+         number_parameter(&Strauss::m, "m", 0, 1, "metalness: 1 has no diffuse part and a coloured lobe"),
+         reflectance_parameter(&Strauss::ks, "ks", "factor of the lobe"),
+         reflectance_parameter(&Strauss::kd, "kd", "factor of the diffuse part, and the colour of a metal")},
+        {},
+        "its Fresnel factor takes the light's angle alone, as published",
+        "reflects up to 1.004 for ks = kd = 1 and m = 0"};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::StraussFormula<Real>().strauss(u, v, Real(s), Real(m), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  bool has_diffuse_part() const { return matte_albedo(Vec3f()) > 0; }
+
+  Rgb matte_weight(const Vec3f&, const Vec3f&) const { return kd * formula().strauss_diffuse(s, m); }
+  float matte_albedo(const Vec3f&) const { return mean(kd) * formula().strauss_diffuse(s, m); }
+
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
+    return cosine_lobe_direction(u, exponent(), xi);
+  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, exponent()); }
+  Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
+    return ks * formula().strauss_reflectivity(u, v, s, m, kd) * ((exponent() + 2) / (exponent() + 1) * v.z);
+  }
+  float lobe_share(const Vec3f& u) const {
+    return mean(ks * formula().strauss_reflectivity(u, mirrored(u), s, m, kd));
+  }
+
+ private:
+  static glsl::StraussFormula<float> formula() { return {}; }
+  float exponent() const { return formula().strauss_exponent(s); }
+};
+
+}  // namespace reflectance
