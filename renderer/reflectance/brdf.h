@@ -11,6 +11,7 @@
 #include "renderer/reflectance/lafortune.h"
 #include "renderer/reflectance/lewis.h"
 #include "renderer/reflectance/minnaert.h"
+#include "renderer/reflectance/neumann.h"
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/schlick.h"
@@ -23,7 +24,7 @@ namespace reflectance {
 
 /// All models: the one list that a new model is added to.
 using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
-                          Coupled, Ashikhmin, Schlick, Strauss>;
+                          Coupled, Ashikhmin, Schlick, Strauss, Neumann>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

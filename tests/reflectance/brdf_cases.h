@@ -66,6 +66,9 @@ inline const std::vector<std::string>& plain_cases() {
       "strauss s=0.5 ks=0.5 kd=0.5",
       "strauss s=0.9 m=1 ks=1 kd=(0.9, 0.6, 0.3)",
       "strauss s=0 ks=1 kd=0",
+      "neumann r=0.3 ry=1.5 ks=0.7 kd=(0.1, 0.2, 0.3)",
+      "neumann r=0.4 retro=true",
+      "neumann r=2 ks=0.8",
   };
   return cases;
 }
@@ -95,6 +98,8 @@ inline const std::vector<std::string>& hard_cases() {
       "schlick SC=0 Sr=0.0001 Sp=0.001 Ly=true DC=1 Dr=1 Dp=0",
       "strauss s=0.99999 m=1 ks=1 kd=(1, 0, 0)",
       "strauss s=0.001 ks=1 kd=0",
+      "neumann r=0.0001 ry=2",
+      "neumann r=1.0001 ry=0.9999",
   };
   return cases;
 }
