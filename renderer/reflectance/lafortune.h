@@ -44,7 +44,9 @@ struct Lafortune : CosineAndLobe<Lafortune> {
              number_parameter(&Lafortune::cz, "Cz", -10, 10, "factor of the lobe's direction along z")},
             "isotropic where Cx = Cy",
             {},
-            "the lobe is not normalised: its albedo at normal incidence is 2 pi Cz^n/(n+2)"};
+            "the lobe is not normalised: its albedo at normal incidence is 2 pi Cz^n/(n+2)",
+            "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
+            "differ within 1e-6 of it"};
   }
 
   /// The lobe's peak is at most 1e30.

@@ -18,6 +18,7 @@ constexpr int PairCount = 20000;
 std::vector<std::string> all_cases() {
   std::vector<std::string> cases = test::extreme_cases();
   cases.insert(cases.end(), test::plain_cases().begin(), test::plain_cases().end());
+  cases.insert(cases.end(), test::stepped_cases().begin(), test::stepped_cases().end());
   cases.insert(cases.end(), test::hard_cases().begin(), test::hard_cases().end());
   return cases;
 }

@@ -64,6 +64,7 @@ TEST(Glsl, IsWhatCppIs) {
   }
   std::vector<std::string> cases = test::extreme_cases();
   cases.insert(cases.end(), test::plain_cases().begin(), test::plain_cases().end());
+  cases.insert(cases.end(), test::stepped_cases().begin(), test::stepped_cases().end());
   cases.insert(cases.end(), test::hard_cases().begin(), test::hard_cases().end());
   for (const std::string& text : cases) {
     const reflectance::Brdf brdf = test::brdf_of(text);

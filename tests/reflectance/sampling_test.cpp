@@ -24,14 +24,19 @@ struct Case {
   std::string brdf;
   Scheme scheme;
   std::string scheme_name;
+  int depth = 0;  ///< that quadratures have at least
 };
 
 std::vector<Case> cases() {
   std::vector<Case> list;
-  for (const std::string& brdf : test::plain_cases()) {
-    list.push_back({brdf, reflectance::AutoScheme(), "auto"});
-    list.push_back({brdf, reflectance::DiffuseScheme(), "diffuse"});
-  }
+  const auto add = [&](const std::vector<std::string>& brdfs, int depth) {
+    for (const std::string& brdf : brdfs) {
+      list.push_back({brdf, reflectance::AutoScheme(), "auto", depth});
+      list.push_back({brdf, reflectance::DiffuseScheme(), "diffuse", depth});
+    }
+  };
+  add(test::plain_cases(), 0);
+  add(test::stepped_cases(), 5);
   return list;
 }
 
@@ -55,7 +60,6 @@ std::optional<Vec3f> direction_of(const Reflector& reflector, const Vec3f& u, co
 class Sampling : public testing::TestWithParam<Case> {
  protected:
   Reflector reflector() const { return Reflector(test::brdf_of(GetParam().brdf), GetParam().scheme); }
-  int depth() const { return test::info_of(test::brdf_of(GetParam().brdf)).not_continuous.empty() ? 0 : 5; }
 };
 
 TEST_P(Sampling, FollowsItsDensity) {
@@ -63,7 +67,7 @@ TEST_P(Sampling, FollowsItsDensity) {
   for (const double angle : Angles) {
     const Vec3f u = test::direction(angle, 25);
     const auto density = [&](const Vec3f& v) { return static_cast<double>(subject.density(u, v)); };
-    const statistics::ChiSquareTest test(density, reflectance::mirrored(u), depth());
+    const statistics::ChiSquareTest test(density, reflectance::mirrored(u), GetParam().depth);
     RandomNumbers random(7);
     const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
     EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
@@ -98,7 +102,7 @@ TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
     const Vec3f u = test::direction(angle, 25);
     const statistics::Quadrature quadrature(
         [&](const Vec3f& v) { return subject.evaluate(u, v).x * double(v.z); }, reflectance::mirrored(u),
-        depth() > 0 ? 1e-7 : 1e-8, depth());
+        GetParam().depth > 0 ? 1e-7 : 1e-8, GetParam().depth);
     const double exact = quadrature.over_hemisphere() + reflectance::mirror(subject.brdf(), u).x;
     RandomNumbers random(9);
     double sum = 0;
