@@ -10,13 +10,15 @@ real lafortune_shortfall(real u, real v, real factor, real largest) {
 
 real lafortune_largest(real cx, real cy, real cz) { return max(abs(cx), max(abs(cy), abs(cz))); }
 
-// log(b / c); -1e30 where b is 0 or negative.
+// log(b / c); -1e30 where b is 0 or negative. Far from the lobe's axis b itself has more digits.
 real lafortune_log_cosine(vec3 u, vec3 v, real cx, real cy, real cz) {
   real largest = lafortune_largest(cx, cy, cz);
   if (!(largest > 0)) return real(-1e30f);
   real shortfall = lafortune_shortfall(u.x, v.x, cx, largest) + lafortune_shortfall(u.y, v.y, cy, largest) +
                    lafortune_shortfall(u.z, v.z, cz, largest);
-  return shortfall < 1 ? log1p(-shortfall) : real(-1e30f);
+  if (shortfall < real(0.5)) return log1p(-shortfall);
+  real cosine = (cx * (u.x * v.x) + cy * (u.y * v.y) + cz * (u.z * v.z)) / largest;
+  return cosine > 0 ? log(cosine) : real(-1e30f);
 }
 
 // b^n, and 0 where b is not over 0, for n = 0 too.

@@ -74,7 +74,7 @@ inline const std::vector<std::string>& stepped_cases() {
       "phong n=0 ks=0.2 kd=0",
       "lafortune n=0 kp=0.2 Cx=-1 Cy=-1 Cz=0.3",
       "neumann r=0.3 ry=1.5 ks=0.7 kd=(0.1, 0.2, 0.3)",
-      "neumann r=0.4 retro=true",
+      "neumann r=0.5 retro=true",
       "neumann r=2 ks=0.8",
   };
   return cases;

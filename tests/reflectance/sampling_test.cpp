@@ -36,7 +36,7 @@ std::vector<Case> cases() {
     }
   };
   add(test::plain_cases(), 0);
-  add(test::stepped_cases(), 5);
+  add(test::stepped_cases(), 4);
   return list;
 }
 
