@@ -28,7 +28,8 @@ struct ParameterInfo {
   float minimum = 0;
   float maximum = 1;
   float default_value = 0;
-  std::string_view default_from;  ///< the parameter whose value is the default; empty: default_value
+  std::optional<Colour> default_rgb;  ///< the default where its channels differ; default_value is the first
+  std::string_view default_from;      ///< the parameter whose value is the default; empty: default_value
   ParameterScale scale = ParameterScale::Linear;
   std::string_view unit;
   std::string_view help;

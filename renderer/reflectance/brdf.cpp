@@ -20,7 +20,11 @@ bool has_density(const Brdf& brdf) { return !std::holds_alternative<Specular>(br
 bool has_diffuse_part(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {
-        if constexpr (requires { model.kd; }) return !is_black(model.kd);
+        if constexpr (requires { model.has_diffuse_part(); }) {
+          return model.has_diffuse_part();
+        } else if constexpr (requires { model.kd; }) {
+          return !is_black(model.kd);
+        }
         return false;
       },
       brdf);
@@ -29,15 +33,23 @@ bool has_diffuse_part(const Brdf& brdf) {
 bool has_glossy_part(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {
-        if constexpr (requires { model.lobe_albedo(Vec3f()); }) return !is_black(model.ks);
+        if constexpr (requires { model.has_glossy_part(); }) {
+          return model.has_glossy_part();
+        } else if constexpr (requires { model.lobe_albedo(Vec3f()); }) {
+          return !is_black(model.ks);
+        }
         return false;
       },
       brdf);
 }
 
 bool is_anisotropic(const Brdf& brdf) {
-  const auto* ward = std::get_if<Ward>(&brdf);
-  return ward != nullptr && ward->sx != ward->sy;
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.is_anisotropic(); }) return model.is_anisotropic();
+        return false;
+      },
+      brdf);
 }
 
 std::vector<grf::ModelInfo> brdf_infos() { return infos_of<Brdf>(); }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "grf/catalogue.h"
+#include "renderer/reflectance/beardmaxwell.h"
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/diffuse.h"
 #include "renderer/reflectance/lewis.h"
@@ -14,7 +15,7 @@
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, BeardMaxwell>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

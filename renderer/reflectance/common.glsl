@@ -23,3 +23,12 @@ real mirror_power(vec3 u, vec3 v, real n) {
 
 // (n . h)^n
 real half_power(vec3 u, vec3 v, real n) { return exp(-n / 2 * log1p(tan2_of_half(u + v))); }
+
+// u . h = v . h, h of unit length
+real cosine_at_half(vec3 u, vec3 v) {
+  vec3 h = u + v;
+  return min(real(1), sqrt(h.x * h.x + h.y * h.y + h.z * h.z) / 2);
+}
+
+// The factor that makes the lobe (n . h)^n reflect 1 at normal incidence, and less elsewhere.
+real half_power_scale(real n) { return (n + 2) * (n + 4) / (8 * PI * (exp(real(-0.34657359027997265) * n) + n)); }

@@ -11,6 +11,7 @@ namespace reflectance::glsl {
 template <class real>
 struct CommonFormulas {
   using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
 };
 

@@ -18,7 +18,10 @@ inline float intBitsToFloat(int x) { return std::bit_cast<float>(x); }
 // NOLINTEND(readability-identifier-naming)
 
 using std::abs;
+using std::cos;
 using std::exp;
+using std::floor;
+using std::sin;
 using std::sqrt;
 
 template <class Real>
@@ -34,14 +37,23 @@ Imath::Vec3<Real> min(const Imath::Vec3<Real>& a, Real b) {
   return {min(a.x, b), min(a.y, b), min(a.z, b)};
 }
 
-/// Functions that GLSL lacks, written in it: in float both languages run this text.
+/// Functions that GLSL lacks or has with too few digits, written in it: in float both languages run this
+/// text.
 struct FloatFunctions {
   using real = float;
 #include "renderer/reflectance/float_functions.glsl"
 };
 
+inline float log(float x) { return FloatFunctions().log_of(x); }
+inline double log(double x) { return std::log(x); }
 inline float log1p(float x) { return FloatFunctions().log1p_of(x); }
 inline double log1p(double x) { return std::log1p(x); }
+inline float expm1(float x) { return FloatFunctions().expm1_of(x); }
+inline double expm1(double x) { return std::expm1(x); }
+inline float erfc(float x) { return FloatFunctions().erfc_of(x); }
+inline double erfc(double x) { return std::erfc(x); }
+inline float atan2(float y, float x) { return FloatFunctions().atan2_of(y, x); }
+inline double atan2(double y, double x) { return std::atan2(y, x); }
 
 template <class real>
 constexpr real Pi = real(3.14159265358979323846L);

@@ -39,6 +39,12 @@ struct Uniforms {
   float choice = 0;
 };
 
+/// What is left of them when the choice fell on a part above `taken`.
+inline Uniforms rest_of(Uniforms xi, float taken) {
+  xi.choice = (xi.choice - taken) / (1 - taken);
+  return xi;
+}
+
 struct DirectionSample {
   Vec3f direction;
   Rgb weight;  ///< f cos(theta_v) / density
@@ -70,6 +76,7 @@ inline void describe(grf::ParameterInfo& entry, float default_value) {
 inline void describe(grf::ParameterInfo& entry, const Rgb& default_value) {
   entry.kind = grf::ParameterKind::Reflectance;
   entry.default_value = default_value.x;
+  if (default_value != Rgb(default_value.x)) entry.default_rgb = default_value;
 }
 inline void describe(grf::ParameterInfo& entry, bool default_value) {
   entry.kind = grf::ParameterKind::Boolean;
@@ -135,6 +142,18 @@ Parameter<Model> reflectance_parameter(Rgb Model::*field, std::string_view name,
   info.aliases = std::move(aliases);
   info.help = help;
   return {field, std::move(info)};
+}
+
+/// A number that may differ from channel to channel, such as a wavelength.
+template <class Model>
+Parameter<Model> rgb_parameter(Rgb Model::*field, std::string_view name, float minimum, float maximum,
+                               std::string_view help,
+                               grf::ParameterScale scale = grf::ParameterScale::Linear) {
+  Parameter<Model> parameter = reflectance_parameter(field, name, help);
+  parameter.info.minimum = minimum;
+  parameter.info.maximum = maximum;
+  parameter.info.scale = scale;
+  return parameter;
 }
 
 template <class Model>

@@ -45,16 +45,20 @@ std::string option_rows() {
   return rows;
 }
 
+std::string default_of(const grf::ParameterInfo& parameter) {
+  if (!parameter.default_from.empty()) return fmt::format("that of {}", parameter.default_from);
+  if (!parameter.default_rgb) return fmt::format("{}", parameter.default_value);
+  const grf::Colour& rgb = *parameter.default_rgb;
+  return fmt::format("({}, {}, {})", rgb.x, rgb.y, rgb.z);
+}
+
 std::string parameter_rows(const grf::ModelInfo& model) {
   if (model.parameters.empty()) return "No parameters.\n";
   std::string rows = "| parameter | range | default | meaning |\n|---|---|---|---|\n";
   for (const grf::ParameterInfo& parameter : model.parameters) {
     const bool is_rgb = parameter.kind == grf::ParameterKind::Reflectance;
-    const std::string value = parameter.default_from.empty()
-                                  ? fmt::format("{}", parameter.default_value)
-                                  : fmt::format("that of {}", parameter.default_from);
     rows += fmt::format("| {} | {} to {}{} | {} | {} |\n", parameter.name, parameter.minimum,
-                        parameter.maximum, is_rgb ? ", RGB" : "", value, parameter.help);
+                        parameter.maximum, is_rgb ? ", RGB" : "", default_of(parameter), parameter.help);
   }
   return rows;
 }

@@ -35,6 +35,9 @@ inline const std::vector<std::string>& plain_cases() {
       "ward sx=0.2 ks=0.5 kd=0.5",
       "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3",
       "ward sx=1 ks=1 kd=0",
+      "beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5",
+      "beardmaxwell omega=0.5 tau=0.4 sigma=1 Rs=1 Rd=0 Rv=0",
+      "beardmaxwell Rs=0 Rd=0 Rv=1",
   };
   return cases;
 }

@@ -47,7 +47,7 @@ class RandomNumbers {
 
 std::optional<Vec3f> direction_of(const Reflector& reflector, const Vec3f& u, const Uniforms& xi) {
   const auto sample = reflector.sample(u, xi);
-  if (!sample) return std::nullopt;
+  if (!sample || sample->is_mirror) return std::nullopt;
   return sample->direction;
 }
 
@@ -76,7 +76,7 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
     const Vec3f u = test::direction(angle, 25);
     for (int i = 0; i < 5000; ++i) {
       const auto sample = subject.sample(u, random.next());
-      if (!sample) continue;
+      if (!sample || sample->is_mirror) continue;
       const Vec3f& v = sample->direction;
       ASSERT_NEAR(v.length(), 1, 1e-5);
       ASSERT_GT(v.z, 0);
@@ -103,7 +103,7 @@ TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
     double squares = 0;
     for (int i = 0; i < Samples; ++i) {
       const auto sample = subject.sample(u, random.next());
-      const double weight = sample ? sample->weight.x : 0;
+      const double weight = sample && !sample->is_mirror ? sample->weight.x : 0;
       sum += weight;
       squares += weight * weight;
     }
