@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/reflectance/cosine_lobe.h"
 #include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/half_power_lobe.h"
 #include "renderer/reflectance/model.h"
 
 namespace reflectance::glsl {
@@ -44,15 +44,8 @@ struct Blinn : DiffuseAndLobe<Blinn> {
     return glsl::BlinnFormula<Real>().blinn(u, v, Real(n), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
-  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
-    // cos(delta) = (1 - xi)^(1/(n+1)), by way of 1 - cos, which narrow lobes need.
-    const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
-    const float sine = std::sqrt(below_one * (2 - below_one));
-    return reflected(u, from_angles(1 - below_one, sine, 2 * Pi * xi.y));
-  }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    return (n + 1) / (8 * Pi * cosine_of_half(u, v)) * glsl::BlinnFormula<float>().half_power(u, v, n);
-  }
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return reflected(u, power_direction(n, xi)); }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const { return half_power_density(u, v, n); }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     return 8 * Pi * cosine_of_half(u, v) / (n + 1) * v.z;
   }

@@ -7,15 +7,21 @@
 #include "renderer/reflectance/beardmaxwell.h"
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/diffuse.h"
+#include "renderer/reflectance/granier.h"
+#include "renderer/reflectance/hanrahan.h"
+#include "renderer/reflectance/he.h"
+#include "renderer/reflectance/kajiya.h"
 #include "renderer/reflectance/lewis.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/ward.h"
+#include "renderer/reflectance/westin.h"
 
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, BeardMaxwell>;
+using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, BeardMaxwell, Kajiya, Hanrahan,
+                          Westin, Granier, He>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

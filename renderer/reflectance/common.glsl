@@ -31,4 +31,6 @@ real cosine_at_half(vec3 u, vec3 v) {
 }
 
 // The factor that makes the lobe (n . h)^n reflect 1 at normal incidence, and less elsewhere.
-real half_power_scale(real n) { return (n + 2) * (n + 4) / (8 * PI * (exp(real(-0.34657359027997265) * n) + n)); }
+real half_power_scale(real n) {
+  return (n + 2) * (n + 4) / (8 * PI * (exp(real(-0.34657359027997265) * n) + n));
+}

@@ -15,16 +15,15 @@ real fresnel(real c, real n, real k) {
     b = swapped;
   }
   real b2 = b * b;
-  real senkrecht = ((a - c) * (a - c) + b2) / ((a + c) * (a + c) + b2);
+  real rs = ((a - c) * (a - c) + b2) / ((a + c) * (a + c) + b2);
   real below = a * c - s2;
   real above = a * c + s2;
   real ratio = (below * below + b2 * c * c) / (above * above + b2 * c * c);
-  return senkrecht * (1 + ratio) / 2;
+  return rs * (1 + ratio) / 2;
 }
 
-// Schlick's approximation, from the reflectance at normal incidence.
-vec3 schlick_fresnel(vec3 normal, real c) {
-  real x = max(real(0), 1 - c);
-  real x2 = x * x;
-  return normal + (vec3(1) - normal) * (x2 * x2 * x);
+// Schlick's approximation, from the reflectance at normal incidence and 1 - c.
+real schlick_fresnel(real normal, real below_one) {
+  real x2 = below_one * below_one;
+  return normal + (1 - normal) * (x2 * x2 * below_one);
 }

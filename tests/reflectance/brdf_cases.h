@@ -38,6 +38,19 @@ inline const std::vector<std::string>& plain_cases() {
       "beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5",
       "beardmaxwell omega=0.5 tau=0.4 sigma=1 Rs=1 Rd=0 Rv=0",
       "beardmaxwell Rs=0 Rd=0 Rv=1",
+      "kajiya",
+      "kajiya sigma=0.1 taux=1 tauy=1 nreal=2.485 nimag=3.433 ks=(0.7, 0.5, 0.3) kd=0.2",
+      "hanrahan",
+      "hanrahan nreal=1 g=0 albedo=1 depth=1 ks=0 kd=0",
+      "hanrahan nreal=1.3 g=-0.7 albedo=(1, 0.6, 0.3) depth=0.2 rough=0.5 ks=0.8 kd=0.1",
+      "westin",
+      "westin sigma=0.1 tau=3 lambda=500 nreal=1.5 ks=1 kd=0.3",
+      "granier",
+      "granier nreal=1.4 d=1500 n=40 m=60 tilt=0.2 kd=0.1",
+      "he sigma=0.5 tau=3 lambda=800",
+      "he",
+      "he sigma=0.05 tau=1 lambda=(700, 500, 400) nreal=0.617 nimag=2.63 kd=0.2",
+      "he sigma=4 tau=4 lambda=400",
   };
   return cases;
 }

@@ -21,7 +21,8 @@ std::string text_of(const std::string& name) {
 
 std::string functions_of(std::string_view keyword) {
   std::string text;
-  for (const char* shared : {"glsl_functions", "float_functions", "common", "fresnel", "beckmann"})
+  for (const char* shared :
+       {"glsl_functions", "float_functions", "common", "fresnel", "beckmann", "refraction", "kirchhoff"})
     text += text_of(shared);
   return text + text_of(std::string(keyword));
 }
