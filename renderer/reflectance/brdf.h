@@ -13,6 +13,7 @@
 #include "renderer/reflectance/kajiya.h"
 #include "renderer/reflectance/lewis.h"
 #include "renderer/reflectance/phong.h"
+#include "renderer/reflectance/poulin.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/ward.h"
 #include "renderer/reflectance/westin.h"
@@ -21,7 +22,7 @@ namespace reflectance {
 
 /// All models: the one list that a new model is added to.
 using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, BeardMaxwell, Kajiya, Hanrahan,
-                          Westin, Granier, He>;
+                          Westin, Granier, Poulin, He>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.
