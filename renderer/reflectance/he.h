@@ -51,6 +51,11 @@ struct He : KirchhoffLobe<He> {
                                       Real(nimag), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
+  /// By the surface itself, of light along u.
+  float shadowing(const Vec3f& u) const {
+    return u.z * glsl::HeFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
+  }
+
   Rgb mirror(const Vec3f& u) const {
     return glsl::HeFormula<float>().he_mirror(u, sigma, tau, lambda, nreal, nimag, ks);
   }

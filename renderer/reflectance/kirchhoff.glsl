@@ -81,8 +81,9 @@ real kirchhoff_sum(real g, real b) {
   if (!(g > real(1e-30))) return real(0);
   real y = b > real(1e-30) ? lambert_w(log(2 * b) - 2 * log(g)) / 2 : real(0);
   real centre = y > 1 ? sqrt(b / y) : g * exp(y);
-  real width = centre * sqrt(centre / (centre * centre + 2 * b));
-  if (width < 6) return sum_of_all_terms(g, b, max(real(1), floor(centre)));
+  real place = max(real(1), centre);
+  real width = place * sqrt(place / (place * place + 2 * b));
+  if (width < 6) return sum_of_all_terms(g, b, floor(place));
   real excess = y > 1 ? g - centre : -g * expm1(y);
   return sum_of_some_terms(g, b, centre, excess, floor(real(0.8) * width));
 }

@@ -24,43 +24,64 @@ std::vector<Parameter<Model>> kirchhoff_parameters() {
           reflectance_parameter(&Model::kd, "kd", "albedo of the diffuse part")};
 }
 
-/// The sampler of `he` and `westin`: Beckmann half vectors. Their width is that of the lobe where the surface
-/// is rough in wavelengths, and that of the series' first term, the only one that is left, where it is
-/// smooth. In between the further terms are wider: a part of the half vectors is, and a tenth is drawn by
-/// cosine.
+/// The sampler of `he` and `westin`. Where the surface is rough in wavelengths the lobe is that of Beckmann
+/// facets. Where it is smooth, the series' first terms are Gaussians of v on the unit disc about the mirror
+/// direction. They share the samples by how rough it is; the tails, and lobes wider than the disc, are drawn
+/// by cosine.
 template <class Model>
 struct KirchhoffLobe : CosineAndLobe<Model> {
   bool has_glossy_part() const { return !is_black(model().ks) && model().sigma > 0; }
 
-  float cosine_albedo(const Vec3f& u) const { return mean(model().kd) + 0.1F * rough_albedo(u); }
-  float lobe_albedo(const Vec3f& u) const { return 0.9F * rough_albedo(u); }
+  float cosine_albedo(const Vec3f& u) const {
+    return mean(model().kd) + wide_share() * directional_albedo(u);
+  }
+  float lobe_albedo(const Vec3f& u) const { return (1 - wide_share()) * directional_albedo(u); }
 
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
-    const float a = width(u) * (xi.choice < WideShare ? WideFactor : 1);
-    return beckmann_direction(u, a, a, xi.direction);
+    const float smooth = smooth_share(u);
+    if (xi.choice >= smooth) return beckmann_direction(u, slope(), slope(), xi.direction);
+    const float width = xi.choice < smooth / 2 ? diffraction() : wider(u);
+    const float radius = width * std::sqrt(-std::log1p(-xi.direction.x));
+    const float phi = 2 * Pi * xi.direction.y;
+    const Vec2f place(radius * std::cos(phi) - u.x, radius * std::sin(phi) - u.y);
+    return {place.x, place.y, std::sqrt(std::max(0.0F, 1 - place.dot(place)))};
   }
   float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    const float a = width(u);
-    return (1 - WideShare) * beckmann_density(u, v, a, a) +
-           WideShare * beckmann_density(u, v, WideFactor * a, WideFactor * a);
+    const float smooth = smooth_share(u);
+    const float disc = (gaussian(u, v, diffraction()) + gaussian(u, v, wider(u))) / 2;
+    return smooth * disc * v.z + (1 - smooth) * beckmann_density(u, v, slope(), slope());
   }
 
  private:
-  static constexpr float WideShare = 0.25F;
-  static constexpr float WideFactor = 2;
-
   const Model& model() const { return static_cast<const Model&>(*this); }
 
-  // By the longest wavelength, whose lobe is the widest.
-  float width(const Vec3f& u) const {
-    const float rough = 2 * model().sigma / model().tau;
-    const float diffracted = largest(model().lambda) / (2000 * Pi * model().tau * std::max(u.z, 1e-6F));
-    return std::clamp(std::hypot(rough, diffracted), 1e-6F, 1e6F);
+  float slope() const { return std::max(1e-6F, 2 * model().sigma / model().tau); }
+
+  /// Width of the first term on the disc, for the longest wavelength.
+  float diffraction() const { return largest(model().lambda) / (1000 * Pi * model().tau); }
+  /// That of a later term, past the largest: the m-th is sqrt(m) times as wide.
+  float wider(const Vec3f& u) const { return diffraction() * std::sqrt(4 + 2 * typical_roughness(u)); }
+  static float gaussian(const Vec3f& u, const Vec3f& v, float width) {
+    const float x = (u.x + v.x) / width;
+    const float y = (u.y + v.y) / width;
+    return std::exp(-(x * x + y * y)) / (Pi * width * width);
   }
-  // What the Dirac part leaves.
-  float rough_albedo(const Vec3f& u) const {
-    const float height = 4000 * Pi * model().sigma * u.z / mean(model().lambda);
-    return mean(model().ks) * -std::expm1(-height * height);
+
+  /// The g of the series, for a v that is typical.
+  float typical_roughness(const Vec3f& u) const {
+    const float v = std::min(1.0F, std::sqrt(u.z * u.z + 2 * diffraction()) + slope());
+    const float height = 2000 * Pi * model().sigma / mean(model().lambda) * (u.z + v);
+    return height * height;
+  }
+  float smooth_share(const Vec3f& u) const { return 4 / (4 + typical_roughness(u)); }
+
+  /// The share of what misses the disc, or is in the tails.
+  float wide_share() const {
+    const float width2 = diffraction() * diffraction();
+    return std::max(0.1F, width2 / (1 + width2));
+  }
+  float directional_albedo(const Vec3f& u) const {
+    return mean(model().ks) * model().shadowing(u) * -std::expm1(-typical_roughness(u));
   }
 };
 

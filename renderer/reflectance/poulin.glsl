@@ -30,7 +30,9 @@ Seen seen_from_right(real y, real z, real d, real h) {
   real clearance = min(real(1), d * z / (2 * radius));
   real edge = 2 * atan2(sqrt(clearance), sqrt(1 - clearance)) - elevation;
   seen.high = max(seen.low, min(slope, edge));
-  seen.hidden = min(floor_width(d, h), max(real(0), (radius - h * y) / z - cylinder_width(h)));
+  // (radius - h y) / z, less the half width.
+  real hidden = z / (radius + y) + (1 - h) * y / z - cylinder_width(h);
+  seen.hidden = min(floor_width(d, h), max(real(0), hidden));
   return seen;
 }
 Seen seen_from(vec3 w, real d, real h) {

@@ -50,6 +50,11 @@ struct Westin : KirchhoffLobe<Westin> {
                                               Real(nimag), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
+  /// By the surface itself, of light along u.
+  float shadowing(const Vec3f& u) const {
+    return u.z * glsl::WestinFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
+  }
+
   Rgb mirror(const Vec3f& u) const {
     return glsl::WestinFormula<float>().westin_mirror(u, sigma, tau, lambda, nreal, nimag, ks);
   }
