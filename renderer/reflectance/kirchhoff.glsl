@@ -17,7 +17,10 @@ real lambert_w(real x) {
 // lgamma(m + 1) less Stirling's approximation of it. The series is good to 1e-13 from 10 on.
 real stirling_error(real m) {
   real shift = real(0);
-  for (; m < 10; m += 1) shift += (m + real(0.5)) * log1p(1 / m) - 1;
+  while (m < 10) {
+    shift += (m + real(0.5)) * log1p(1 / m) - 1;
+    m += 1;
+  }
   real x2 = 1 / (m * m);
   real series = 1 / real(1260) - x2 * (1 / real(1680) - x2 / real(1188));
   return shift + (1 / real(12) - x2 * (1 / real(360) - x2 * series)) / m;

@@ -24,7 +24,10 @@ bool is_plane(real d, real h) { return d < real(1e-6) || cylinder_width(h) < rea
 Seen seen_from_right(real y, real z, real d, real h) {
   real slope = steepest(d, h);
   real elevation = atan2(z, y);
-  Seen seen = Seen(max(-slope, -elevation), slope, real(0));
+  Seen seen;
+  seen.low = max(-slope, -elevation);
+  seen.high = slope;
+  seen.hidden = real(0);
   if (elevation >= slope) return seen;
   real radius = sqrt(y * y + z * z);
   real clearance = min(real(1), d * z / (2 * radius));
@@ -37,7 +40,12 @@ Seen seen_from_right(real y, real z, real d, real h) {
 }
 Seen seen_from(vec3 w, real d, real h) {
   Seen seen = seen_from_right(abs(w.y), w.z, d, h);
-  return w.y < 0 ? Seen(-seen.high, -seen.low, seen.hidden) : seen;
+  if (w.y < 0) {
+    real low = -seen.high;
+    seen.high = -seen.low;
+    seen.low = low;
+  }
+  return seen;
 }
 
 // The floor's length that is both seen and lit: shadows on the same side overlap, on opposite ones they add
@@ -132,10 +140,13 @@ real arc_lobe(vec3 u, vec3 v, real low, real high, real n, bool once) {
   if (!(first < last)) return real(0);
   real s = sin(near);
   real c = cos(near);
-  vec2 along_u = vec2(u.y * s + u.z * c, u.y * c - u.z * s);
-  vec3 along_v = once ? vec3(0, 0, 1) : vec3(v.y * s + v.z * c, v.y * c - v.z * s, 0);
-  ArcLobe arc =
-      ArcLobe(along_u, along_v, n, half_tangent(near - psi), (first + last) / 2, (last - first) / 2);
+  ArcLobe arc;
+  arc.u = vec2(u.y * s + u.z * c, u.y * c - u.z * s);
+  arc.v = once ? vec3(0, 0, 1) : vec3(v.y * s + v.z * c, v.y * c - v.z * s, 0);
+  arc.n = n;
+  arc.offset = half_tangent(near - psi);
+  arc.centre = (first + last) / 2;
+  arc.extent = (last - first) / 2;
   return exp(-n / 2 * log1p(h.x * h.x / radius2)) * arc_lobe_integral(arc);
 }
 
