@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <ImathVec.h>
+
 #include "renderer/reflectance/cosine_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
 #include "renderer/reflectance/half_power_lobe.h"
@@ -13,6 +15,7 @@ namespace reflectance::glsl {
 
 template <class real>
 struct GranierFormula {
+  using vec2 = Imath::Vec2<real>;
   using vec3 = Imath::Vec3<real>;
   static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
@@ -77,7 +80,7 @@ struct Granier : CosineAndLobe<Granier> {
     if (xi.choice < outer_probability(u)) return reflected(u, h);
     const int channel = std::min(2, static_cast<int>(3 * rest_of(xi, outer_probability(u)).choice));
     const Vec3f inside = Formula().refracted(u, nreal[channel]);
-    const Vec3f facet = Frame(inner_normal()).to_world(h);
+    const Vec3f facet = Frame({std::sin(tilt), 0, std::cos(tilt)}).to_world(h);
     if (!(inside.dot(facet) > 0)) return Vec3f(0);
     return refracted_out(reflected(inside, facet), nreal[channel]);
   }
@@ -89,8 +92,6 @@ struct Granier : CosineAndLobe<Granier> {
  private:
   using Formula = glsl::GranierFormula<float>;
 
-  Vec3f inner_normal() const { return {std::sin(tilt), 0, std::cos(tilt)}; }
-
   float inner_density(const Vec3f& u, const Vec3f& v) const {
     if (nreal == Rgb(nreal.x)) return inner_density(u, v, nreal.x);
     return (inner_density(u, v, nreal.x) + inner_density(u, v, nreal.y) + inner_density(u, v, nreal.z)) / 3;
@@ -98,7 +99,8 @@ struct Granier : CosineAndLobe<Granier> {
   float inner_density(const Vec3f& u, const Vec3f& v, float index) const {
     const Vec3f a = Formula().refracted(u, index);
     const Vec3f b = Formula().refracted(v, index);
-    return (m + 1) / (8 * Pi * cosine_of_half(a, b)) * Formula().tilted_power(a, b, m, tilt) *
+    return (m + 1) / (8 * Pi * cosine_of_half(a, b)) *
+           Formula().tilted_power(a, b, m, {std::sin(tilt), std::cos(tilt)}) *
            inside_per_outside(v, b, index);
   }
 
