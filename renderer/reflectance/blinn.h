@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/reflectance/cosine_lobe.h"
 #include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/half_power_lobe.h"
 #include "renderer/reflectance/model.h"
 
 namespace reflectance::glsl {
@@ -45,9 +45,7 @@ struct Blinn : DiffuseAndLobe<Blinn> {
   }
 
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return reflected(u, power_direction(n, xi)); }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    return (n + 1) / (8 * Pi * cosine_of_half(u, v)) * glsl::BlinnFormula<float>().half_power(u, v, n);
-  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const { return half_power_density(u, v, n); }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     return 8 * Pi * cosine_of_half(u, v) / (n + 1) * v.z;
   }

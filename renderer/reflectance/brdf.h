@@ -5,26 +5,34 @@
 
 #include "grf/catalogue.h"
 #include "renderer/reflectance/ashikhmin.h"
+#include "renderer/reflectance/beardmaxwell.h"
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/coupled.h"
 #include "renderer/reflectance/diffuse.h"
 #include "renderer/reflectance/lafortune.h"
+#include "renderer/reflectance/granier.h"
+#include "renderer/reflectance/hanrahan.h"
+#include "renderer/reflectance/he.h"
+#include "renderer/reflectance/kajiya.h"
 #include "renderer/reflectance/lewis.h"
 #include "renderer/reflectance/minnaert.h"
 #include "renderer/reflectance/neumann.h"
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/schlick.h"
+#include "renderer/reflectance/poulin.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/strauss.h"
 #include "renderer/reflectance/torrance.h"
 #include "renderer/reflectance/ward.h"
+#include "renderer/reflectance/westin.h"
 
 namespace reflectance {
 
 /// All models: the one list that a new model is added to.
 using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
-                          Coupled, Ashikhmin, Schlick, Strauss, Neumann>;
+                          Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell, Kajiya, Hanrahan,
+                          Westin, Granier, Poulin, He>;
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
 /// have been checked against the catalogue.

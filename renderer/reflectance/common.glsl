@@ -37,3 +37,8 @@ real fifth_power(real x) {
 
 // 1 - (1 - c)^5, without the difference: exact where c is small.
 real one_minus_fifth_power(real c) { return c * (5 + c * (-10 + c * (10 + c * (-5 + c)))); }
+
+// The factor that makes the lobe (n . h)^n reflect 1 at normal incidence, and less elsewhere.
+real half_power_scale(real n) {
+  return (n + 2) * (n + 4) / (8 * PI * (exp(real(-0.34657359027997265) * n) + n));
+}

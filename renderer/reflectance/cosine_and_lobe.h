@@ -10,12 +10,13 @@ namespace reflectance {
 
 /// The sampler of models that are a matte part and a lobe: cosine-distributed directions and the lobe's own,
 /// each picked in proportion to its estimated albedo. A model derives from it and gives
-///   Rgb matte_weight(u, v)        matte part * pi,
-///   float matte_albedo(u)         an estimate,
+///   float matte_albedo(u)         what is to be drawn by cosine,
+///   float lobe_share(u)           what by the lobe: estimates both,
 ///   Vec3f lobe_direction(u, xi)   xi a Vec2f, or Uniforms where a third number is needed; drawn with
 ///   float lobe_density(u, v)      per solid angle,
-///   Rgb lobe_weight(u, v)         lobe cos(theta_v) / lobe_density, in closed form,
-///   float lobe_share(u)           an estimate of the lobe's albedo.
+/// and, where weights have a closed form,
+///   Rgb matte_weight(u, v)        matte part * pi,
+///   Rgb lobe_weight(u, v)         lobe cos(theta_v) / lobe_density.
 template <class Model>
 struct CosineAndLobe {
   float albedo_estimate(const Vec3f& u) const { return model().matte_albedo(u) + model().lobe_share(u); }
@@ -35,10 +36,7 @@ struct CosineAndLobe {
     const float lobe_density = model().lobe_density(u, v);
     const float density = cosine_part * cosine_density(v) + (1 - cosine_part) * lobe_density;
     if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-    // f cos(theta_v), with the lobe as its ratio times its density: no large value is divided by another.
-    const Rgb weight = model().matte_weight(u, v) * (cosine_density(v) / density) +
-                       model().lobe_weight(u, v) * (lobe_density / density);
-    return DirectionSample{v, weight, density};
+    return DirectionSample{v, weight(u, v, lobe_density, density), density};
   }
 
  private:
@@ -49,6 +47,17 @@ struct CosineAndLobe {
       return model().lobe_direction(u, rest_of(xi, cosine_part));
     } else {
       return model().lobe_direction(u, xi.direction);
+    }
+  }
+
+  // f cos(theta_v) / density; in closed form with the lobe as its ratio times its density, so that no large value
+  // is divided by another.
+  Rgb weight(const Vec3f& u, const Vec3f& v, float lobe_density, float density) const {
+    if constexpr (requires { model().lobe_weight(u, v); }) {
+      return model().matte_weight(u, v) * (cosine_density(v) / density) +
+             model().lobe_weight(u, v) * (lobe_density / density);
+    } else {
+      return model().evaluate(u, v) * (v.z / density);
     }
   }
 

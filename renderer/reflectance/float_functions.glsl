@@ -22,6 +22,24 @@ real log1p_of(real x) {
   return log_of_parts(e, e == 0 ? x : intBitsToFloat(floatBitsToInt(y) - e * 0x00800000) - 1.0f);
 }
 
+// exp(x) - 1: Taylor's series where the difference would cancel.
+real expm1_of(real x) {
+  if (abs(x) > 0.5f) return exp(x) - 1.0f;
+  real series = 1.0f + x * 0.14285714286f * (1.0f + x * 0.125f);
+  series = 1.0f + x * 0.2f * (1.0f + x * 0.16666666667f * series);
+  return x * (1.0f + x * 0.5f * (1.0f + x * 0.33333333333f * (1.0f + x * 0.25f * series)));
+}
+
+// erfc(x) for x >= 0, within 1e-6 of its value: exp(-x^2) t P(t) with t = 1/(1 + x/2), and P fitted to
+// exp(x^2) erfc(x) / t at Chebyshev's nodes.
+real erfc_of(real x) {
+  real t = 1.0f / (1.0f + 0.5f * x);
+  real p = 0.090150443956f + t * (0.031957471514f - t * 0.018130735876f);
+  p = 0.047112954871f + t * (0.112794144369f + t * (-0.256913428409f + t * p));
+  p = 0.282111737043f + t * (0.246313834063f + t * (0.182508822202f + t * p));
+  return exp(-x * x) * t * (0.282094685014f + t * p);
+}
+
 // The angle of the point (x, y), within 2e-7 of its value; a polynomial fitted to atan(z)/z in z^2.
 real atan2_of(real y, real x) {
   real low = min(abs(x), abs(y));

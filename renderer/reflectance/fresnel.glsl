@@ -32,3 +32,7 @@ vec3 schlick_fresnel(vec3 normal, real below_one) {
 
 // What that leaves, from c: without the difference, which cancels at grazing.
 vec3 schlick_transmittance(vec3 normal, real c) { return (vec3(1) - normal) * one_minus_fifth_power(c); }
+
+real schlick_fresnel(real normal, real below_one) {
+  return normal + (1 - normal) * fifth_power(below_one);
+}

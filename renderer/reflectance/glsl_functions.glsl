@@ -1,7 +1,10 @@
-// The names that formulas use and GLSL 3.30 lacks, or has with too few digits. glsl_functions.h is the other half, for C++; in a shader
-// this file, float_functions.glsl and common.glsl go before the formulas.
+// The names that formulas use and GLSL 3.30 lacks, or has with too few digits. glsl_functions.h is the other
+// half, for C++; in a shader this file, float_functions.glsl and what formulas share go before the formulas.
 #define real float
 #define PI 3.14159265358979323846
+#define EPSILON 1.1920929e-7
 #define log log_of
 #define log1p log1p_of
+#define expm1 expm1_of
+#define erfc erfc_of
 #define atan2 atan2_of

@@ -18,7 +18,10 @@ inline float intBitsToFloat(int x) { return std::bit_cast<float>(x); }
 // NOLINTEND(readability-identifier-naming)
 
 using std::abs;
+using std::cos;
 using std::exp;
+using std::floor;
+using std::sin;
 using std::sqrt;
 
 template <class Real>
@@ -45,6 +48,10 @@ inline float log(float x) { return FloatFunctions().log_of(x); }
 inline double log(double x) { return std::log(x); }
 inline float log1p(float x) { return FloatFunctions().log1p_of(x); }
 inline double log1p(double x) { return std::log1p(x); }
+inline float expm1(float x) { return FloatFunctions().expm1_of(x); }
+inline double expm1(double x) { return std::expm1(x); }
+inline float erfc(float x) { return FloatFunctions().erfc_of(x); }
+inline double erfc(double x) { return std::erfc(x); }
 inline float atan2(float y, float x) { return FloatFunctions().atan2_of(y, x); }
 inline double atan2(double y, double x) { return std::atan2(y, x); }
 

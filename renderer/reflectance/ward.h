@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "renderer/reflectance/beckmann_lobe.h"
 #include "renderer/reflectance/diffuse_and_lobe.h"
 #include "renderer/reflectance/glsl_functions.h"
 #include "renderer/reflectance/model.h"
@@ -51,19 +52,8 @@ struct Ward : DiffuseAndLobe<Ward> {
   bool is_anisotropic() const { return sx != sy; }
 
   // The print has tan(phi_h) = (sx/sy) tan(psi); the exponent asks for sy/sx.
-  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
-    const float psi = 2 * Pi * xi.y;
-    const float radius = std::sqrt(-std::log1p(-xi.x));
-    const Vec3f h(sx * radius * std::cos(psi), sy * radius * std::sin(psi), 1);
-    return reflected(u, h.normalized());
-  }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    const Vec3f h = u + v;
-    const float x = h.x / (sx * h.z);
-    const float y = h.y / (sy * h.z);
-    const float cosine = h.z / h.length();
-    return std::exp(-(x * x + y * y)) / (4 * Pi * sx * sy * cosine_of_half(u, v) * cosine * cosine * cosine);
-  }
+  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return beckmann_direction(u, sx, sy, xi); }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const { return beckmann_density(u, v, sx, sy); }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     const Vec3f h = u + v;
     const float cosine = h.z / h.length();

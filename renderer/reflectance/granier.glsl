@@ -1,0 +1,59 @@
+// (normal . h)^n, the normal being (normal.x, 0, normal.y) and h along u + v; from the tangent, as
+// half_power.
+real tilted_power(vec3 u, vec3 v, real n, vec2 normal) {
+  vec3 h = u + v;
+  real x = h.x * normal.y - h.z * normal.x;
+  real z = h.x * normal.x + h.z * normal.y;
+  return z > 0 ? exp(-n / 2 * log1p((x * x + h.y * h.y) / (z * z))) : real(0);
+}
+
+// 1 - (1 - c)^5
+real below_schlick(real c) { return c * (5 + c * (-10 + c * (10 + c * (-5 + c)))); }
+
+// |sqrt(r) + exp(i 2 pi order) sqrt(t)|^2, as a sum that cannot cancel. Fringes of an order over 20 fade, and
+// are averaged from 100 on: three wavelengths cannot show them, and a float has no phase left.
+real two_beams(real r, real t, real order) {
+  real a = sqrt(r);
+  real b = sqrt(t);
+  real place = order - floor(order) - real(0.5);
+  real s = sin(PI * place);
+  real fringes = (a - b) * (a - b) + 4 * a * b * s * s;
+  real seen = min(real(1), max(real(0), (100 - order) / 80));
+  return seen * fringes + (1 - seen) * (r + t);
+}
+
+// What the channels have in common: the exponent and the normal of the inner lobe, both lobes without what
+// depends on the index of refraction, 1 - u.h, and the path in the film over that index.
+struct Film {
+  real m;
+  vec2 inner_normal;
+  real outer;
+  real inner;
+  real below_one;
+  real path;
+};
+
+real film_channel(Film film, vec3 u, vec3 v, real nreal, real lambda, real ks, real kt) {
+  real next = nreal + 1;
+  real f0 = (nreal - 1) * (nreal - 1) / (next * next);
+  real entering = 4 / (next * next);  // (1 - f0) / nreal
+  real inner = tilted_power(refracted(u, nreal), refracted(v, nreal), film.m, film.inner_normal);
+  real reflected = ks * schlick_fresnel(f0, film.below_one) * film.outer;
+  return two_beams(reflected, kt * entering * entering * film.inner * inner, nreal / lambda * film.path);
+}
+
+vec3 granier(vec3 u, vec3 v, vec3 nreal, real d, real n, real m, real tilt, vec3 ks, vec3 kt, vec3 kd) {
+  if (below_horizon(u, v)) return vec3(0);
+  real c = cosine_at_half(u, v);
+  vec3 e = u - v;
+  Film film;
+  film.m = m;
+  film.inner_normal = vec2(sin(tilt), cos(tilt));
+  film.outer = half_power_scale(n) * half_power(u, v, n);
+  film.inner = half_power_scale(m) * below_schlick(u.z) * below_schlick(v.z);
+  film.below_one = (e.x * e.x + e.y * e.y + e.z * e.z) / (4 * (1 + c));
+  film.path = 2 * d * min(real(1), (u.z + v.z) / (2 * c));
+  return bounded(kd / PI + vec3(film_channel(film, u, v, nreal.x, real(645), ks.x, kt.x),
+                                film_channel(film, u, v, nreal.y, real(525), ks.y, kt.y),
+                                film_channel(film, u, v, nreal.z, real(445), ks.z, kt.z)));
+}

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <limits>
+
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/kirchhoff_lobe.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct HeFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+  static constexpr real EPSILON = std::numeric_limits<real>::epsilon();
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/fresnel.glsl"
+#include "renderer/reflectance/he.glsl"
+#include "renderer/reflectance/kirchhoff.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// Physical optics of a Gaussian rough surface: a mirror, a directional-diffuse (diffraction) and a
+/// Lambertian part. The paper's formulas for unpolarised light, where the thesis has only an expansion of
+/// them. Rough in wavelengths it tends to Beckmann facets of slope 2 sigma/tau, smooth to a mirror.
+struct He : KirchhoffLobe<He> {
+  float sigma = 0.2F;
+  float tau = 2;
+  Rgb lambda = Rgb(645, 525, 445);
+  float nreal = 0;
+  float nimag = 0;
+  Rgb ks = Rgb(1);
+  Rgb kd = Rgb(0);
+
+  static ModelTable<He> table() {
+    return {"he",
+            "He-Torrance-Sillion-Greenberg",
+            "He, Torrance, Sillion and Greenberg 1991",
+            kirchhoff_parameters<He>(),
+            {},
+            {},
+            {}};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::HeFormula<Real>().he(u, v, Real(sigma), Real(tau), Vec3<Real>(lambda), Real(nreal),
+                                      Real(nimag), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  /// By the surface itself, of light along u.
+  float shadowing(const Vec3f& u) const {
+    return u.z * glsl::HeFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
+  }
+
+  Rgb mirror(const Vec3f& u) const {
+    return glsl::HeFormula<float>().he_mirror(u, sigma, tau, lambda, nreal, nimag, ks);
+  }
+};
+
+}  // namespace reflectance

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "renderer/reflectance/beckmann_lobe.h"
+#include "renderer/reflectance/cosine_and_lobe.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance {
+
+/// The parameters that `he` and `westin` share.
+template <class Model>
+std::vector<Parameter<Model>> kirchhoff_parameters() {
+  constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
+  return {number_parameter(&Model::sigma, "sigma", 0, 1e3F, "rms height, in micrometres", Logarithmic),
+          number_parameter(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length, in micrometres",
+                           Logarithmic),
+          rgb_parameter(&Model::lambda, "lambda", 1, 1e6F, "wavelength, in nanometres", Logarithmic),
+          number_parameter(&Model::nreal, "nreal", 0, 100, "index of refraction; 0 is a perfect conductor"),
+          number_parameter(&Model::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
+          reflectance_parameter(&Model::ks, "ks", "weight of the mirror and the directional-diffuse part"),
+          reflectance_parameter(&Model::kd, "kd", "albedo of the diffuse part")};
+}
+
+/// The sampler of `he` and `westin`. Where the surface is rough in wavelengths the lobe is that of Beckmann
+/// facets. Where it is smooth, the series' first terms are Gaussians of v on the unit disc about the mirror
+/// direction. They share the samples by how rough it is; the tails, and lobes wider than the disc, are drawn
+/// by cosine.
+template <class Model>
+struct KirchhoffLobe : CosineAndLobe<Model> {
+  bool has_glossy_part() const { return !is_black(model().ks) && model().sigma > 0; }
+
+  float matte_albedo(const Vec3f& u) const {
+    return mean(model().kd) + wide_share() * directional_albedo(u);
+  }
+  float lobe_share(const Vec3f& u) const { return (1 - wide_share()) * directional_albedo(u); }
+
+  Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
+    const float smooth = smooth_share(u);
+    if (xi.choice >= smooth) return beckmann_direction(u, slope(), slope(), xi.direction);
+    const float width = xi.choice < smooth / 2 ? diffraction() : wider(u);
+    const float radius = width * std::sqrt(-std::log1p(-xi.direction.x));
+    const float phi = 2 * Pi * xi.direction.y;
+    const Vec2f place(radius * std::cos(phi) - u.x, radius * std::sin(phi) - u.y);
+    return {place.x, place.y, std::sqrt(std::max(0.0F, 1 - place.dot(place)))};
+  }
+  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+    const float smooth = smooth_share(u);
+    const float disc = (gaussian(u, v, diffraction()) + gaussian(u, v, wider(u))) / 2;
+    return smooth * disc * v.z + (1 - smooth) * beckmann_density(u, v, slope(), slope());
+  }
+
+ private:
+  const Model& model() const { return static_cast<const Model&>(*this); }
+
+  float slope() const { return std::max(1e-6F, 2 * model().sigma / model().tau); }
+
+  /// Width of the first term on the disc, for the longest wavelength.
+  float diffraction() const { return largest(model().lambda) / (1000 * Pi * model().tau); }
+  /// That of a later term, past the largest: the m-th is sqrt(m) times as wide.
+  float wider(const Vec3f& u) const { return diffraction() * std::sqrt(4 + 2 * typical_roughness(u)); }
+  static float gaussian(const Vec3f& u, const Vec3f& v, float width) {
+    const float x = (u.x + v.x) / width;
+    const float y = (u.y + v.y) / width;
+    return std::exp(-(x * x + y * y)) / (Pi * width * width);
+  }
+
+  /// The g of the series, for a v that is typical.
+  float typical_roughness(const Vec3f& u) const {
+    const float v = std::min(1.0F, std::sqrt(u.z * u.z + 2 * diffraction()) + slope());
+    const float height = 2000 * Pi * model().sigma / mean(model().lambda) * (u.z + v);
+    return height * height;
+  }
+  float smooth_share(const Vec3f& u) const { return 4 / (4 + typical_roughness(u)); }
+
+  /// The share of what misses the disc, or is in the tails.
+  float wide_share() const {
+    const float width2 = diffraction() * diffraction();
+    return std::max(0.1F, width2 / (1 + width2));
+  }
+  float directional_albedo(const Vec3f& u) const {
+    return mean(model().ks) * model().shadowing(u) * -std::expm1(-typical_roughness(u));
+  }
+};
+
+}  // namespace reflectance

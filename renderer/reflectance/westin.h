@@ -1,0 +1,63 @@
+#pragma once
+
+#include <limits>
+
+#include "renderer/reflectance/glsl_functions.h"
+#include "renderer/reflectance/kirchhoff_lobe.h"
+#include "renderer/reflectance/model.h"
+
+namespace reflectance::glsl {
+
+template <class real>
+struct WestinFormula {
+  using vec3 = Imath::Vec3<real>;
+  static constexpr real PI = Pi<real>;
+  static constexpr real EPSILON = std::numeric_limits<real>::epsilon();
+#include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/fresnel.glsl"
+#include "renderer/reflectance/kirchhoff.glsl"
+#include "renderer/reflectance/westin.glsl"
+};
+
+}  // namespace reflectance::glsl
+
+namespace reflectance {
+
+/// `he` without its effective roughness: cheaper, for surfaces that are not deeply shadowed. The thesis'
+/// print is not reciprocal and counts shadowing twice; this has the geometry and the shadowing of `he`.
+struct Westin : KirchhoffLobe<Westin> {
+  float sigma = 0.2F;
+  float tau = 2;
+  Rgb lambda = Rgb(645, 525, 445);
+  float nreal = 0;
+  float nimag = 0;
+  Rgb ks = Rgb(1);
+  Rgb kd = Rgb(0);
+
+  static ModelTable<Westin> table() {
+    return {"westin",
+            "Westin-Arvo-Torrance",
+            "Westin, Arvo and Torrance 1992",
+            kirchhoff_parameters<Westin>(),
+            {},
+            {},
+            {}};
+  }
+
+  template <class Real>
+  Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+    return glsl::WestinFormula<Real>().westin(u, v, Real(sigma), Real(tau), Vec3<Real>(lambda), Real(nreal),
+                                              Real(nimag), Vec3<Real>(ks), Vec3<Real>(kd));
+  }
+
+  /// By the surface itself, of light along u.
+  float shadowing(const Vec3f& u) const {
+    return u.z * glsl::WestinFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
+  }
+
+  Rgb mirror(const Vec3f& u) const {
+    return glsl::WestinFormula<float>().westin_mirror(u, sigma, tau, lambda, nreal, nimag, ks);
+  }
+};
+
+}  // namespace reflectance

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "tests/reflectance/brdf_cases.h"
+#include "tests/statistics/quadrature.h"
+
+namespace test {
+
+/// What a BRDF reflects of light from all directions, by quadrature and without the Dirac part.
+inline double albedo(const Brdf& brdf, const Vec3f& u, double tolerance = 1e-8) {
+  const auto integrand = [&](const Vec3f& v) { return evaluate(brdf, u, v).x * double(v.z); };
+  return statistics::Quadrature(integrand, reflectance::mirrored(u), tolerance).over_hemisphere();
+}
+inline double albedo(const std::string& brdf, double theta_degrees, double phi_degrees = 25) {
+  return albedo(brdf_of(brdf), direction(theta_degrees, phi_degrees));
+}
+
+}  // namespace test

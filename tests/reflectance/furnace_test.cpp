@@ -1,0 +1,23 @@
+// A surface in a white furnace: no model reflects more than it receives, unless its table says so.
+#include <gtest/gtest.h>
+
+#include "tests/reflectance/albedo.h"
+
+namespace {
+
+class Furnace : public testing::TestWithParam<std::string> {};
+
+TEST_P(Furnace, GivesBackAtMostWhatComesIn) {
+  const auto brdf = test::brdf_of(GetParam());
+  const auto may_gain = [](const auto& model) { return !model.table().not_conserving.empty(); };
+  if (std::visit(may_gain, brdf)) return;
+  for (const double angle : {0.0, 30.0, 60.0, 80.0, 88.0}) {
+    const auto u = test::direction(angle, 25);
+    const auto dirac = std::visit([&](const auto& model) { return reflectance::mirror(model, u); }, brdf);
+    EXPECT_LT(test::albedo(brdf, u, 1e-6) + dirac.x, 1.002) << angle;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Furnace, testing::ValuesIn(test::plain_cases()));
+
+}  // namespace
