@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "grf/comments.h"
@@ -24,9 +26,9 @@ class OptionalVertexValues {
   /// The value of a vertex that has one.
   const T& operator[](std::size_t vertex) const { return values_[vertex]; }
 
-  void set(std::size_t vertex, const T& value) {
+  void set(std::size_t vertex, T value) {
     if (vertex >= values_.size()) resize(vertex + 1);
-    values_[vertex] = value;
+    values_[vertex] = std::move(value);
     present_[vertex] = true;
   }
   void reserve(std::size_t vertices) {
@@ -52,6 +54,17 @@ class OptionalVertexValues {
   std::vector<bool> present_;
 };
 
+/// What arrives at a vertex from one direction.
+struct DirectionalIrradiance {
+  Vec3f direction = Vec3f(0);  ///< towards where it comes from, as written, not necessarily of unit length
+  Colour irradiance = Colour(0);
+
+  bool operator==(const DirectionalIrradiance&) const = default;
+};
+
+/// One value for all directions together, or one for each of a list. W/m2.
+using Irradiance = std::variant<Colour, std::vector<DirectionalIrradiance>>;
+
 /// Comments inside a mesh. Those inside the lists of vertices and faces are not kept.
 struct MeshComments {
   Comments colour, brdf, pdf, texture, emission;  ///< of the mesh's own attributes
@@ -73,6 +86,7 @@ struct Mesh {
   OptionalVertexValues<Vec3f> normals;  ///< as written, not necessarily of unit length
   OptionalVertexValues<Colour> colours;
   OptionalVertexValues<Vec2f> uvs;  ///< where a texture is looked up; (0,0) is the image's lower left corner
+  OptionalVertexValues<Irradiance> irradiance;  ///< of a surface that was lit by some earlier computation
 
   std::vector<std::uint32_t> corners;             ///< vertex indices of all faces, one after the other
   std::vector<std::uint32_t> face_offsets = {0};  ///< where each face's corners begin, and one end
@@ -93,6 +107,10 @@ struct Mesh {
   /// Compares faces by what their surfaces are, not by the order in which the list has them.
   friend bool operator==(const Mesh& a, const Mesh& b);
 };
+
+/// A mesh of some faces of another one, in that order, and of the vertices that they use. Its own surface is
+/// the first face's; it has no name and no comments.
+Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
 /// Gives surfaces that are written alike one index in a mesh's list, while the mesh is being filled.
 class SurfaceIndex {

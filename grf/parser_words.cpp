@@ -77,6 +77,12 @@ bool Parser::at(std::string_view keyword) const {
   return lexer_.peek().kind == TokenKind::Word && same_keyword(lexer_.peek().text, keyword);
 }
 
+bool Parser::at(std::string_view first, std::string_view second) {
+  if (!at(first)) return false;
+  const Token next = lexer_.peek_second();
+  return next.kind == TokenKind::Word && same_keyword(next.text, second);
+}
+
 // Counts blocks that are open, which recovery from an error needs to know.
 Token Parser::take() {
   if (at("begin")) ++open_;

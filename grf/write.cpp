@@ -1,6 +1,7 @@
 #include "grf/write.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <string>
@@ -25,6 +26,24 @@ void put(std::string& text, const Vec2f& v) {
 }
 void put(std::string& text, const Vec3f& v) {
   fmt::format_to(std::back_inserter(text), "({}, {}, {})", v.x, v.y, v.z);
+}
+
+bool is_finite(float number) { return std::isfinite(number); }
+bool is_finite(const Vec2f& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool is_finite(const std::vector<Argument>& arguments) {
+  return std::all_of(arguments.begin(), arguments.end(), [](const Argument& argument) {
+    const auto* number = std::get_if<float>(&argument.value);
+    const auto* colour = std::get_if<Colour>(&argument.value);
+    return (number == nullptr || is_finite(*number)) && (colour == nullptr || is_finite(*colour));
+  });
+}
+
+bool is_finite(const BrdfModel& brdf) {
+  return is_finite(brdf.arguments) &&
+         std::all_of(brdf.terms.begin(), brdf.terms.end(),
+                     [](const CombineTerm& term) { return is_finite(term.weight); });
 }
 
 // Text that cannot stand in a file as it is must not make the rest of it unreadable.
@@ -53,6 +72,17 @@ std::string quoted(const std::string& string) {
   return fmt::format("\u201C{}\u201D", text);
 }
 
+std::string text_of(const std::vector<Argument>& arguments) {
+  std::string text;
+  for (const Argument& argument : arguments) {
+    text += ' ' + argument.name + '=';
+    if (const auto* number = std::get_if<float>(&argument.value)) text += fmt::format("{}", *number);
+    if (const auto* flag = std::get_if<bool>(&argument.value)) text += *flag ? "true" : "false";
+    if (const auto* colour = std::get_if<Colour>(&argument.value)) put(text, *colour);
+  }
+  return text;
+}
+
 /// The word with another case of its letters: each number, seen as binary digits, gives another spelling.
 std::string respelled(std::string word, std::uint64_t number) {
   for (char& c : word) {
@@ -67,7 +97,7 @@ std::string respelled(std::string word, std::uint64_t number) {
 class Writer {
  public:
   /// The definitions in force where the text will stand.
-  explicit Writer(Scope scope) : scope_(std::move(scope)) {}
+  explicit Writer(const Scope& scope) : scope_(scope) {}
 
   void blocks(const BlockList& list) {
     for (const Block& block : list.blocks) {
@@ -79,18 +109,28 @@ class Writer {
   }
 
   /// A file of no bytes at all is taken for a mistake when it is read.
-  std::string take_text() { return text_.empty() ? "\n" : std::move(text_); }
+  FileText take_text() { return {text_.empty() ? "\n" : std::move(text_), is_finite_}; }
 
  private:
-  void put_block(const Shared<Mesh>& mesh);
+  void put_block(const Shared<Mesh>& mesh) {
+    begin_line("");
+    put_mesh(*mesh);
+  }
+  void put_block(const MeshLight& light);
   void put_block(const AreaLight& light);
   void put_block(const Include& include) { begin_line("include " + quoted(include.file)); }
   void put_block(const Transform& transform);
   void put_block(const DefinitionScope& definitions);
+  void put_block(const Params& params);
+  void put_block(const Use& use) { begin_line("use " + use.mesh.name); }
 
   void put_definition(const Definition& definition, bool first);
+  void put_definition_body(const Definition::Body& body);
   void put_body(const BlockList& body);
+  void put_mesh(const Mesh& mesh);
+  void put_lists(const Mesh& mesh);
   void put_vertices(const Mesh& mesh);
+  void put_irradiance(const Irradiance& irradiance);
   void put_faces(const Mesh& mesh);
   void put_attributes(const Surface& surface, const MeshComments& comments);
   void put_changes(const Surface& before, const Surface& after);
@@ -107,7 +147,16 @@ class Writer {
   void put_change(const char* keyword, const std::optional<Attribute>& before,
                   const std::optional<Attribute>& after);
   template <class ModelOfKind>
-  std::string unambiguous(const ModelOfKind& model) const;
+  std::string unambiguous(const ModelOfKind& model);
+
+  // Numbers that are not finite cannot be read again.
+  template <class Vector>
+  void put(const Vector& v) {
+    is_finite_ = is_finite_ && is_finite(v);
+    grf::put(text_, v);
+  }
+  std::string text_or_file(const BrdfModel& brdf);
+  std::string text_or_file(const PdfModel& pdf);
 
   void put_comments(const std::vector<std::string>& comments) {
     for (const std::string& comment : comments) line(fmt::format("//{}", comment_text(comment)));
@@ -130,20 +179,40 @@ class Writer {
 
   std::string text_;
   std::size_t indentation_ = 0;
-  Scope scope_;
+  ScopeStack scope_;
+  bool is_finite_ = true;
 };
 
+void Writer::put_block(const MeshLight& light) {
+  line("mesh light begin");
+  put_lists(*light.mesh);
+  begin_line("end");
+}
+
+// The colour stands last, where the grammar of 2008 has it.
 void Writer::put_block(const AreaLight& light) {
   line("light begin");
   ++indentation_;
-  if (light.radiance) {
-    begin_line("rgb ");
-    put(text_, *light.radiance);
-    end_line();
-  }
   for (const Vec3f& v : {light.corner, light.edge1, light.edge2}) {
     begin_line("");
-    put(text_, v);
+    put(v);
+    end_line();
+  }
+  if (light.radiance) {
+    begin_line("rgb ");
+    put(*light.radiance);
+    end_line();
+  }
+  --indentation_;
+  begin_line("end");
+}
+
+void Writer::put_block(const Params& params) {
+  line("params begin");
+  ++indentation_;
+  for (const Vec3f& view : params.views) {
+    begin_line("dependent view ");
+    put(view);
     end_line();
   }
   --indentation_;
@@ -164,7 +233,7 @@ void Writer::put_block(const Transform& transform) {
         text_ += " translation ";
         break;
     }
-    put(text_, step.value);
+    put(step.value);
   }
   if (transform.steps.empty()) text_ += NoTransform;
   text_ += " begin\n";
@@ -175,9 +244,9 @@ void Writer::put_block(const DefinitionScope& definitions) {
   bool first = true;
   for (const Definition& definition : definitions.definitions) {
     put_definition(definition, first);
+    scope_.enter(definition);
     first = false;
   }
-  for (const Definition& definition : definitions.definitions) scope_.enter(definition);
   line(definitions.definitions.empty() ? fmt::format("transform{} begin", NoTransform) : "begin");
   put_body(definitions.body);
   scope_.leave(definitions.definitions.size());
@@ -197,17 +266,23 @@ void Writer::put_definition(const Definition& definition, bool first) {
     begin_line("def " + definition.name);
   }
   text_ += " = ";
-  if (const auto* colour = std::get_if<Colour>(&definition.body)) {
-    text_ += "rgb ";
-    put(text_, *colour);
-  } else if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
-    text_ += "brdf " + to_text(*brdf);
-  } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
-    text_ += "pdf " + to_text(*pdf);
-  } else if (const auto* texture = std::get_if<Texture>(&definition.body)) {
-    text_ += "texture " + quoted(texture->file);
-  }
+  put_definition_body(definition.body);
   end_line(definition.comments);
+}
+
+void Writer::put_definition_body(const Definition::Body& body) {
+  if (const auto* colour = std::get_if<Colour>(&body)) {
+    text_ += "rgb ";
+    put(*colour);
+  } else if (const auto* brdf = std::get_if<BrdfModel>(&body)) {
+    text_ += "brdf " + text_or_file(*brdf);
+  } else if (const auto* pdf = std::get_if<PdfModel>(&body)) {
+    text_ += "pdf " + text_or_file(*pdf);
+  } else if (const auto* texture = std::get_if<Texture>(&body)) {
+    text_ += "texture " + quoted(texture->file);
+  } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&body)) {
+    put_mesh(**mesh);
+  }
 }
 
 void Writer::put_body(const BlockList& body) {
@@ -217,9 +292,15 @@ void Writer::put_body(const BlockList& body) {
   begin_line("end");
 }
 
-void Writer::put_block(const Shared<Mesh>& shared_mesh) {
-  const Mesh& mesh = *shared_mesh;
-  line(mesh.name.empty() ? "begin mesh" : "begin mesh " + quoted(mesh.name));
+// On the line that was begun, and up to the end of a last line that is open.
+void Writer::put_mesh(const Mesh& mesh) {
+  text_ += mesh.name.empty() ? "begin mesh" : "begin mesh " + quoted(mesh.name);
+  end_line();
+  put_lists(mesh);
+  begin_line("end mesh");
+}
+
+void Writer::put_lists(const Mesh& mesh) {
   ++indentation_;
   put_attributes(mesh.surfaces.front(), mesh.comments);
   comments_before(mesh.comments.vertices);
@@ -228,7 +309,6 @@ void Writer::put_block(const Shared<Mesh>& shared_mesh) {
   put_faces(mesh);
   put_comments(mesh.comments.end);
   --indentation_;
-  begin_line("end mesh");
 }
 
 void Writer::put_vertices(const Mesh& mesh) {
@@ -238,25 +318,44 @@ void Writer::put_vertices(const Mesh& mesh) {
     begin_line("");
     if (mesh.normals.has(i)) {
       text_ += "normal ";
-      put(text_, mesh.normals[i]);
+      put(mesh.normals[i]);
       text_ += ' ';
     }
     if (mesh.colours.has(i)) {
       text_ += "rgb ";
-      put(text_, mesh.colours[i]);
+      put(mesh.colours[i]);
       text_ += ' ';
     }
     if (mesh.uvs.has(i)) {
       text_ += "uv ";
-      put(text_, mesh.uvs[i]);
+      put(mesh.uvs[i]);
       text_ += ' ';
     }
-    put(text_, mesh.positions[i]);
+    if (mesh.irradiance.has(i)) {
+      put_irradiance(mesh.irradiance[i]);
+      text_ += ' ';
+    }
+    put(mesh.positions[i]);
     end_line();
   }
   --indentation_;
   begin_line("end vertexs");
   end_line(mesh.comments.vertices);
+}
+
+void Writer::put_irradiance(const Irradiance& irradiance) {
+  if (const auto* value = std::get_if<Colour>(&irradiance)) {
+    text_ += "irad ";
+    return put(*value);
+  }
+  text_ += "begin list";
+  for (const DirectionalIrradiance& arrival : std::get<1>(irradiance)) {
+    text_ += " ray ";
+    put(arrival.direction);
+    text_ += " irad ";
+    put(arrival.irradiance);
+  }
+  text_ += " end list";
 }
 
 void Writer::put_faces(const Mesh& mesh) {
@@ -319,7 +418,7 @@ void Writer::put_attribute(const ColourAttribute& colour) {
   if (const auto* reference = std::get_if<Reference>(&colour)) {
     text_ += reference->name;
   } else {
-    put(text_, std::get<Colour>(colour));
+    put(std::get<Colour>(colour));
   }
 }
 
@@ -330,7 +429,7 @@ void Writer::put_attribute(const TextureAttribute& texture) {
 
 void Writer::put_attribute(const Colour& emission) {
   text_ += "light rgb ";
-  put(text_, emission);
+  put(emission);
 }
 
 template <class Attribute>
@@ -346,35 +445,48 @@ void Writer::put_model(const char* keyword, const Attribute& attribute) {
 // A keyword without parameters reads as a reference where a definition has the same spelling. Definitions
 // are case-sensitive and keywords are not, so another spelling says the keyword.
 template <class ModelOfKind>
-std::string Writer::unambiguous(const ModelOfKind& model) const {
-  std::string text = to_text(model);
-  if (!model.arguments.empty()) return text;
+std::string Writer::unambiguous(const ModelOfKind& model) {
+  std::string text = text_or_file(model);
+  if (!is_bare_word(model)) return text;
+  const Scope scope = scope_.scope();
   const std::uint64_t spellings = std::uint64_t{1} << std::min<std::size_t>(model.keyword.size(), 63);
-  for (std::uint64_t i = 1; i < spellings && scope_.find<ModelOfKind>(text) != nullptr; ++i) {
+  for (std::uint64_t i = 1; i < spellings && scope.find<ModelOfKind>(text) != nullptr; ++i) {
     text = respelled(model.keyword, i);
   }
   return text;
 }
 
+// A BRDF as it is written: by the name of its file where it has one.
+std::string Writer::text_or_file(const BrdfModel& brdf) {
+  if (!brdf.instance_file.empty()) return quoted(brdf.instance_file);
+  is_finite_ = is_finite_ && is_finite(brdf);
+  return to_text(brdf);
+}
+
+std::string Writer::text_or_file(const PdfModel& pdf) {
+  is_finite_ = is_finite_ && is_finite(pdf.arguments);
+  return to_text(pdf);
+}
+
 }  // namespace
 
-std::string text_of_file(const BlockList& contents, const Scope& scope) {
+FileText text_of_file(const BlockList& contents, const Scope& scope) {
   Writer writer(scope);
   writer.blocks(contents);
   return writer.take_text();
 }
 
-std::string to_text(const Scene& scene) { return text_of_file(scene.contents, {}); }
+std::string to_text(const Scene& scene) { return text_of_file(scene.contents, {}).text; }
 
-std::string to_text(const Model& model) {
-  std::string text = model.keyword;
-  for (const Argument& argument : model.arguments) {
-    text += ' ' + argument.name + '=';
-    if (const auto* number = std::get_if<float>(&argument.value)) text += fmt::format("{}", *number);
-    if (const auto* flag = std::get_if<bool>(&argument.value)) text += *flag ? "true" : "false";
-    if (const auto* colour = std::get_if<Colour>(&argument.value)) put(text, *colour);
+std::string to_text(const BrdfModel& brdf) {
+  std::string text = brdf.keyword;
+  if (!brdf.data_file.empty()) text += ' ' + quoted(brdf.data_file);
+  for (const CombineTerm& term : brdf.terms) {
+    text += fmt::format("{}{} {}", &term == brdf.terms.data() ? " " : ", ", term.weight, term.brdf.name);
   }
-  return text;
+  return text + text_of(brdf.arguments);
 }
+
+std::string to_text(const PdfModel& pdf) { return pdf.keyword + text_of(pdf.arguments); }
 
 }  // namespace grf

@@ -8,7 +8,12 @@
 
 namespace grf {
 
+struct FileText {
+  std::string text;
+  bool is_finite = true;  ///< false: numbers among it are not, so it cannot be read again
+};
+
 /// The text of a file that holds these blocks and is read where those definitions are in force.
-std::string text_of_file(const BlockList& contents, const Scope& scope);
+FileText text_of_file(const BlockList& contents, const Scope& scope);
 
 }  // namespace grf

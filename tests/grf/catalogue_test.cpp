@@ -1,10 +1,9 @@
-#include "grf/catalogue.h"
-
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "grf/check.h"
 #include "tests/grf/reading.h"
 #include "tests/support/temporary_folder.h"
 
@@ -125,8 +124,9 @@ TEST(Check, ReportsNegativeColoursAndWarnsOfLargeOnes) {
   EXPECT_EQ(said_of(triangle("brdf flat rgb (1.5, 0, 0)")), warning);
   EXPECT_EQ(said_of(triangle("brdf flat rgb (0, -1, 0)")),
             "a colour of (0, -1, 0), expected components of 0 or more\n");
-  EXPECT_EQ(said_of("def red = rgb (2, 0, 0) dark = rgb (0, 0, -2) begin end"),
-            warning + "a colour of (0, 0, -2), expected components of 0 or more\n");
+  EXPECT_EQ(
+      said_of("def red = rgb (2, 0, 0) dark = rgb (0, 0, -2) begin " + triangle("brdf flat rgb red") + "end"),
+      "a colour of (0, 0, -2), expected components of 0 or more\n" + warning);
   const std::string vertices = "(0, 0, 0) rgb (0, 0, 2) (1, 0, 0) rgb (0, 0, -2) (0, 1, 0)";
   EXPECT_EQ(said_of("begin mesh brdf flat begin vertexs " + vertices + " end begin faces end end"),
             warning + "a vertex colour of (0, 0, -2), expected components of 0 or more\n");
@@ -169,15 +169,15 @@ std::string said_of_reference(const std::string& definitions, const Surface& sur
 
 TEST(Check, ReportsReferencesToDefinitionsThatAreNotThere) {
   const Reference gold{"gold", {}};
-  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}, {}, {}}),
             "no BRDF called 'gold' is defined here: did you mean 'god'?");
-  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}, {}, {}}),
             "no BRDF called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}, {}, {}}),
             "no PDF called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}, {}, {}}),
             "no colour called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), {}, gold, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), {}, gold, {}, {}}),
             "no texture called 'gold' is defined here");
 }
 

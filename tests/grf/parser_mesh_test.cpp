@@ -54,7 +54,7 @@ TEST(Faces, MayHaveATextureFromAFileOrADefinition) {
   SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-      const Texture* texture = resolve(mesh.surface(i), *placement.scope).texture;
+      const Texture* texture = resolve(mesh.surface(i), placement.scope).texture;
       files.push_back(texture == nullptr ? "none" : texture->file);
     }
   };
@@ -161,9 +161,9 @@ end
   const Mesh& mesh = *block<Shared<Mesh>>(definitions.body);
   EXPECT_EQ(mesh.positions.size(), 8U);
   EXPECT_EQ(mesh.face_count(), 6U);
-  Scope scope;
-  scope.enter(definitions.definitions[0]);
-  const ResolvedSurface surface = resolve(mesh.surface(5), scope);
+  ScopeStack stack;
+  stack.enter(definitions.definitions[0]);
+  const ResolvedSurface surface = resolve(mesh.surface(5), stack.scope());
   EXPECT_EQ(surface.colour, Colour(0.3F, 0.8F, 1));
   EXPECT_EQ(surface.brdf->keyword, "ward");
   EXPECT_EQ(surface.brdf->arguments.size(), 4U);

@@ -112,12 +112,12 @@ TEST(OptionalVertexValues, AreEqualIfTheSameVerticesHaveTheSame) {
 
 TEST(SurfaceHash, IsTheSameForEqualSurfaces) {
   Surface a;
-  a.brdf = BrdfModel{{"ward", {{"kd", Colour(0, 0, 1), {}}, {"fast", true, {}}}, {}}};
+  a.brdf = BrdfModel{{"ward", {{"kd", Colour(0, 0, 1), {}}, {"fast", true, {}}}, {}}, {}, {}, {}};
   a.colour = Reference{"red", {}};
   a.emission = Colour(0, 1, 1);
   Surface b = a;
   std::get<BrdfModel>(*b.brdf) =
-      BrdfModel{{"WARD", {{"KD", Colour(-0.0F, 0, 1), {}}, {"fast", true, {}}}, {}}};
+      BrdfModel{{"WARD", {{"KD", Colour(-0.0F, 0, 1), {}}, {"fast", true, {}}}, {}}, {}, {}, {}};
   b.emission = Colour(-0.0F, 1, 1);
   EXPECT_EQ(a, b);
   EXPECT_EQ(hash_value(a), hash_value(b));

@@ -49,10 +49,10 @@ TEST(Writing, HasOneStyle) {
       "    end mesh\n"
       "  end\n"
       "  light begin\n"
-      "    rgb (4, 4, 4)\n"
       "    (0, 2, 0)\n"
       "    (1, 0, 0)\n"
       "    (0, 0, 1)\n"
+      "    rgb (4, 4, 4)\n"
       "  end\n"
       "end\n"
       "// the end\n";
@@ -195,8 +195,8 @@ TEST_F(WriteTest, NamesAndWritesIncludedFilesThatChanged) {
       std::get<Include>(std::get<Transform>(scene.contents.blocks[0].content).body.blocks[0].content);
   move_light(std::get<Include>(room.contents.edit().blocks[0].content), 7);
   EXPECT_EQ(write_scene(scene, "scene.grf"),
-            "parts/light.grf: note: the included file is written too\n"
-            "parts/room.grf: note: the included file is written too\n");
+            "parts/light.grf: note: this file, which the scene names, is written too\n"
+            "parts/room.grf: note: this file, which the scene names, is written too\n");
   EXPECT_EQ(test::bytes_of(folder.path("parts/other.grf")), light);
   expect_same_after_reading(scene, "scene.grf");
   EXPECT_EQ(write_scene(scene, "scene.grf"), "") << "they are as they should be now";
@@ -208,7 +208,7 @@ TEST_F(WriteTest, WritesIncludedFilesBesideACopy) {
   const Scene scene = read_scene("scene.grf");
   std::filesystem::create_directory(folder.path("copy"));
   EXPECT_EQ(write_scene(scene, "copy/scene.grf"),
-            "copy/parts/light.grf: note: the included file is written too\n");
+            "copy/parts/light.grf: note: this file, which the scene names, is written too\n");
   expect_same_after_reading(scene, "copy/scene.grf");
 }
 
@@ -217,7 +217,8 @@ TEST_F(WriteTest, WritesAnIncludedFileThatWouldBeReadInAnotherWay) {
   folder.add("scene.grf", "def shiny = brdf phong begin include \"part.grf\" end");
   Scene scene = read_scene("scene.grf");
   std::get<DefinitionScope>(scene.contents.blocks[0].content).definitions[0].name = "ward";
-  EXPECT_EQ(write_scene(scene, "scene.grf"), "part.grf: note: the included file is written too\n");
+  EXPECT_EQ(write_scene(scene, "scene.grf"),
+            "part.grf: note: this file, which the scene names, is written too\n");
   expect_same_after_reading(scene, "scene.grf");
 }
 
@@ -232,7 +233,8 @@ TEST_F(WriteTest, WritesAFileThatIsIncludedTwiceIfBothPlacesAgree) {
       "only\n");
   EXPECT_EQ(test::bytes_of(folder.path("light.grf")), light);
   move_light(include_in(scene, 1), 7);
-  EXPECT_EQ(write_scene(scene, "scene.grf"), "light.grf: note: the included file is written too\n");
+  EXPECT_EQ(write_scene(scene, "scene.grf"),
+            "light.grf: note: this file, which the scene names, is written too\n");
   expect_same_after_reading(scene, "scene.grf");
 }
 
