@@ -109,6 +109,10 @@ class Check {
 
   void check_irradiance(const Irradiance& irradiance, const SourceLocation& location) {
     if (!irradiance_at_) irradiance_at_ = location;
+    if (location.file && !is_igrf_name(location.file->path) &&
+        files_to_rename_.insert(location.file->path).second) {
+      diagnostics_.warning(location, "irradiance makes this an IGRF file: its name should end in '.igrf'");
+    }
     if (const auto* value = std::get_if<Colour>(&irradiance)) {
       return check_not_negative(*value, location, "irradiance");
     }
@@ -274,10 +278,6 @@ class Check {
 
   void warn_of_irradiance() {
     if (!irradiance_at_) return;
-    if (irradiance_at_->file && !is_igrf_name(irradiance_at_->file->path)) {
-      diagnostics_.warning(*irradiance_at_,
-                           "irradiance makes this an IGRF file: its name should end in '.igrf'");
-    }
     if (!has_observer_) {
       diagnostics_.warning(
           *irradiance_at_,
@@ -294,6 +294,7 @@ class Check {
   std::vector<const Definition*> definitions_;
   std::set<const Definition*> visited_;
   std::set<const Definition*> used_;
+  std::set<std::string> files_to_rename_;
   std::optional<SourceLocation> irradiance_at_;
   bool has_observer_ = false;
 };

@@ -100,11 +100,13 @@ void LightCheck::add_light(const MeshLight& light, const Placement& placement, c
 }
 
 void LightCheck::report(Diagnostics& diagnostics) const {
+  // A file of lights alone is a part of scenes.
+  const bool is_part = bodies_.empty();
   for (const Light& light : lights_) {
     const bool has_area = light.mesh == nullptr ? light.normal.length() > 0 : light.mesh->face_count() > 0;
     if (!has_area) {
       diagnostics.warning(light.location, "a light without area");
-    } else if (!faces_something(light)) {
+    } else if (!is_part && !faces_something(light)) {
       diagnostics.warning(light.location, "nothing is in front of this light, on the side that emits");
     }
   }

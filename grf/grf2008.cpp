@@ -38,8 +38,13 @@ BrdfModel black() {
 
 /// What one mesh becomes.
 struct Parts {
-  std::vector<Mesh> meshes;  ///< one at least
+  std::vector<Mesh> meshes;  ///< none if all faces emit
   std::optional<MeshLight> light;
+};
+
+struct ChangedFile {
+  std::string name;
+  SourceLocation named_at;
 };
 
 class Downgrade {
@@ -55,8 +60,8 @@ class Downgrade {
     return {blocks(scene.contents)};
   }
 
-  /// An include of a file that would have to change, or null.
-  const Block* changed_include() const { return changed_include_; }
+  /// A file that the scene names and that would have to change, where it is named.
+  const std::optional<ChangedFile>& changed_file() const { return changed_file_; }
 
  private:
   BlockList blocks(const BlockList& list) {
@@ -70,14 +75,12 @@ class Downgrade {
 
   void add(const Shared<Mesh>& mesh, const Block& block, BlockList& result) {
     Parts parts = parts_of(*mesh, block.location);
-    bool first = true;
-    for (Mesh& part : parts.meshes) {
-      Block& copy = result.blocks.emplace_back(block);
-      copy.content = Shared<Mesh>(std::move(part));
-      if (!std::exchange(first, false)) copy.comments = {};
-    }
-    name_in_comment(*mesh, result.blocks[result.blocks.size() - parts.meshes.size()].comments);
+    const std::size_t first = result.blocks.size();
+    for (Mesh& part : parts.meshes)
+      result.blocks.push_back({Shared<Mesh>(std::move(part)), {}, block.location});
     if (parts.light) result.blocks.push_back({*parts.light, {}, block.location});
+    result.blocks[first].comments = block.comments;
+    name_in_comment(*mesh, result.blocks[first].comments);
   }
 
   void add(const MeshLight& light, const Block& block, BlockList& result) {
@@ -89,7 +92,8 @@ class Downgrade {
   void add(const Params&, const Block& block, BlockList& result) { result.blocks.push_back(block); }
 
   void add(const Include& include, const Block& block, BlockList& result) {
-    if (!(blocks(*include.contents) == *include.contents)) changed_include_ = &block;
+    const bool stays = blocks(*include.contents) == *include.contents;
+    if (!stays) changed_file_ = {include.file, block.location};
     result.blocks.push_back(block);
   }
 
@@ -121,8 +125,8 @@ class Downgrade {
       return;
     }
     Parts parts = parts_of(**mesh, definition.location);
-    Placed& placed = placed_[&definition];
-    placed.light = parts.light;
+    Placed& placed = placed_[&definition] = {{}, parts.light};
+    if (parts.meshes.empty()) parts.meshes.emplace_back();  // a `def` needs what it defines
     for (Mesh& part : parts.meshes) {
       Definition& copy = result.emplace_back(Definition{definition.name, {}, {}, definition.location});
       if (placed.names.empty()) {
@@ -154,7 +158,9 @@ class Downgrade {
   }
 
   static void name_in_comment(const Mesh& mesh, Comments& comments) {
-    if (!mesh.name.empty()) comments.before.push_back(" " + mesh.name);
+    std::string name = mesh.name;
+    while (name.ends_with('\r')) name.pop_back();  // which would be a part of the line end
+    if (!name.empty()) comments.before.push_back(" " + name);
   }
 
   Parts parts_of(const Mesh& original, const SourceLocation& location) {
@@ -167,6 +173,12 @@ class Downgrade {
     }
     Parts parts;
     if (!emitting.empty()) parts.light = light_of(mesh, emitting, location);
+    if (parts.light && reflecting.empty()) {
+      Mesh& light = parts.light->mesh.edit();
+      light.comments = mesh.comments;
+      keep_comments(light);
+      return parts;
+    }
     for (Surface& surface : mesh.surfaces) downgrade(surface);
     const std::vector<std::vector<std::uint32_t>> runs = runs_without_none(mesh, reflecting);
     if (runs.size() > 1) {
@@ -282,6 +294,7 @@ class Downgrade {
           brdf.arguments.front().location,
           fmt::format("'{}' has no parameters in the grammar of 2008: they are lost", brdf.keyword));
       brdf.arguments.clear();
+      if (!brdf.instance_file.empty()) changed_file_ = {brdf.instance_file, brdf.location};
     }
     downgrade(static_cast<Model&>(brdf));
   }
@@ -302,7 +315,7 @@ class Downgrade {
   };
 
   Diagnostics& diagnostics_;
-  const Block* changed_include_ = nullptr;
+  std::optional<ChangedFile> changed_file_;
   ScopeStack scope_;
   std::set<std::string> names_;  ///< of all definitions
   std::map<const Definition*, Placed> placed_;
@@ -315,13 +328,13 @@ std::optional<Scene> to_grf2008(const Scene& scene, const std::string& path, Dia
   Diagnostics unheard;
   Downgrade trial(unheard);
   trial.run(scene);
-  const Block* changed = trial.changed_include();
-  if (changed != nullptr) {
-    diagnostics.warning(changed->location,
-                        fmt::format("'{}' has what the grammar of 2008 lacks: all files are written as one",
-                                    std::get<Include>(changed->content).file));
+  const std::optional<ChangedFile>& changed = trial.changed_file();
+  if (changed) {
+    diagnostics.warning(
+        changed->named_at,
+        fmt::format("'{}' has what the grammar of 2008 lacks: all files are written as one", changed->name));
   }
-  Scene result = Downgrade(diagnostics).run(changed != nullptr ? flatten(scene, path) : scene);
+  Scene result = Downgrade(diagnostics).run(changed ? flatten(scene, path) : scene);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   return result;
 }

@@ -25,6 +25,20 @@ void Mesh::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t s
   surface_of_face.push_back(surface_index);
 }
 
+void Mesh::free_spare_memory() {
+  const auto free = [](auto& values) {
+    if (has_spare_memory(values)) values.shrink_to_fit();
+  };
+  free(positions);
+  free(corners);
+  free(face_offsets);
+  free(surface_of_face);
+  normals.free_spare_memory();
+  colours.free_spare_memory();
+  uvs.free_spare_memory();
+  irradiance.free_spare_memory();
+}
+
 bool operator==(const Mesh& a, const Mesh& b) {
   const bool same_shape = a.name == b.name && a.comments == b.comments && a.positions == b.positions &&
                           a.normals == b.normals && a.colours == b.colours && a.uvs == b.uvs &&
@@ -42,6 +56,12 @@ bool operator==(const Mesh& a, const Mesh& b) {
     known_b = surface_b;
   }
   return true;
+}
+
+std::vector<bool> used_surfaces(const Mesh& mesh) {
+  std::vector<bool> used(mesh.surfaces.size());
+  for (const std::uint32_t surface : mesh.surface_of_face) used[surface] = true;
+  return used;
 }
 
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {

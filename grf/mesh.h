@@ -16,6 +16,12 @@
 
 namespace grf {
 
+/// Whether an array has so much in reserve that it is worth a copy to give it back.
+template <class T>
+bool has_spare_memory(const std::vector<T>& values) {
+  return values.capacity() - values.size() > values.size() / 16;
+}
+
 /// Values that some vertices of a mesh have: both arrays are empty while none has one, and else as long as
 /// the mesh has vertices.
 template <class T>
@@ -34,6 +40,10 @@ class OptionalVertexValues {
   void reserve(std::size_t vertices) {
     values_.reserve(vertices);
     present_.reserve(vertices);
+  }
+  void free_spare_memory() {
+    if (has_spare_memory(values_)) values_.shrink_to_fit();
+    present_.shrink_to_fit();
   }
 
   friend bool operator==(const OptionalVertexValues& a, const OptionalVertexValues& b) {
@@ -104,9 +114,15 @@ struct Mesh {
   /// Three corners or more, each the index of a vertex, counter-clockwise seen from the front.
   void add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index);
 
+  /// Gives back what the arrays have in reserve.
+  void free_spare_memory();
+
   /// Compares faces by what their surfaces are, not by the order in which the list has them.
   friend bool operator==(const Mesh& a, const Mesh& b);
 };
+
+/// Which of a mesh's surfaces its faces have.
+std::vector<bool> used_surfaces(const Mesh& mesh);
 
 /// A mesh of some faces of another one, in that order, and of the vertices that they use. Its own surface is
 /// the first face's; it has no name and no comments.

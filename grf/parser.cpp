@@ -27,7 +27,7 @@ bool is_word_of_end(const Token& token) {
 std::optional<Scene> read_shared(const std::shared_ptr<const std::string>& text, const std::string& path,
                                  Diagnostics& diagnostics) {
   const auto file = source_file(path, text, {});
-  if (!is_text(*text, {file, 0, 0}, diagnostics)) return std::nullopt;
+  if (!is_text(*text, "a GRF scene", {file, 0, 0}, diagnostics)) return std::nullopt;
   ParserContext context(diagnostics);
   context.open_files.push_back({canonical_path(path), path});
   Scene scene{Parser(text, file, context).parse_file()};
@@ -37,11 +37,12 @@ std::optional<Scene> read_shared(const std::shared_ptr<const std::string>& text,
 
 }  // namespace
 
-bool is_text(const std::string& text, const SourceLocation& location, Diagnostics& diagnostics) {
+bool is_text(const std::string& text, std::string_view expected, const SourceLocation& location,
+             Diagnostics& diagnostics) {
   if (text.empty()) {
-    diagnostics.error(location, "the file is empty, expected a GRF scene");
+    diagnostics.error(location, fmt::format("the file is empty, expected {}", expected));
   } else if (text.find('\0') != std::string::npos) {
-    diagnostics.error(location, "this is a binary file, expected a GRF scene, which is text");
+    diagnostics.error(location, fmt::format("this is a binary file, expected {}, which is text", expected));
   } else {
     return true;
   }
@@ -90,8 +91,9 @@ BlockList Parser::parse_blocks(const Token* opening) {
   BlockList list;
   while (!context_.is_over() && lexer_.peek().kind != TokenKind::EndOfFile) {
     const std::size_t open_before = open_;
+    const bool is_mesh = at("begin", "mesh");
     if (!at("end")) {
-      if (!parse_block(list)) recover(open_before);
+      if (!parse_block(list)) recover(open_before, is_mesh);
     } else if (opening == nullptr) {
       report_end_too_many();
     } else {
@@ -121,6 +123,10 @@ bool Parser::parse_content(const Token& opening, Block& block) {
     shared = std::move(mesh);
     return true;
   };
+  // After an error in a list of definitions this is most likely the body behind it.
+  if (context_.lacks_names && at("begin") && !at("begin", "mesh")) {
+    return parse_body(opening, block.content.emplace<DefinitionScope>().body);
+  }
   if (accept("begin")) {
     return expect("mesh", "after this 'begin'") &&
            parse_mesh_of(MeshKind::Mesh, block.content.emplace<Shared<Mesh>>());
@@ -136,6 +142,10 @@ bool Parser::parse_content(const Token& opening, Block& block) {
   if (accept("def")) return parse_definitions(opening, block.content.emplace<DefinitionScope>());
   if (accept("params")) return parse_params(opening, block.content.emplace<Params>());
   if (accept("use")) return parse_use(block.content.emplace<Use>());
+  if (opening.kind == TokenKind::Word && lexer_.peek_second().is('=')) {
+    context_.lacks_names = true;
+    return fail_expected("'def' before the name of a definition");
+  }
   return fail_expected(BlockWords);
 }
 
@@ -154,7 +164,7 @@ void Parser::report_end_too_many() {
 
 // After an error in a block: on behind its end, or to what can only be the next block or the end of the block
 // around it, so that later errors are found too.
-void Parser::recover(std::size_t open_before) {
+void Parser::recover(std::size_t open_before, bool is_mesh) {
   // The lists of a mesh are in nothing else, so what looks like one belongs to the block that was left.
   const auto at_list = [this] { return (at("begin") || at("end")) && is_word_of_end(lexer_.peek_second()); };
   while (lexer_.peek().kind != TokenKind::EndOfFile && !at_block()) {
@@ -162,7 +172,7 @@ void Parser::recover(std::size_t open_before) {
     if (ends_something && open_ == open_before && !at_list()) break;
     take();
     if (!ends_something) continue;
-    if (is_word_of_end(lexer_.peek())) lexer_.next();
+    if (is_word_of_end(lexer_.peek()) && (is_mesh || !at("mesh", "light"))) lexer_.next();
     if (open_ == open_before && !at_list()) break;
   }
   open_ = open_before;
@@ -203,7 +213,9 @@ bool Parser::parse_params(const Token& opening, Params& params) {
 }
 
 bool Parser::parse_use(Use& use) {
-  const bool is_name = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
+  const Token& name = lexer_.peek();
+  const bool is_mesh = context_.scope.scope().find<Shared<Mesh>>(name.text) != nullptr;
+  const bool is_name = name.kind == TokenKind::Word && is_identifier(name.text) && (is_mesh || !at_block());
   if (!is_name) return fail_expected("the name of a mesh");
   parse_reference<Shared<Mesh>>(use.mesh);
   return true;

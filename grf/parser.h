@@ -78,7 +78,7 @@ class Parser {
   bool parse_steps(std::vector<TransformStep>& steps);
   bool parse_body(const Token& opening, BlockList& body);
   void report_end_too_many();
-  void recover(std::size_t open_before);
+  void recover(std::size_t open_before, bool is_mesh);
   bool skip_to_body();
   bool at_block();
 
@@ -124,6 +124,8 @@ class Parser {
   bool parse_irradiance_list(std::vector<DirectionalIrradiance>& list);
   bool parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, bool& mesh_closed);
   bool parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_corner_list(const Mesh& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_corners(const Mesh& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners);
   bool parse_corner(const Mesh& mesh, std::vector<std::uint32_t>& corners);
   bool end_faces(const Token& opening, MeshKind kind, bool& mesh_closed);
   bool end_mesh(const Token& opening, MeshKind kind);
@@ -178,7 +180,8 @@ std::shared_ptr<const SourceFile> source_file(const std::string& path,
                                               const SourceLocation& included_at);
 
 /// Says what is wrong with a text as a whole, before a token of it is looked at.
-bool is_text(const std::string& text, const SourceLocation& location, Diagnostics& diagnostics);
+bool is_text(const std::string& text, std::string_view expected, const SourceLocation& location,
+             Diagnostics& diagnostics);
 
 /// What may stand behind the `=` of a definition.
 bool starts_definition_body(const Token& token);

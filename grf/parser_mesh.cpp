@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <utility>
 
@@ -11,6 +13,41 @@ namespace {
 
 std::string corners_in_words(std::size_t count) {
   return count == 1 ? "one corner" : fmt::format("{} corners", count);
+}
+
+/// How many entries of a list to make room for: as many as the rest of the text holds if they go on as they
+/// began. Doubling would take up to twice the memory of a large mesh, and its copy as much again.
+class Growth {
+ public:
+  explicit Growth(const Lexer& lexer) : lexer_(lexer), bytes_at_start_(lexer.bytes_left()) {}
+
+  std::size_t room(std::size_t count) const {
+    constexpr std::size_t Least = 64;
+    constexpr std::size_t Factor = 4;  // since the text can go on in another way
+    if (count < Least) return Least;
+    const std::size_t bytes_of_each =
+        std::max<std::size_t>(1, (bytes_at_start_ - lexer_.bytes_left()) / count);
+    return count + std::min(count * (Factor - 1), lexer_.bytes_left() / bytes_of_each + Least);
+  }
+
+ private:
+  const Lexer& lexer_;
+  std::size_t bytes_at_start_;
+};
+
+void reserve_vertices(Mesh& mesh, std::size_t count) {
+  mesh.positions.reserve(count);
+  if (!mesh.normals.empty()) mesh.normals.reserve(count);
+  if (!mesh.colours.empty()) mesh.colours.reserve(count);
+  if (!mesh.uvs.empty()) mesh.uvs.reserve(count);
+  if (!mesh.irradiance.empty()) mesh.irradiance.reserve(count);
+}
+
+void reserve_faces(Mesh& mesh, std::size_t count) {
+  const std::size_t faces = std::max<std::size_t>(mesh.face_count(), 1);
+  mesh.corners.reserve(count * mesh.corners.size() / faces + 1);
+  mesh.face_offsets.reserve(count + 1);
+  mesh.surface_of_face.reserve(count);
 }
 
 }  // namespace
@@ -43,10 +80,14 @@ bool Parser::parse_vertices(Mesh& mesh) {
   const auto accept_word = [this] { return accept("vertexs") || accept("vertices"); };
   if (!accept("begin")) return fail_expected("an attribute of the mesh or 'begin vertexs'");
   if (!accept_word()) return fail_expected("'vertexs' (a mesh lists its vertices before its faces)");
+  const Growth growth(lexer_);
   while (!at("end")) {
     if (lexer_.peek().kind == TokenKind::EndOfFile) return fail_unclosed(opening, "end vertexs");
+    const std::size_t count = mesh.positions.size();
+    if (count == mesh.positions.capacity()) reserve_vertices(mesh, growth.room(count));
     if (!parse_vertex(mesh)) return false;
   }
+  mesh.free_spare_memory();
   drop_comments();
   take();
   accept_word();
@@ -110,6 +151,7 @@ bool Parser::parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, b
   std::uint32_t surface_index = 0;
   std::vector<std::uint32_t> corners;
   index_reported_ = false;
+  const Growth growth(lexer_);
   while (!at("end") && !context_.is_over()) {
     if (lexer_.peek().kind == TokenKind::EndOfFile) return fail_unclosed(opening, "end faces");
     if (is_attribute(lexer_.peek())) {
@@ -118,9 +160,12 @@ bool Parser::parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, b
     } else {
       corners.clear();
       if (!parse_face(mesh, corners)) return false;
+      const std::size_t count = mesh.face_count();
+      if (count == mesh.surface_of_face.capacity()) reserve_faces(mesh, growth.room(count));
       mesh.add_face(corners, surface_index);
     }
   }
+  mesh.free_spare_memory();
   drop_comments();
   return end_faces(mesh_opening, kind, mesh_closed);
 }
@@ -132,24 +177,34 @@ bool Parser::parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
   const bool has_count = first.kind == TokenKind::Number;
   if (has_count && !parse_index(count, "the number of a face's corners")) return false;
   if (!has_count && !first.is('(')) return fail_expected("a face, an attribute or 'end faces'");
-  if (accept('(')) {
-    do {
-      if (!parse_corner(mesh, corners)) return false;
-    } while (accept(','));
-    if (!expect(')', "or ',' after the corner of a face")) return false;
-  } else {
-    const auto next_begins = [this] {
-      return lexer_.peek().is('(') || is_attribute(lexer_.peek()) || at("end");
-    };
-    while (corners.size() < count && !next_begins()) {
-      if (!parse_corner(mesh, corners)) return false;
-    }
-  }
+  const bool parsed = lexer_.peek().is('(') ? lexer_.take_indices(corners, mesh.positions.size()) ||
+                                                  parse_corner_list(mesh, corners)
+                                            : parse_corners(mesh, count, corners);
+  if (!parsed) return false;
   if (has_count && count != corners.size()) {
     error(first,
           fmt::format("the face says that it has {} and lists {}", corners_in_words(count), corners.size()));
   } else if (corners.size() < 3) {
     error(first, fmt::format("a face of {}, expected three or more", corners_in_words(corners.size())));
+  }
+  return true;
+}
+
+bool Parser::parse_corner_list(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
+  lexer_.next();
+  do {
+    if (!parse_corner(mesh, corners)) return false;
+  } while (accept(','));
+  return expect(')', "or ',' after the corner of a face");
+}
+
+// As many as the count says, unless something else begins before.
+bool Parser::parse_corners(const Mesh& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners) {
+  const auto next_begins = [this] {
+    return lexer_.peek().is('(') || is_attribute(lexer_.peek()) || at("end");
+  };
+  while (corners.size() < count && !next_begins()) {
+    if (!parse_corner(mesh, corners)) return false;
   }
   return true;
 }

@@ -43,6 +43,11 @@ bool Parser::parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next) {
     if (!parse_terms(brdf.terms)) return false;
   } else if (lexer_.peek().kind == TokenKind::String) {
     brdf.data_file = lexer_.next().text;
+  } else if (same_keyword(brdf.keyword, "combine") && lexer_.peek().kind == TokenKind::Word) {
+    const Scope scope = context_.scope.scope();
+    const bool lacks_weight = scope.find<BrdfModel>(lexer_.peek().text) != nullptr &&
+                              scope.find<BrdfModel>(brdf.keyword) == nullptr && !lexer_.peek_second().is('=');
+    if (lacks_weight) return fail_expected("the weight of a BRDF before its name");
   }
   return parse_arguments(brdf, next);
 }
@@ -129,7 +134,7 @@ bool Parser::parse_brdf_file(BrdfModel& brdf) {
     const auto text = read_file(path, context_.diagnostics, location);
     if (!text) return true;
     const auto file = source_file(path, text, location);
-    if (!is_text(*text, {file, 0, 0}, context_.diagnostics)) return true;
+    if (!is_text(*text, "a BRDF", {file, 0, 0}, context_.diagnostics)) return true;
     const auto instance = Parser(text, file, context_).parse_lone_brdf();
     if (!instance) return true;
     known = context_.brdf_files.emplace(exact_path, *instance).first;

@@ -14,7 +14,7 @@ namespace {
 /// How names in one file read in another.
 class Names {
  public:
-  Names(const std::string& from, const std::string& to) : from_(from), to_folder_(folder_of(to)) {
+  Names(const std::string& from, const std::string& to) : from_(from), to_(to), to_folder_(folder_of(to)) {
     moves_ = folder_of(from) != to_folder_;
   }
 
@@ -28,6 +28,11 @@ class Names {
     return relative.empty() ? target.string() : relative.string();
   }
 
+  /// A name from a file that is itself named in the first one.
+  std::string moved_from(const std::string& file, const std::string& name) const {
+    return Names(path_beside(from_, file), to_).moved(name);
+  }
+
  private:
   static std::filesystem::path folder_of(const std::string& path) {
     return std::filesystem::path(canonical_path(path)).parent_path();
@@ -35,6 +40,7 @@ class Names {
   static bool is_absolute(const std::string& name) { return name.front() == '/' || name.front() == '\\'; }
 
   std::string from_;
+  std::string to_;
   std::filesystem::path to_folder_;
   bool moves_ = false;
 };
@@ -80,11 +86,15 @@ class Mover {
   void move(Reference&) const {}
 
   void move(BrdfModel& brdf) const {
-    const bool data_is_named_there = !brdf.instance_file.empty();
-    if (writes_brdfs_out_) brdf.instance_file.clear();
-    brdf.instance_file = names_.moved(brdf.instance_file);
     // Data that a BRDF's own file names is named from there.
-    if (!data_is_named_there) brdf.data_file = names_.moved(brdf.data_file);
+    if (brdf.instance_file.empty()) {
+      brdf.data_file = names_.moved(brdf.data_file);
+    } else if (writes_brdfs_out_) {
+      brdf.data_file = names_.moved_from(brdf.instance_file, brdf.data_file);
+      brdf.instance_file.clear();
+    } else {
+      brdf.instance_file = names_.moved(brdf.instance_file);
+    }
   }
   void move(Texture& texture) const { texture.file = names_.moved(texture.file); }
   void move(Surface& surface) const {

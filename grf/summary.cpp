@@ -17,6 +17,8 @@
 namespace grf {
 namespace {
 
+constexpr std::size_t VerticesOfABox = 256;
+
 /// For each vertex, the first one at the same place: seams of normals are no holes.
 std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
   struct Hash {
@@ -40,7 +42,7 @@ struct MeshFigures {
   std::size_t triangles = 0;
   std::size_t boundary_edges = 0;
   std::size_t nonmanifold_edges = 0;
-  Box3f bounds;
+  std::vector<Box3f> boxes;  ///< of each so many vertices
   double area = 0;
   bool emits = false;
 };
@@ -68,6 +70,17 @@ void count_edges(const Mesh& mesh, MeshFigures& figures) {
 
 void add_place(const Vec3f& position, const Matrix44d& to_world, Box3f& bounds) {
   bounds.extendBy(Vec3f(Vec3d(position) * to_world));
+}
+
+/// A box, along the axes of the world, around another one that was placed there.
+Box3f box_around(const Box3f& box, const Matrix44d& to_world) {
+  Box3f placed;
+  for (unsigned i = 0; i < 8; ++i) {
+    add_place({(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+               (i & 4U) != 0 ? box.max.z : box.min.z},
+              to_world, placed);
+  }
+  return placed;
 }
 
 double area_of(const Mesh& mesh, const Matrix44d& to_world) {
@@ -138,31 +151,31 @@ class Counter {
     if (figures.emits && !is_light) ++summary_.lights;
     const auto scale = uniform_scale(placement.to_world);
     summary_.area += scale ? *scale * *scale * figures.area : area_of(mesh, placement.to_world);
-    add_bounds(mesh, figures.bounds, placement.to_world);
+    add_bounds(mesh, figures.boxes, placement.to_world);
   }
 
-  // Where many instances are placed, most have their whole box inside of what is known already.
-  void add_bounds(const Mesh& mesh, const Box3f& bounds, const Matrix44d& to_world) {
-    Box3f box;
-    if (!bounds.isEmpty()) {
-      for (unsigned i = 0; i < 8; ++i) {
-        add_place({(i & 1U) != 0 ? bounds.max.x : bounds.min.x, (i & 2U) != 0 ? bounds.max.y : bounds.min.y,
-                   (i & 4U) != 0 ? bounds.max.z : bounds.min.z},
-                  to_world, box);
+  // Where many instances are placed, most vertices are in boxes that lie inside of what is known already.
+  void add_bounds(const Mesh& mesh, const std::vector<Box3f>& boxes, const Matrix44d& to_world) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const Box3f box = box_around(boxes[i], to_world);
+      if (summary_.bounds.intersects(box.min) && summary_.bounds.intersects(box.max)) continue;
+      const std::size_t end = std::min(mesh.positions.size(), (i + 1) * VerticesOfABox);
+      for (std::size_t k = i * VerticesOfABox; k < end; ++k) {
+        add_place(mesh.positions[k], to_world, summary_.bounds);
       }
     }
-    if (summary_.bounds.intersects(box.min) && summary_.bounds.intersects(box.max)) return;
-    for (const Vec3f& position : mesh.positions) add_place(position, to_world, summary_.bounds);
   }
 
   MeshFigures figures_of(const Mesh& mesh) {
     MeshFigures figures;
     figures.triangles = mesh.corners.size() - 2 * mesh.face_count();
     figures.area = area_of(mesh, Matrix44d());
-    for (const Vec3f& position : mesh.positions) figures.bounds.extendBy(position);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (i % VerticesOfABox == 0) figures.boxes.emplace_back();
+      figures.boxes.back().extendBy(mesh.positions[i]);
+    }
     count_edges(mesh, figures);
-    std::vector<bool> is_used(mesh.surfaces.size());
-    for (const std::uint32_t surface : mesh.surface_of_face) is_used[surface] = true;
+    const std::vector<bool> is_used = used_surfaces(mesh);
     for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
       if (!is_used[i]) continue;
       const Surface& surface = mesh.surfaces[i];

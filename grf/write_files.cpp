@@ -1,5 +1,3 @@
-#include "grf/write_files.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -18,9 +16,12 @@
 #include "grf/read.h"
 #include "grf/text_file.h"
 #include "grf/write.h"
+#include "grf/writer.h"
 
 namespace grf {
 namespace {
+
+constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
 
 /// Does something with each definition and each block without a body of one file, with the scope that is in
 /// force there.
@@ -140,7 +141,7 @@ class FilesWriter {
 
   std::string checked_text(const std::string& path, const BlockList& contents, const Scope& scope) {
     FileText text = text_of_file(contents, scope);
-    if (!text.is_finite) fail(path, "it would have numbers that are infinite or not a number (nan)");
+    if (!text.is_finite) fail(path, NotFinite);
     if (has_irradiance(contents) && !is_igrf_name(path)) {
       fail(path, fmt::format("it has irradiance, expected the name of an IGRF file, such as '{}'",
                              std::filesystem::path(path).replace_extension("igrf").string()));
@@ -162,8 +163,11 @@ class FilesWriter {
       }
       const Mesh* mesh = mesh_in(content);
       if (mesh == nullptr) return;
-      for (const Surface& surface : mesh->surfaces) {
-        const auto* brdf = surface.brdf ? std::get_if<BrdfModel>(&*surface.brdf) : nullptr;
+      std::vector<bool> is_written = used_surfaces(*mesh);
+      is_written[0] = true;
+      for (std::size_t i = 0; i < mesh->surfaces.size(); ++i) {
+        const auto& attribute = mesh->surfaces[i].brdf;
+        const auto* brdf = is_written[i] && attribute ? std::get_if<BrdfModel>(&*attribute) : nullptr;
         if (brdf != nullptr) prepare_brdf_file(*brdf, naming_file);
       }
     });
@@ -172,6 +176,7 @@ class FilesWriter {
   void prepare_brdf_file(const BrdfModel& brdf, const std::string& naming_file) {
     if (brdf.instance_file.empty()) return;
     const std::string path = path_beside(naming_file, brdf.instance_file);
+    if (!is_finite(brdf)) return fail(path, NotFinite);
     BrdfModel instance = brdf;
     instance.instance_file.clear();
     const auto [known, is_new] = instances_.emplace(canonical_path(path), instance);

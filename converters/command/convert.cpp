@@ -48,9 +48,13 @@ void print_result(const grf::Scene& scene, const std::string& path) {
   std::size_t meshes = 0;
   std::size_t faces = 0;
   grf::SceneVisitor visitor;
-  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+  const auto count = [&](const grf::Mesh& mesh) {
     ++meshes;
     faces += mesh.face_count();
+  };
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) { count(mesh); };
+  visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement&, const grf::Block&) {
+    count(*light.mesh);
   };
   grf::visit(scene, visitor);
   fmt::print("{}: {}, {}\n", path, counted(meshes, "mesh", "meshes"), counted(faces, "face", "faces"));

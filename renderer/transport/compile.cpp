@@ -137,8 +137,7 @@ void Compiler::add_vertices(const Mesh& mesh, const Matrix44d& to_world) {
 }
 
 std::vector<std::uint32_t> Compiler::add_surfaces(const Mesh& mesh, const grf::Scope& scope) {
-  std::vector<bool> used(mesh.surfaces.size(), false);
-  for (const std::uint32_t surface : mesh.surface_of_face) used[surface] = true;
+  const std::vector<bool> used = used_surfaces(mesh);
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
     indices.push_back(static_cast<std::uint32_t>(surfaces_.size()));

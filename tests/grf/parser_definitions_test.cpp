@@ -52,6 +52,16 @@ TEST(Definitions, AreCaseSensitiveAndMayHaveTheNamesOfKeywords) {
               ElementsAre("ward", "light", "transform", "include", "mesh", "rgb", "brdf"));
 }
 
+TEST(Definitions, CannotHaveReservedNames) {
+  for (const std::string name : {"begin", "end", "none", "use", "true", "false", "USE"}) {
+    EXPECT_EQ(error_in("def " + name + " = rgb (1, 0, 0) begin end"),
+              "'" + name + "' is a reserved word, expected another name");
+    EXPECT_EQ(error_in("def a = brdf ward " + name + " = rgb (1, 0, 0) begin end"),
+              "'" + name + "' is a reserved word, expected another name");
+  }
+  EXPECT_EQ(error_in("def def = rgb (1, 0, 0) begin end"), "found '=', expected the name of a definition");
+}
+
 /// What the attribute `brdf` of the mesh in the definitions means: its keyword.
 std::string meaning_of(const std::string& definitions, const std::string& brdf,
                        const std::string& end = "end") {
