@@ -32,7 +32,15 @@ class Giver {
     if (!(contents == *include.contents)) include.contents = std::move(contents);
   }
   void give(grf::Transform& transform) { give(transform.body); }
-  void give(grf::DefinitionScope& definitions) { give(definitions.body); }
+  void give(grf::DefinitionScope& scope) {
+    for (grf::Definition& definition : scope.definitions) {
+      if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body)) give(*mesh);
+    }
+    give(scope.body);
+  }
+  void give(grf::MeshLight&) {}
+  void give(grf::Params&) {}
+  void give(grf::Use&) {}
 
   const grf::BrdfModel& brdf_;
 };

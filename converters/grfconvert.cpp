@@ -13,6 +13,7 @@
 #include "converters/command/convert.h"
 #include "converters/command/info.h"
 #include "converters/command/list_formats.h"
+#include "converters/command/tidy.h"
 
 namespace {
 
@@ -26,6 +27,8 @@ struct Arguments {
   std::string from;
   std::string to;
   std::string brdf;
+  bool flat = false;
+  bool grf2008 = false;
   bool quiet = false;
   bool json = false;
 };
@@ -53,6 +56,8 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
   app.add_option("IN", arguments.input, "File to read");
   app.add_option("-o,--output", arguments.output, "File to write; its extension says the format");
   app.add_option("--to", arguments.to, "Format of the output, whatever its name")->check(is_format());
+  app.add_flag("--flatten", arguments.flat, "Write included files and files of BRDFs out, into one GRF file");
+  app.add_flag("--grf2008", arguments.grf2008, "Write GRF by its grammar of 2008, without extensions");
   add_input_options(app, arguments);
   add_quiet_option(app, arguments);
 }
@@ -70,6 +75,12 @@ void define_check(CLI::App& app, Arguments& arguments) {
   check->add_option("FILE", arguments.inputs, "Files to read")->required();
   check->add_flag("--json", arguments.json, "Print one JSON object");
   add_quiet_option(*check, arguments);
+}
+
+void define_tidy(CLI::App& app, Arguments& arguments) {
+  CLI::App* tidy = app.add_subcommand("tidy", "Write GRF files again in the one style");
+  tidy->add_option("FILE", arguments.inputs, "Files to write again")->required();
+  add_quiet_option(*tidy, arguments);
 }
 
 void define_formats(CLI::App& app, Arguments& arguments) {
@@ -92,8 +103,8 @@ ExitCode run_conversion(const Arguments& arguments) {
   if (arguments.output.empty()) return convert::bad_command_line("the file to write is missing (-o OUT)");
   const auto input = input_options(arguments);
   if (!input) return ExitCode::BadCommandLine;
-  return convert::convert_file(
-      {*input, arguments.output, convert::find_format(arguments.to), arguments.quiet});
+  return convert::convert_file({*input, arguments.output, convert::find_format(arguments.to), arguments.flat,
+                                arguments.grf2008, arguments.quiet});
 }
 
 ExitCode run(const CLI::App& app, const Arguments& arguments) {
@@ -104,6 +115,7 @@ ExitCode run(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("check")) {
     return convert::check_files(arguments.inputs, arguments.json, arguments.quiet);
   }
+  if (app.got_subcommand("tidy")) return convert::tidy_files(arguments.inputs, arguments.quiet);
   if (!app.got_subcommand("info")) return run_conversion(arguments);
   const auto input = input_options(arguments);
   return input ? convert::print_info(*input, arguments.json, arguments.quiet) : ExitCode::BadCommandLine;
@@ -118,6 +130,7 @@ int main(int argc, char** argv) {
     define_conversion(app, arguments);
     define_info(app, arguments);
     define_check(app, arguments);
+    define_tidy(app, arguments);
     define_formats(app, arguments);
     try {
       app.parse(argc, argv);

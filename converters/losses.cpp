@@ -18,7 +18,8 @@ struct LossText {
 LossText text_of(Loss loss) {
   switch (loss) {
     case Loss::Texture:
-      return {"face lost its texture", "faces lost their texture", "GRF scenes hold none yet"};
+      return {"face lost its texture", "faces lost their texture",
+              "the reader of OBJ does not take them over"};
     case Loss::BumpMap:
       return {"face lost its bump map", "faces lost their bump map", "GRF has none"};
     case Loss::OtherMap:
@@ -26,7 +27,7 @@ LossText text_of(Loss loss) {
               "faces lost their map of a parameter other than the diffuse colour", "GRF has none"};
     case Loss::TextureCoordinates:
       return {"face lost its texture coordinates", "faces lost their texture coordinates",
-              "GRF scenes hold none yet"};
+              "the reader of OBJ does not take them over"};
     case Loss::Transparency:
       return {"face lost its transparency", "faces lost their transparency", "GRF surfaces are opaque"};
     case Loss::PhysicallyBasedParameters:

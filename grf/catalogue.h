@@ -1,4 +1,4 @@
-// What models there are: descriptor tables that the reflectance library fills, and the check of a scene
+// What models there are: descriptor tables that the reflectance library fills, and the check of a model
 // against them. The table of a model drives the check, command lines, documents and the editor's forms.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grf/diagnostics.h"
-#include "grf/scene.h"
+#include "grf/model.h"
 
 namespace grf {
 
@@ -64,13 +64,14 @@ const ModelInfo* find_model(const std::vector<ModelInfo>& models, std::string_vi
 /// The argument of a model for a parameter, by name or alias, or null.
 const Argument* find_argument(const Model& model, const ParameterInfo& parameter);
 
-/// Reports unknown keywords, unknown and repeated parameters, and values of the wrong kind or out of
-/// range, at their place, with the nearest names that exist; and what an author may not have meant, as
-/// warnings. Returns false if there was an error.
-bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics);
-
-/// The same for one model that stands in no scene. `kind` is `BRDF` or `PDF`, for the messages.
+/// Reports an unknown keyword, unknown and repeated parameters, and values of the wrong kind or out of range,
+/// at their place, with the nearest names that exist. `kind` is `BRDF` or `PDF`, for the messages. Returns
+/// false if there was an error. `grf/check.h` does so for a scene.
 bool check(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
            Diagnostics& diagnostics);
+
+/// Says that no model has this keyword, and which of the models and of the other words are near it.
+void report_unknown(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
+                    const std::vector<std::string>& other_words, Diagnostics& diagnostics);
 
 }  // namespace grf

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 #include "grf/keywords.h"
@@ -50,6 +52,58 @@ Token Lexer::peek_second() {
   line_ = line;
   comments_.resize(comments);
   return second;
+}
+
+// Calls `take_number` at each number of the list, which gives the place behind it, or null. So does this.
+template <class TakeNumber>
+const char* Lexer::end_of_list(TakeNumber take_number) const {
+  if (!ahead_.is('(')) return nullptr;
+  const char* position = position_;
+  const auto skip_blanks = [&] {
+    while (position != end_ && *position == ' ') ++position;
+    return position != end_;
+  };
+  do {
+    if (!skip_blanks()) return nullptr;
+    position = take_number(position);
+    if (position == nullptr || !skip_blanks()) return nullptr;
+  } while (*position++ == ',');
+  return position[-1] == ')' ? position : nullptr;
+}
+
+void Lexer::go_on_at(const char* position) {
+  position_ = position;
+  line_of_last_ = line_;
+  ahead_ = scan();
+}
+
+bool Lexer::take_numbers(std::span<float> numbers) {
+  std::size_t count = 0;
+  const char* end = end_of_list([&](const char* first) -> const char* {
+    const char* digits = first + (*first == '-' ? 1 : 0);
+    // Neither `nan` nor `inf`.
+    const bool is_number = digits != end_ && (is_digit(*digits) || *digits == '.');
+    if (count == numbers.size() || !is_number) return nullptr;
+    const auto [behind, error] = std::from_chars(first, end_, numbers[count++]);
+    return error == std::errc() ? behind : nullptr;
+  });
+  if (end == nullptr || count != numbers.size()) return false;
+  go_on_at(end);
+  return true;
+}
+
+bool Lexer::take_indices(std::vector<std::uint32_t>& indices, std::size_t limit) {
+  const std::size_t count_before = indices.size();
+  const char* end = end_of_list([&](const char* first) -> const char* {
+    const auto [behind, error] = std::from_chars(first, end_, indices.emplace_back());
+    return error == std::errc() && indices.back() < limit ? behind : nullptr;
+  });
+  if (end == nullptr) {
+    indices.resize(count_before);
+    return false;
+  }
+  go_on_at(end);
+  return true;
 }
 
 // Counts on from the last token that was asked about, if that is before this one on its line: a file can be

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,9 +41,20 @@ class Lexer {
   /// The token after the one ahead. Costs a second scan: not for lists of numbers.
   Token peek_second();
 
+  /// Takes `(a, b, c)` at once if the token ahead begins it, on one line, with nothing in it that needs a
+  /// second look (a comment, a suffix, a number out of range). Most of a large scene is such lists, and to
+  /// cut them into tokens takes several times as long. False: nothing was taken, and the tokens tell what
+  /// there is.
+  bool take_numbers(std::span<float> numbers);
+  /// The same for whole numbers under a limit, any number of them, which are added.
+  bool take_indices(std::vector<std::uint32_t>& indices, std::size_t limit);
+
   /// Comments met up to the token ahead, that nobody took or dropped yet.
   std::vector<CommentToken>& comments() { return comments_; }
   std::uint32_t line_of_last() const { return line_of_last_; }
+
+  /// Of the text, from the token ahead on.
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - ahead_.begin); }
 
   SourceLocation location(const Token& token);
 
@@ -50,6 +63,9 @@ class Lexer {
   Token scan();
   Token scan_number();
   Token scan_string(std::string_view quote);
+  template <class TakeNumber>
+  const char* end_of_list(TakeNumber take_number) const;
+  void go_on_at(const char* position);
   Token finish(TokenKind kind, const char* begin, std::string_view text) const;
 
   std::shared_ptr<const std::string> text_;

@@ -12,4 +12,10 @@ bool operator==(const Model& a, const Model& b) {
   return same_keyword(a.keyword, b.keyword) && a.arguments == b.arguments;
 }
 
+bool is_bare_word(const BrdfModel& brdf) {
+  return brdf.arguments.empty() && brdf.terms.empty() && brdf.data_file.empty() && brdf.instance_file.empty();
+}
+
+bool is_bare_word(const PdfModel& pdf) { return pdf.arguments.empty(); }
+
 }  // namespace grf

@@ -13,7 +13,8 @@ namespace grf {
 namespace {
 
 constexpr std::size_t DeepestNesting = 1000;
-constexpr std::string_view BlockWords = "a block: 'begin mesh', 'light', 'include', 'transform' or 'def'";
+constexpr std::string_view BlockWords =
+    "a block: 'begin mesh', 'mesh light', 'light', 'include', 'transform', 'def', 'params' or 'use'";
 
 /// Whether the word behind an `end` says that this closes no block with blocks inside.
 bool is_word_of_end(const Token& token) {
@@ -26,7 +27,7 @@ bool is_word_of_end(const Token& token) {
 std::optional<Scene> read_shared(const std::shared_ptr<const std::string>& text, const std::string& path,
                                  Diagnostics& diagnostics) {
   const auto file = source_file(path, text, {});
-  if (!is_text(*text, {file, 0, 0}, diagnostics)) return std::nullopt;
+  if (!is_text(*text, "a GRF scene", {file, 0, 0}, diagnostics)) return std::nullopt;
   ParserContext context(diagnostics);
   context.open_files.push_back({canonical_path(path), path});
   Scene scene{Parser(text, file, context).parse_file()};
@@ -36,11 +37,12 @@ std::optional<Scene> read_shared(const std::shared_ptr<const std::string>& text,
 
 }  // namespace
 
-bool is_text(const std::string& text, const SourceLocation& location, Diagnostics& diagnostics) {
+bool is_text(const std::string& text, std::string_view expected, const SourceLocation& location,
+             Diagnostics& diagnostics) {
   if (text.empty()) {
-    diagnostics.error(location, "the file is empty, expected a GRF scene");
+    diagnostics.error(location, fmt::format("the file is empty, expected {}", expected));
   } else if (text.find('\0') != std::string::npos) {
-    diagnostics.error(location, "this is a binary file, expected a GRF scene, which is text");
+    diagnostics.error(location, fmt::format("this is a binary file, expected {}, which is text", expected));
   } else {
     return true;
   }
@@ -84,21 +86,14 @@ BlockList Parser::parse_file() {
   return contents;
 }
 
-std::optional<BrdfModel> Parser::parse_lone_brdf() {
-  BrdfModel brdf;
-  if (!parse_model(brdf, nullptr)) return std::nullopt;
-  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the BRDF");
-  if (context_.has_errors()) return std::nullopt;
-  return brdf;
-}
-
 // Blocks up to the `end` of the scope that the token opened, or, without one, to the end of the file.
 BlockList Parser::parse_blocks(const Token* opening) {
   BlockList list;
   while (!context_.is_over() && lexer_.peek().kind != TokenKind::EndOfFile) {
     const std::size_t open_before = open_;
+    const bool is_mesh = at("begin", "mesh");
     if (!at("end")) {
-      if (!parse_block(list)) recover(open_before);
+      if (!parse_block(list)) recover(open_before, is_mesh);
     } else if (opening == nullptr) {
       report_end_too_many();
     } else {
@@ -114,35 +109,50 @@ bool Parser::parse_block(BlockList& list) {
   const Token opening = lexer_.peek();
   block.location = lexer_.location(opening);
   block.comments.before = take_comments();
-  bool parsed = false;
-  if (accept("begin")) {
-    Mesh mesh;
-    parsed = expect("mesh", "after this 'begin'") && parse_mesh(opening, mesh);
-    block.content = Shared<Mesh>(std::move(mesh));
-  } else if (accept("light")) {
-    parsed = parse_light(block.content.emplace<AreaLight>());
-  } else if (accept("include")) {
-    parsed = parse_include(block.content.emplace<Include>());
-  } else if (accept("transform")) {
-    parsed = parse_transform(opening, block.content.emplace<Transform>());
-  } else if (accept("def")) {
-    parsed = parse_definitions(opening, block.content.emplace<DefinitionScope>());
-  } else {
-    return fail_expected(BlockWords);
-  }
+  const bool parsed = parse_content(opening, block);
+  if (!parsed) return false;
   take_comments_of(block.comments);
-  if (parsed) list.blocks.push_back(std::move(block));
-  return parsed;
+  list.blocks.push_back(std::move(block));
+  return true;
 }
 
-bool Parser::starts_block(const Token& token) {
-  if (token.kind != TokenKind::Word) return false;
-  if (same_keyword(token.text, "include") || same_keyword(token.text, "transform")) return true;
-  if (same_keyword(token.text, "def")) return true;
-  const bool begin = same_keyword(token.text, "begin");
-  if (!begin && !same_keyword(token.text, "light")) return false;
-  const Token second = lexer_.peek_second();
-  return second.kind == TokenKind::Word && same_keyword(second.text, begin ? "mesh" : "begin");
+bool Parser::parse_content(const Token& opening, Block& block) {
+  const auto parse_mesh_of = [&](MeshKind kind, Shared<Mesh>& shared) {
+    Mesh mesh;
+    if (!parse_mesh(opening, kind, mesh)) return false;
+    shared = std::move(mesh);
+    return true;
+  };
+  // After an error in a list of definitions this is most likely the body behind it.
+  if (context_.lacks_names && at("begin") && !at("begin", "mesh")) {
+    return parse_body(opening, block.content.emplace<DefinitionScope>().body);
+  }
+  if (accept("begin")) {
+    return expect("mesh", "after this 'begin'") &&
+           parse_mesh_of(MeshKind::Mesh, block.content.emplace<Shared<Mesh>>());
+  }
+  if (accept("mesh")) {
+    return expect("light", "after 'mesh' (a mesh starts with 'begin mesh')") &&
+           expect("begin", "after 'mesh light'") &&
+           parse_mesh_of(MeshKind::Light, block.content.emplace<MeshLight>().mesh);
+  }
+  if (accept("light")) return parse_light(block.content.emplace<AreaLight>());
+  if (accept("include")) return parse_include(block.content.emplace<Include>());
+  if (accept("transform")) return parse_transform(opening, block.content.emplace<Transform>());
+  if (accept("def")) return parse_definitions(opening, block.content.emplace<DefinitionScope>());
+  if (accept("params")) return parse_params(opening, block.content.emplace<Params>());
+  if (accept("use")) return parse_use(block.content.emplace<Use>());
+  if (opening.kind == TokenKind::Word && lexer_.peek_second().is('=')) {
+    context_.lacks_names = true;
+    return fail_expected("'def' before the name of a definition");
+  }
+  return fail_expected(BlockWords);
+}
+
+// Whether what follows can only be a block.
+bool Parser::at_block() {
+  return at("include") || at("transform") || at("def") || at("use") || at("begin", "mesh") ||
+         at("mesh", "light") || at("light", "begin") || at("params", "begin");
 }
 
 void Parser::report_end_too_many() {
@@ -154,15 +164,15 @@ void Parser::report_end_too_many() {
 
 // After an error in a block: on behind its end, or to what can only be the next block or the end of the block
 // around it, so that later errors are found too.
-void Parser::recover(std::size_t open_before) {
+void Parser::recover(std::size_t open_before, bool is_mesh) {
   // The lists of a mesh are in nothing else, so what looks like one belongs to the block that was left.
   const auto at_list = [this] { return (at("begin") || at("end")) && is_word_of_end(lexer_.peek_second()); };
-  while (lexer_.peek().kind != TokenKind::EndOfFile && !starts_block(lexer_.peek())) {
+  while (lexer_.peek().kind != TokenKind::EndOfFile && !at_block()) {
     const bool ends_something = at("end");
     if (ends_something && open_ == open_before && !at_list()) break;
     take();
     if (!ends_something) continue;
-    if (is_word_of_end(lexer_.peek())) lexer_.next();
+    if (is_word_of_end(lexer_.peek()) && (is_mesh || !at("mesh", "light"))) lexer_.next();
     if (open_ == open_before && !at_list()) break;
   }
   open_ = open_before;
@@ -171,7 +181,7 @@ void Parser::recover(std::size_t open_before) {
 
 // After an error before a body: on to its `begin`, so that the blocks inside are looked at too.
 bool Parser::skip_to_body() {
-  while (lexer_.peek().kind != TokenKind::EndOfFile && !at("end") && !starts_block(lexer_.peek())) {
+  while (lexer_.peek().kind != TokenKind::EndOfFile && !at("end") && !at_block()) {
     if (at("begin")) return true;
     lexer_.next();
   }
@@ -191,6 +201,24 @@ bool Parser::parse_light(AreaLight& light) {
     return false;
   }
   return expect("end", "after the corner and the two edges of a light");
+}
+
+bool Parser::parse_params(const Token& opening, Params& params) {
+  if (!expect("begin", "after 'params'")) return false;
+  while (accept("dependent")) {
+    if (!expect("view", "after 'dependent'") || !parse_vector(params.views.emplace_back(0.0F))) return false;
+  }
+  if (lexer_.peek().kind == TokenKind::EndOfFile) return fail_unclosed(opening, "end");
+  return expect("end", "or 'dependent view' and a position");
+}
+
+bool Parser::parse_use(Use& use) {
+  const Token& name = lexer_.peek();
+  const bool is_mesh = context_.scope.scope().find<Shared<Mesh>>(name.text) != nullptr;
+  const bool is_name = name.kind == TokenKind::Word && is_identifier(name.text) && (is_mesh || !at_block());
+  if (!is_name) return fail_expected("the name of a mesh");
+  parse_reference<Shared<Mesh>>(use.mesh);
+  return true;
 }
 
 bool Parser::parse_transform(const Token& opening, Transform& transform) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -40,7 +41,7 @@ struct ParserContext {
   std::size_t errors_before = 0;
   bool gave_up = false;
 
-  Scope scope;
+  ScopeStack scope;
   bool lacks_names = false;              ///< a definition could not be read, so its name is not in the scope
   std::set<std::string> reported_names;  ///< unknown ones: each is one mistake, however often it is used
   std::size_t nesting = 0;               ///< open blocks, those of including files among them
@@ -54,6 +55,7 @@ struct ParserContext {
   std::size_t scope_number = 0;
   /// The contents of files that include no others, by canonical path and number of the scope.
   std::map<std::pair<std::string, std::size_t>, Shared<BlockList>> contents_of_files;
+  std::map<std::string, BrdfModel> brdf_files;  ///< what each holds, by canonical path
 };
 
 class Parser {
@@ -68,14 +70,17 @@ class Parser {
   // parser.cpp: blocks
   BlockList parse_blocks(const Token* opening);
   bool parse_block(BlockList& list);
+  bool parse_content(const Token& opening, Block& block);
   bool parse_light(AreaLight& light);
+  bool parse_params(const Token& opening, Params& params);
+  bool parse_use(Use& use);
   bool parse_transform(const Token& opening, Transform& transform);
   bool parse_steps(std::vector<TransformStep>& steps);
   bool parse_body(const Token& opening, BlockList& body);
   void report_end_too_many();
-  void recover(std::size_t open_before);
+  void recover(std::size_t open_before, bool is_mesh);
   bool skip_to_body();
-  bool starts_block(const Token& token);
+  bool at_block();
 
   // parser_includes.cpp
   bool parse_include(Include& include);
@@ -94,33 +99,50 @@ class Parser {
   using Names = std::unordered_map<std::string_view, std::uint32_t>;
   bool parse_name(std::optional<NextDefinition>& next);
   void check_name(const Token& name, Names& names);
-  bool parse_definition(const Token& name, DefinitionScope& scope, std::optional<NextDefinition>& next);
+  using Definitions = std::deque<Definition>;  ///< which stay where they are when one more is read
+  bool parse_definition_list(Definitions& definitions);
+  bool parse_definition(const Token& name, Definitions& definitions, std::optional<NextDefinition>& next);
   bool parse_definition_body(Definition& definition, std::optional<NextDefinition>& next);
-  std::size_t number_of_scope(const DefinitionScope& scope);
-  bool skip_to_definition();
+  std::size_t number_of_scope(const Definitions& definitions);
+  bool skip_to_definition(std::size_t open_before);
+
+  // parser_models.cpp
+  bool parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next);
   bool parse_model(Model& model, std::optional<NextDefinition>* next);
+  bool parse_keyword(Model& model);
+  bool parse_arguments(Model& model, std::optional<NextDefinition>* next);
   bool parse_value(const Token& name, Value& value);
+  bool parse_terms(std::vector<CombineTerm>& terms);
+  bool parse_brdf_file(BrdfModel& brdf);
 
   // parser_mesh.cpp
-  bool parse_mesh(const Token& opening, Mesh& mesh);
+  /// A mesh light is a mesh with other attributes and another end.
+  enum class MeshKind { Mesh, Light };
+  bool parse_mesh(const Token& opening, MeshKind kind, Mesh& mesh);
   bool parse_vertices(Mesh& mesh);
   bool parse_vertex(Mesh& mesh);
-  bool parse_faces(const Token& mesh_opening, Mesh& mesh, bool& mesh_closed);
+  bool parse_irradiance_list(std::vector<DirectionalIrradiance>& list);
+  bool parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, bool& mesh_closed);
   bool parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_corner_list(const Mesh& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_corners(const Mesh& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners);
   bool parse_corner(const Mesh& mesh, std::vector<std::uint32_t>& corners);
-  bool end_faces(const Token& opening, bool& mesh_closed);
-  bool end_mesh(const Token& opening);
+  bool end_faces(const Token& opening, MeshKind kind, bool& mesh_closed);
+  bool end_mesh(const Token& opening, MeshKind kind);
+
+  // parser_attributes.cpp
   bool is_attribute(const Token& token) const;
-  bool parse_attribute(Surface& surface, bool reset_allowed);
+  bool parse_attribute(Surface& surface, MeshKind kind, bool reset_allowed);
   bool parse_emission(Surface& surface);
   bool parse_colour_attribute(Surface& surface);
   bool parse_texture_attribute(Surface& surface);
   template <class Body>
-  Reference parse_reference();
-  template <class Body>
-  void report_unknown(const Token& name);
+  void parse_reference(Reference& reference);
+  bool parse_brdf_attribute(std::optional<BrdfAttribute>& attribute);
+  bool parse_pdf_attribute(std::optional<PdfAttribute>& attribute);
   template <class ModelOfKind>
-  bool parse_model_attribute(std::optional<std::variant<ModelOfKind, Reference>>& attribute);
+  void take_reference(ModelOfKind model,
+                      std::optional<std::variant<ModelOfKind, Reference>>& attribute) const;
   Comments* comments_of_attribute(Mesh& mesh, const Token& keyword) const;
 
   // parser_words.cpp: tokens and values
@@ -130,6 +152,7 @@ class Parser {
   bool expect(std::string_view keyword, std::string_view where);
   bool expect(char punctuation, std::string_view where);
   bool at(std::string_view keyword) const;
+  bool at(std::string_view first, std::string_view second);
   bool parse_number(float& number);
   bool parse_vector(Vec3f& vector);
   bool parse_vector(Vec2f& vector);
@@ -157,7 +180,11 @@ std::shared_ptr<const SourceFile> source_file(const std::string& path,
                                               const SourceLocation& included_at);
 
 /// Says what is wrong with a text as a whole, before a token of it is looked at.
-bool is_text(const std::string& text, const SourceLocation& location, Diagnostics& diagnostics);
+bool is_text(const std::string& text, std::string_view expected, const SourceLocation& location,
+             Diagnostics& diagnostics);
+
+/// What may stand behind the `=` of a definition.
+bool starts_definition_body(const Token& token);
 
 /// The three spellings of the keyword.
 bool is_colour_keyword(std::string_view word);

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,26 +7,29 @@
 #include "grf/parser.h"
 
 namespace grf {
-namespace {
-
-bool is_boolean(const Token& token) {
-  return token.kind == TokenKind::Word &&
-         (same_keyword(token.text, "true") || same_keyword(token.text, "false"));
-}
-
-bool starts_value(const Token& token) {
-  return token.kind == TokenKind::Number || token.is('(') || is_boolean(token);
-}
-
 bool starts_definition_body(const Token& token) {
   return token.kind == TokenKind::Word &&
          (is_colour_keyword(token.text) || same_keyword(token.text, "brdf") ||
-          same_keyword(token.text, "pdf") || same_keyword(token.text, "texture"));
+          same_keyword(token.text, "pdf") || same_keyword(token.text, "texture") ||
+          same_keyword(token.text, "begin"));
 }
 
-}  // namespace
-
 bool Parser::parse_definitions(const Token& opening, DefinitionScope& scope) {
+  Definitions definitions;
+  bool parsed = parse_definition_list(definitions);
+  if (parsed) {
+    const std::size_t number_outside = std::exchange(context_.scope_number, number_of_scope(definitions));
+    parsed = parse_body(opening, scope.body);
+    context_.scope_number = number_outside;
+  }
+  context_.scope.leave(definitions.size());
+  scope.definitions.assign(std::make_move_iterator(definitions.begin()),
+                           std::make_move_iterator(definitions.end()));
+  return parsed;
+}
+
+// Each definition is in scope from the next one on.
+bool Parser::parse_definition_list(Definitions& definitions) {
   Names names;
   std::optional<NextDefinition> next;
   do {
@@ -34,25 +37,21 @@ bool Parser::parse_definitions(const Token& opening, DefinitionScope& scope) {
       while (accept("def")) {
       }
     }
+    const std::size_t open_before = open_;
     if (next || parse_name(next)) {
       const Token name = std::exchange(next, std::nullopt)->name;
       check_name(name, names);
-      if (parse_definition(name, scope, next)) continue;
+      if (parse_definition(name, definitions, next)) continue;
     }
     context_.lacks_names = true;
-    if (context_.is_over() || !skip_to_definition()) return false;
+    if (context_.is_over() || !skip_to_definition(open_before)) return false;
   } while (next || !at("begin"));
-  const std::size_t number_outside = std::exchange(context_.scope_number, number_of_scope(scope));
-  for (const Definition& definition : scope.definitions) context_.scope.enter(definition);
-  const bool parsed = parse_body(opening, scope.body);
-  context_.scope.leave(scope.definitions.size());
-  context_.scope_number = number_outside;
-  return parsed;
+  return true;
 }
 
-std::size_t Parser::number_of_scope(const DefinitionScope& scope) {
+std::size_t Parser::number_of_scope(const Definitions& definitions) {
   std::string names;
-  for (const Definition& definition : scope.definitions) {
+  for (const Definition& definition : definitions) {
     names += fmt::format("{} {} ", definition.name, definition.body.index());
   }
   const std::size_t next_number = context_.scope_numbers.size() + 1;
@@ -62,7 +61,7 @@ std::size_t Parser::number_of_scope(const DefinitionScope& scope) {
 bool Parser::parse_name(std::optional<NextDefinition>& next) {
   const bool is_named = lexer_.peek_second().is('=');
   // What follows can be the first block of a body whose `begin` was left out.
-  if (!is_named && starts_block(lexer_.peek())) return fail_expected("'begin' or one more definition");
+  if (!is_named && at_block()) return fail_expected("'begin' or one more definition");
   const bool is_name =
       lexer_.peek().kind == TokenKind::Word && (is_named || is_identifier(lexer_.peek().text));
   if (!is_name) return fail_expected("the name of a definition");
@@ -82,18 +81,21 @@ void Parser::check_name(const Token& name, Names& names) {
   }
 }
 
-// After an error in a definition: on to the next `def` of the list, or to the body.
-bool Parser::skip_to_definition() {
+// After an error in a definition: out of the mesh that it may be, and on to the next `def` of the list, or to
+// the body.
+bool Parser::skip_to_definition(std::size_t open_before) {
+  while (open_ > open_before && lexer_.peek().kind != TokenKind::EndOfFile) take();
+  if (at("mesh") && !at_block()) lexer_.next();
   while (lexer_.peek().kind != TokenKind::EndOfFile && !at("end")) {
     if (at("def")) return true;
-    if (starts_block(lexer_.peek())) return false;
+    if (at_block()) return false;
     if (at("begin")) return true;
     lexer_.next();
   }
   return false;
 }
 
-bool Parser::parse_definition(const Token& name, DefinitionScope& scope,
+bool Parser::parse_definition(const Token& name, Definitions& definitions,
                               std::optional<NextDefinition>& next) {
   Definition definition;
   definition.name = name.text;
@@ -101,7 +103,7 @@ bool Parser::parse_definition(const Token& name, DefinitionScope& scope,
   definition.comments.before = take_comments();
   if (!parse_definition_body(definition, next)) return false;
   take_comments_of(definition.comments, next ? next->line_before : lexer_.line_of_last());
-  scope.definitions.push_back(std::move(definition));
+  context_.scope.enter(definitions.emplace_back(std::move(definition)));
   return true;
 }
 
@@ -110,56 +112,19 @@ bool Parser::parse_definition_body(Definition& definition, std::optional<NextDef
     lexer_.next();
     return parse_vector(definition.body.emplace<Colour>());
   }
-  if (accept("brdf")) return parse_model(definition.body.emplace<BrdfModel>(), &next);
+  if (accept("brdf")) return parse_brdf(definition.body.emplace<BrdfModel>(), &next);
   if (accept("pdf")) return parse_model(definition.body.emplace<PdfModel>(), &next);
   if (accept("texture")) {
     Texture& texture = definition.body.emplace<Texture>();
     texture.location = lexer_.location(lexer_.peek());
     return parse_string(texture.file, "the name of an image file, in quotes");
   }
-  return fail_expected("'rgb', 'brdf', 'pdf' or 'texture'");
-}
-
-// In a list of definitions, `name = value` is one more parameter and `name = brdf ...` the next definition:
-// that name, already taken from the text, is handed back.
-bool Parser::parse_model(Model& model, std::optional<NextDefinition>* next) {
-  const bool is_model = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
-  if (!is_model) return fail_expected("a model's keyword or the name of a definition");
-  const Token keyword = lexer_.next();
-  model.keyword = keyword.text;
-  model.location = lexer_.location(keyword);
-  while (lexer_.peek().kind == TokenKind::Word && lexer_.peek_second().is('=')) {
-    const std::uint32_t line_before = lexer_.line_of_last();
-    const Token name = lexer_.next();
-    lexer_.next();
-    if (next != nullptr && starts_definition_body(lexer_.peek())) {
-      *next = NextDefinition{name, line_before};
-      return true;
-    }
-    if (next != nullptr && !starts_value(lexer_.peek())) {
-      return fail_expected(
-          fmt::format("a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf', 'pdf' or 'texture' for a "
-                      "definition called '{0}'",
-                      name.text, model.keyword));
-    }
-    Argument argument{std::string(name.text), {}, lexer_.location(name)};
-    if (!parse_value(name, argument.value)) return false;
-    model.arguments.push_back(std::move(argument));
-  }
+  const Token opening = lexer_.peek();
+  if (!accept("begin")) return fail_expected("'rgb', 'brdf', 'pdf', 'texture' or 'begin mesh'");
+  Mesh mesh;
+  if (!expect("mesh", "after this 'begin'") || !parse_mesh(opening, MeshKind::Mesh, mesh)) return false;
+  definition.body = Shared<Mesh>(std::move(mesh));
   return true;
-}
-
-bool Parser::parse_value(const Token& name, Value& value) {
-  if (lexer_.peek().is('(')) return parse_vector(value.emplace<Colour>());
-  if (is_boolean(lexer_.peek())) {
-    value = same_keyword(lexer_.next().text, "true");
-    return true;
-  }
-  if (lexer_.peek().kind != TokenKind::Number) {
-    return fail_expected(
-        fmt::format("a number, 'true', 'false' or three numbers in parentheses for '{}'", name.text));
-  }
-  return parse_number(value.emplace<float>());
 }
 
 }  // namespace grf

@@ -74,7 +74,7 @@ std::optional<Shared<BlockList>> Parser::contents_of(const OpenFile& included,
     return std::nullopt;
   }
   const auto file = source_file(included.path, text, location);
-  if (!is_text(*text, {file, 0, 0}, context_.diagnostics)) return std::nullopt;
+  if (!is_text(*text, "a GRF scene", {file, 0, 0}, context_.diagnostics)) return std::nullopt;
   const std::size_t includes_before = context_.include_count;
   context_.open_files.push_back(included);
   Shared<BlockList> contents = Parser(text, file, context_).parse_file();

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,6 +78,12 @@ bool Parser::at(std::string_view keyword) const {
   return lexer_.peek().kind == TokenKind::Word && same_keyword(lexer_.peek().text, keyword);
 }
 
+bool Parser::at(std::string_view first, std::string_view second) {
+  if (!at(first)) return false;
+  const Token next = lexer_.peek_second();
+  return next.kind == TokenKind::Word && same_keyword(next.text, second);
+}
+
 // Counts blocks that are open, which recovery from an error needs to know.
 Token Parser::take() {
   if (at("begin")) ++open_;
@@ -143,12 +150,14 @@ bool Parser::parse_number(float& number) {
 }
 
 bool Parser::parse_vector(Vec3f& vector) {
+  if (lexer_.take_numbers(std::span(vector.getValue(), 3))) return true;
   return expect('(', "and three numbers") && parse_number(vector.x) && expect(',', "and two more numbers") &&
          parse_number(vector.y) && expect(',', "and one more number") && parse_number(vector.z) &&
          expect(')', "after three numbers");
 }
 
 bool Parser::parse_vector(Vec2f& vector) {
+  if (lexer_.take_numbers(std::span(vector.getValue(), 2))) return true;
   return expect('(', "before two numbers") && parse_number(vector.x) &&
          expect(',', "between the two numbers") && parse_number(vector.y) && expect(')', "after two numbers");
 }

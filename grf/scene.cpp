@@ -1,5 +1,6 @@
 #include "grf/scene.h"
 
+#include <algorithm>
 #include <array>
 
 namespace grf {
@@ -9,9 +10,26 @@ bool operator==(const BlockList& a, const BlockList& b) {
 }
 
 std::string_view kind_of(const Definition::Body& body) {
-  constexpr std::array<std::string_view, std::variant_size_v<Definition::Body>> Kinds = {"colour", "BRDF",
-                                                                                         "PDF", "texture"};
+  constexpr std::array<std::string_view, std::variant_size_v<Definition::Body>> Kinds = {
+      "colour", "BRDF", "PDF", "texture", "mesh"};
   return Kinds[body.index()];
+}
+
+bool has_irradiance(const BlockList& contents) {
+  const auto defines_some = [](const Definition& definition) {
+    const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body);
+    return mesh != nullptr && !(*mesh)->irradiance.empty();
+  };
+  return std::any_of(contents.blocks.begin(), contents.blocks.end(), [&](const Block& block) {
+    if (const auto* mesh = std::get_if<Shared<Mesh>>(&block.content)) return !(*mesh)->irradiance.empty();
+    if (const auto* light = std::get_if<MeshLight>(&block.content)) return !light->mesh->irradiance.empty();
+    if (const auto* transform = std::get_if<Transform>(&block.content))
+      return has_irradiance(transform->body);
+    const auto* scope = std::get_if<DefinitionScope>(&block.content);
+    return scope != nullptr &&
+           (std::any_of(scope->definitions.begin(), scope->definitions.end(), defines_some) ||
+            has_irradiance(scope->body));
+  });
 }
 
 Matrix44d matrix_of(const std::vector<TransformStep>& steps) {

@@ -41,6 +41,29 @@ struct AreaLight {
   bool operator==(const AreaLight&) const = default;
 };
 
+/// Polygons whose fronts emit and that reflect nothing. The colour of a surface is its radiance in W/(sr m2),
+/// absent: 1. The surfaces have no other attribute, and the mesh has no name.
+struct MeshLight {
+  Shared<Mesh> mesh;
+
+  bool operator==(const MeshLight&) const = default;
+};
+
+/// Places a mesh that was defined by name once more.
+struct Use {
+  Reference mesh;
+
+  bool operator==(const Use&) const = default;
+};
+
+/// What holds for the scene as a whole.
+struct Params {
+  /// Where the observers are for whom irradiance that depends on the view was computed.
+  std::vector<Vec3f> views;
+
+  bool operator==(const Params&) const = default;
+};
+
 /// What an included file held when it was read, so that saving rewrites only files that changed.
 struct IncludeOrigin {
   std::string path;  ///< canonical; empty for an include that was not read from a file
@@ -78,7 +101,7 @@ struct Transform {
 };
 
 struct Definition {
-  using Body = std::variant<Colour, BrdfModel, PdfModel, Texture>;
+  using Body = std::variant<Colour, BrdfModel, PdfModel, Texture, Shared<Mesh>>;
 
   std::string name;
   Body body;
@@ -88,8 +111,8 @@ struct Definition {
   bool operator==(const Definition&) const = default;
 };
 
-/// Names that hold for the body, and for the files included from there. There is one at least; each is an
-/// identifier, and no two are the same.
+/// Names that hold for the definitions after them, for the body, and for the files included from there. There
+/// is one at least; each is an identifier, and no two are the same.
 struct DefinitionScope {
   std::vector<Definition> definitions;
   BlockList body;
@@ -98,7 +121,7 @@ struct DefinitionScope {
 };
 
 struct Block {
-  std::variant<Shared<Mesh>, AreaLight, Include, Transform, DefinitionScope> content;
+  std::variant<Shared<Mesh>, MeshLight, AreaLight, Include, Transform, DefinitionScope, Params, Use> content;
   Comments comments;
   SourceLocation location;
 
@@ -111,8 +134,12 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// What a definition defines, as messages say it: `colour`, `BRDF`, `PDF` or `texture`.
+/// What a definition defines, as messages say it: `colour`, `BRDF`, `PDF`, `texture` or `mesh`.
 std::string_view kind_of(const Definition::Body& body);
+
+/// Whether vertices of these blocks have irradiance. A file that holds them is then an IGRF file; included
+/// files are files of their own.
+bool has_irradiance(const BlockList& contents);
 
 /// The matrix of a list of transform steps, in double so that nested ones lose nothing.
 Matrix44d matrix_of(const std::vector<TransformStep>& steps);

@@ -1,6 +1,8 @@
 #include "grf/summary.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -14,6 +16,8 @@
 
 namespace grf {
 namespace {
+
+constexpr std::size_t VerticesOfABox = 256;
 
 /// For each vertex, the first one at the same place: seams of normals are no holes.
 std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
@@ -33,7 +37,17 @@ std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
   return first;
 }
 
-void count_edges(const Mesh& mesh, Summary& summary) {
+/// What is the same of a mesh wherever it is placed.
+struct MeshFigures {
+  std::size_t triangles = 0;
+  std::size_t boundary_edges = 0;
+  std::size_t nonmanifold_edges = 0;
+  std::vector<Box3f> boxes;  ///< of each so many vertices
+  double area = 0;
+  bool emits = false;
+};
+
+void count_edges(const Mesh& mesh, MeshFigures& figures) {
   const std::vector<std::uint32_t> place = first_at_place(mesh);
   std::vector<std::uint64_t> edges;
   edges.reserve(mesh.corners.size());
@@ -48,8 +62,8 @@ void count_edges(const Mesh& mesh, Summary& summary) {
   std::sort(edges.begin(), edges.end());
   for (auto first = edges.begin(); first != edges.end();) {
     const auto last = std::upper_bound(first, edges.end(), *first);
-    if (last - first == 1) ++summary.boundary_edges;
-    if (last - first > 2) ++summary.nonmanifold_edges;
+    if (last - first == 1) ++figures.boundary_edges;
+    if (last - first > 2) ++figures.nonmanifold_edges;
     first = last;
   }
 }
@@ -58,20 +72,50 @@ void add_place(const Vec3f& position, const Matrix44d& to_world, Box3f& bounds) 
   bounds.extendBy(Vec3f(Vec3d(position) * to_world));
 }
 
+/// A box, along the axes of the world, around another one that was placed there.
+Box3f box_around(const Box3f& box, const Matrix44d& to_world) {
+  Box3f placed;
+  for (unsigned i = 0; i < 8; ++i) {
+    add_place({(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+               (i & 4U) != 0 ? box.max.z : box.min.z},
+              to_world, placed);
+  }
+  return placed;
+}
+
+double area_of(const Mesh& mesh, const Matrix44d& to_world) {
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.face_count(); ++i)
+    area += doubled_area_vector(mesh, i, to_world).length() / 2;
+  return area;
+}
+
+/// The factor by which a transform scales all lengths, or nothing if it depends on the direction.
+std::optional<double> uniform_scale(const Matrix44d& to_world) {
+  constexpr double Tolerance = 1e-9;
+  const Vec3d x(to_world[0][0], to_world[0][1], to_world[0][2]);
+  const Vec3d y(to_world[1][0], to_world[1][1], to_world[1][2]);
+  const Vec3d z(to_world[2][0], to_world[2][1], to_world[2][2]);
+  const double scale2 = x.length2();
+  for (const double error : {y.length2() - scale2, z.length2() - scale2, x.dot(y), y.dot(z), z.dot(x)}) {
+    if (!(std::abs(error) <= Tolerance * scale2)) return std::nullopt;
+  }
+  return std::sqrt(scale2);
+}
+
 class Counter {
  public:
   Summary run(const Scene& scene) {
     SceneVisitor visitor;
     visitor.mesh = [this](const Mesh& mesh, const Placement& placement, const Block&) {
-      add(mesh, placement);
+      if (placement.instance_of != nullptr) ++summary_.instances;
+      add(mesh, placement, false);
+    };
+    visitor.mesh_light = [this](const MeshLight& light, const Placement& placement, const Block&) {
+      add(*light.mesh, placement, true);
     };
     visitor.light = [this](const AreaLight& light, const Placement& placement, const Block&) {
-      ++summary_.lights;
-      const Vec3f opposite = light.corner + light.edge1 + light.edge2;
-      for (const Vec3f& p :
-           {light.corner, light.corner + light.edge1, light.corner + light.edge2, opposite}) {
-        add_place(p, placement.to_world, summary_.bounds);
-      }
+      add(light, placement.to_world);
     };
     visitor.definition = [this](const Definition& definition, const Placement&) {
       if (std::holds_alternative<BrdfModel>(definition.body)) ++summary_.brdfs;
@@ -86,29 +130,62 @@ class Counter {
   }
 
  private:
-  void add(const Mesh& mesh, const Placement& placement) {
-    ++summary_.meshes;
+  void add(const AreaLight& light, const Matrix44d& to_world) {
+    ++summary_.lights;
+    const Vec3f opposite = light.corner + light.edge1 + light.edge2;
+    for (const Vec3f& p : {light.corner, light.corner + light.edge1, light.corner + light.edge2, opposite}) {
+      add_place(p, to_world, summary_.bounds);
+    }
+  }
+
+  void add(const Mesh& mesh, const Placement& placement, bool is_light) {
+    const auto [known, is_new] = figures_.try_emplace(&mesh);
+    MeshFigures& figures = known->second;
+    if (is_new) figures = figures_of(mesh);
+    ++(is_light ? summary_.lights : summary_.meshes);
     summary_.vertices += mesh.positions.size();
     summary_.faces += mesh.face_count();
-    summary_.triangles += mesh.corners.size() - 2 * mesh.face_count();
-    for (const Vec3f& position : mesh.positions) add_place(position, placement.to_world, summary_.bounds);
-    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-      summary_.area += doubled_area_vector(mesh, i, placement.to_world).length() / 2;
+    summary_.triangles += figures.triangles;
+    summary_.boundary_edges += figures.boundary_edges;
+    summary_.nonmanifold_edges += figures.nonmanifold_edges;
+    if (figures.emits && !is_light) ++summary_.lights;
+    const auto scale = uniform_scale(placement.to_world);
+    summary_.area += scale ? *scale * *scale * figures.area : area_of(mesh, placement.to_world);
+    add_bounds(mesh, figures.boxes, placement.to_world);
+  }
+
+  // Where many instances are placed, most vertices are in boxes that lie inside of what is known already.
+  void add_bounds(const Mesh& mesh, const std::vector<Box3f>& boxes, const Matrix44d& to_world) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const Box3f box = box_around(boxes[i], to_world);
+      if (summary_.bounds.intersects(box.min) && summary_.bounds.intersects(box.max)) continue;
+      const std::size_t end = std::min(mesh.positions.size(), (i + 1) * VerticesOfABox);
+      for (std::size_t k = i * VerticesOfABox; k < end; ++k) {
+        add_place(mesh.positions[k], to_world, summary_.bounds);
+      }
     }
-    std::vector<bool> is_used(mesh.surfaces.size());
-    for (const std::uint32_t surface : mesh.surface_of_face) is_used[surface] = true;
-    bool emits = false;
+  }
+
+  MeshFigures figures_of(const Mesh& mesh) {
+    MeshFigures figures;
+    figures.triangles = mesh.corners.size() - 2 * mesh.face_count();
+    figures.area = area_of(mesh, Matrix44d());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (i % VerticesOfABox == 0) figures.boxes.emplace_back();
+      figures.boxes.back().extendBy(mesh.positions[i]);
+    }
+    count_edges(mesh, figures);
+    const std::vector<bool> is_used = used_surfaces(mesh);
     for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
       if (!is_used[i]) continue;
       const Surface& surface = mesh.surfaces[i];
       if (surface.brdf) add_model<BrdfModel>(*surface.brdf, brdfs_);
       if (surface.pdf) add_model<PdfModel>(*surface.pdf, pdfs_);
-      if (const auto* texture = surface.texture ? std::get_if<Texture>(&*surface.texture) : nullptr)
-        add_image(*texture);
-      emits = emits || surface.emission.has_value();
+      const auto* texture = surface.texture ? std::get_if<Texture>(&*surface.texture) : nullptr;
+      if (texture != nullptr) add_image(*texture);
+      figures.emits = figures.emits || surface.emission.has_value();
     }
-    if (emits) ++summary_.lights;
-    count_edges(mesh, summary_);
+    return figures;
   }
 
   void add_image(const Texture& texture) {
@@ -122,6 +199,7 @@ class Counter {
   }
 
   Summary summary_;
+  std::unordered_map<const Mesh*, MeshFigures> figures_;
   std::set<std::string> brdfs_;
   std::set<std::string> pdfs_;
   std::set<std::string> images_;

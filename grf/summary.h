@@ -13,7 +13,8 @@ struct Summary {
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::size_t triangles = 0;  ///< what the faces give when they are cut into triangles
-  std::size_t lights = 0;     ///< light blocks, and meshes with faces that emit
+  std::size_t instances = 0;  ///< meshes that are placed by `use`; they count as meshes too
+  std::size_t lights = 0;     ///< light blocks, mesh lights, and meshes with faces that emit
   std::size_t brdfs = 0;      ///< definitions, and different ones that faces have on the spot
   std::size_t pdfs = 0;
   std::size_t textures = 0;           ///< different images that faces or definitions name

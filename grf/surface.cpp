@@ -38,6 +38,17 @@ std::size_t hash_of(const Model& model) {
   return hash;
 }
 
+std::size_t hash_of(const BrdfModel& brdf) {
+  std::size_t hash = hash_of(static_cast<const Model&>(brdf));
+  for (const CombineTerm& term : brdf.terms) {
+    mix(hash, hash_of(term.weight));
+    mix(hash, hash_of(term.brdf));
+  }
+  mix(hash, std::hash<std::string>()(brdf.data_file));
+  mix(hash, std::hash<std::string>()(brdf.instance_file));
+  return hash;
+}
+
 template <class Attribute>
 std::size_t hash_of_attribute(const Attribute& attribute) {
   return attribute ? std::visit([](const auto& value) { return hash_of(value); }, *attribute) : 0;
@@ -51,6 +62,7 @@ bool written_alike(const Colour& a, const Colour& b) {
 bool written_alike(const Reference& a, const Reference& b) { return a.name == b.name; }
 bool written_alike(const Texture& a, const Texture& b) { return a == b; }
 bool written_alike(const Model& a, const Model& b);
+bool written_alike(const BrdfModel& a, const BrdfModel& b);
 
 template <class... Alternatives>
 bool written_alike(const std::variant<Alternatives...>& a, const std::variant<Alternatives...>& b) {
@@ -65,6 +77,17 @@ bool written_alike(const Model& a, const Model& b) {
                                               b.arguments.end(), [](const Argument& x, const Argument& y) {
                                                 return x.name == y.name && written_alike(x.value, y.value);
                                               });
+}
+
+bool written_alike(const CombineTerm& a, const CombineTerm& b) {
+  return written_alike(a.weight, b.weight) && written_alike(a.brdf, b.brdf);
+}
+
+bool written_alike(const BrdfModel& a, const BrdfModel& b) {
+  return written_alike(static_cast<const Model&>(a), static_cast<const Model&>(b)) &&
+         std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(),
+                    [](const CombineTerm& x, const CombineTerm& y) { return written_alike(x, y); }) &&
+         a.data_file == b.data_file && a.instance_file == b.instance_file;
 }
 
 template <class Attribute>

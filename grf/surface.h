@@ -11,14 +11,6 @@
 
 namespace grf {
 
-/// The name of a definition in scope.
-struct Reference {
-  std::string name;
-  SourceLocation location;
-
-  bool operator==(const Reference&) const = default;
-};
-
 using ColourAttribute = std::variant<Colour, Reference>;
 using BrdfAttribute = std::variant<BrdfModel, Reference>;
 using PdfAttribute = std::variant<PdfModel, Reference>;
@@ -32,6 +24,7 @@ struct Surface {
   std::optional<PdfAttribute> pdf;
   std::optional<TextureAttribute> texture;
   std::optional<Colour> emission;  ///< radiance from the front, W/(sr m2)
+  SourceLocation location;         ///< where the first run of faces with this surface got it
 
   bool operator==(const Surface&) const = default;
 };

@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "grf/keywords.h"
+
 namespace grf {
 namespace {
 
@@ -133,6 +135,10 @@ std::string path_beside(const std::string& naming_file, std::string_view name) {
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
   return (std::filesystem::path(naming_file).parent_path() / portable).lexically_normal().string();
+}
+
+bool is_igrf_name(const std::string& path) {
+  return same_keyword(std::filesystem::path(path).extension().string(), ".igrf");
 }
 
 std::string canonical_path(const std::string& path) {

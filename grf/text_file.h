@@ -26,6 +26,9 @@ bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& 
 /// kinds of separators are understood.
 std::string path_beside(const std::string& naming_file, std::string_view name);
 
+/// Whether a file's name says that it carries irradiance.
+bool is_igrf_name(const std::string& path);
+
 /// One spelling for each file, whether or not it exists.
 std::string canonical_path(const std::string& path);
 

@@ -1,5 +1,7 @@
 #include "grf/visit.h"
 
+#include <algorithm>
+
 namespace grf {
 namespace {
 
@@ -9,7 +11,7 @@ class Walk {
 
   void blocks(const BlockList& list, const Matrix44d& to_world) {
     for (const Block& block : list.blocks) {
-      const Placement placement{to_world, &scope_};
+      const Placement placement{to_world, scope_.scope()};
       std::visit([&](const auto& content) { enter(content, placement, block); }, block.content);
     }
   }
@@ -18,8 +20,24 @@ class Walk {
   void enter(const Shared<Mesh>& mesh, const Placement& placement, const Block& block) {
     if (visitor_.mesh) visitor_.mesh(*mesh, placement, block);
   }
+  void enter(const MeshLight& light, const Placement& placement, const Block& block) {
+    if (visitor_.mesh_light) visitor_.mesh_light(light, placement, block);
+  }
   void enter(const AreaLight& light, const Placement& placement, const Block& block) {
     if (visitor_.light) visitor_.light(light, placement, block);
+  }
+  void enter(const Params& params, const Placement& placement, const Block& block) {
+    if (visitor_.params) visitor_.params(params, placement, block);
+  }
+  void enter(const Use& use, const Placement& placement, const Block& block) {
+    if (visitor_.use) visitor_.use(use, placement, block);
+    if (!visitor_.mesh) return;
+    const std::string& name = use.mesh.name;
+    const Definition* definition = placement.scope.find(name);
+    const auto* mesh = placement.scope.find<Shared<Mesh>>(name);
+    if (mesh != nullptr) {
+      visitor_.mesh(**mesh, {placement.to_world, placement.scope.around(name), definition}, block);
+    }
   }
   void enter(const Include& include, const Placement& placement, const Block&) {
     blocks(*include.contents, placement.to_world);
@@ -30,7 +48,7 @@ class Walk {
   }
   void enter(const DefinitionScope& definitions, const Placement& placement, const Block&) {
     for (const Definition& definition : definitions.definitions) {
-      if (visitor_.definition) visitor_.definition(definition, placement);
+      if (visitor_.definition) visitor_.definition(definition, {placement.to_world, scope_.scope()});
       scope_.enter(definition);
     }
     blocks(definitions.body, placement.to_world);
@@ -38,7 +56,7 @@ class Walk {
   }
 
   const SceneVisitor& visitor_;
-  Scope scope_;
+  ScopeStack scope_;
 };
 
 template <class Model>
@@ -50,30 +68,45 @@ const Model* look_up(const std::optional<std::variant<Model, Reference>>& attrib
 
 }  // namespace
 
-void Scope::enter(const Definition& definition) {
-  definitions_.push_back(&definition);
-  by_name_[definition.name].push_back(&definition);
-}
-
-void Scope::leave(std::size_t count) {
-  for (; count > 0; --count) {
-    const auto meanings = by_name_.find(definitions_.back()->name);
-    meanings->second.pop_back();
-    if (meanings->second.empty()) by_name_.erase(meanings);
-    definitions_.pop_back();
-  }
-}
-
 const Definition* Scope::find(std::string_view name) const {
-  const auto meanings = by_name_.find(name);
-  return meanings == by_name_.end() ? nullptr : meanings->second.back();
+  if (stack_ == nullptr) return nullptr;
+  const auto places = stack_->places_of_name_.find(name);
+  if (places == stack_->places_of_name_.end()) return nullptr;
+  const auto first_after = std::lower_bound(places->second.begin(), places->second.end(), depth_);
+  return first_after == places->second.begin() ? nullptr : stack_->definitions_[*(first_after - 1)];
+}
+
+Scope Scope::around(std::string_view name) const {
+  if (find(name) == nullptr) return {};
+  const std::vector<std::size_t>& places = stack_->places_of_name_.find(name)->second;
+  return {*stack_, *(std::lower_bound(places.begin(), places.end(), depth_) - 1)};
 }
 
 std::vector<std::string> Scope::names() const {
   std::vector<std::string> names;
-  names.reserve(by_name_.size());
-  for (const auto& entry : by_name_) names.emplace_back(entry.first);
+  if (stack_ == nullptr) return names;
+  for (const auto& [name, places] : stack_->places_of_name_) {
+    if (places.front() < depth_) names.emplace_back(name);
+  }
   return names;
+}
+
+ScopeStack::ScopeStack(const Scope& outside) {
+  for (std::size_t i = 0; i < outside.depth_; ++i) enter(*outside.stack_->definitions_[i]);
+}
+
+void ScopeStack::enter(const Definition& definition) {
+  places_of_name_[definition.name].push_back(definitions_.size());
+  definitions_.push_back(&definition);
+}
+
+void ScopeStack::leave(std::size_t count) {
+  for (; count > 0; --count) {
+    const auto places = places_of_name_.find(definitions_.back()->name);
+    places->second.pop_back();
+    if (places->second.empty()) places_of_name_.erase(places);
+    definitions_.pop_back();
+  }
 }
 
 void visit(const Scene& scene, const SceneVisitor& visitor) {
@@ -84,6 +117,8 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
   ResolvedSurface resolved;
   if (const Colour* colour = look_up(surface.colour, scope)) resolved.colour = *colour;
   resolved.brdf = look_up(surface.brdf, scope);
+  const auto* brdf_reference = surface.brdf ? std::get_if<Reference>(&*surface.brdf) : nullptr;
+  resolved.brdf_scope = brdf_reference != nullptr ? scope.around(brdf_reference->name) : scope;
   resolved.pdf = look_up(surface.pdf, scope);
   resolved.texture = look_up(surface.texture, scope);
   resolved.emission = surface.emission;

@@ -1,6 +1,7 @@
 // Walks the blocks of a scene in order, with the transform and the definitions that are in force at each.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,13 +15,15 @@
 
 namespace grf {
 
-/// The definitions in force at a place of a scene; inner ones hide outer ones.
+class ScopeStack;
+
+/// The definitions in force at a place of a scene; inner ones hide outer ones. A light value, good as long as
+/// all of these definitions are in the stack that it was taken from.
 class Scope {
  public:
-  /// The definition must stay where it is until its scope is left.
-  void enter(const Definition& definition);
-  /// Leaves the scope of the definitions that were entered last.
-  void leave(std::size_t count);
+  /// Nothing is defined.
+  Scope() = default;
+
   /// The definition that the name means here, or null.
   const Definition* find(std::string_view name) const;
   /// What the name means if it is a definition of this kind, else null.
@@ -29,34 +32,70 @@ class Scope {
     const Definition* definition = find(name);
     return definition == nullptr ? nullptr : std::get_if<Body>(&definition->body);
   }
+  /// What is in force where the definition stands that the name means here: names in its body mean those.
+  Scope around(std::string_view name) const;
   /// All names that can be used here.
   std::vector<std::string> names() const;
   /// Those that mean a definition of this kind.
   template <class Body>
   std::vector<std::string> names_of() const {
-    std::vector<std::string> names;
-    for (const auto& [name, meanings] : by_name_) {
-      if (std::holds_alternative<Body>(meanings.back()->body)) names.emplace_back(name);
-    }
-    return names;
+    std::vector<std::string> all = names();
+    std::erase_if(all, [this](const std::string& name) { return find<Body>(name) == nullptr; });
+    return all;
   }
 
  private:
-  std::vector<const Definition*> definitions_;                                    // outermost first
-  std::unordered_map<std::string_view, std::vector<const Definition*>> by_name_;  // the same, by their names
+  friend class ScopeStack;
+  Scope(const ScopeStack& stack, std::size_t depth) : stack_(&stack), depth_(depth) {}
+
+  const ScopeStack* stack_ = nullptr;
+  std::size_t depth_ = 0;  ///< how many of the stack's definitions, from the outermost
+};
+
+/// The definitions in force while one walks through a scene.
+class ScopeStack {
+ public:
+  ScopeStack() = default;
+  /// Starts with what is in force somewhere.
+  explicit ScopeStack(const Scope& outside);
+  ScopeStack(const ScopeStack&) = delete;
+  ScopeStack& operator=(const ScopeStack&) = delete;
+  ScopeStack(ScopeStack&&) = delete;
+  ScopeStack& operator=(ScopeStack&&) = delete;
+  ~ScopeStack() = default;
+
+  /// The definition must stay where it is until its scope is left.
+  void enter(const Definition& definition);
+  /// Leaves the scope of the definitions that were entered last.
+  void leave(std::size_t count);
+  /// What is in force now.
+  Scope scope() const { return {*this, definitions_.size()}; }
+
+ private:
+  friend class Scope;
+
+  std::vector<const Definition*> definitions_;  // the outermost first
+  /// Where in the list of definitions those of a name are.
+  std::unordered_map<std::string_view, std::vector<std::size_t>> places_of_name_;
 };
 
 struct Placement {
   Matrix44d to_world;
-  const Scope* scope = nullptr;
+  Scope scope;  ///< where what is placed stands: for a mesh that is used, where it is defined
+  /// The definition that a `use` places, null for what stands in the scene itself.
+  const Definition* instance_of = nullptr;
 };
 
-/// What to do with each kind of thing; those that are left empty are passed over.
+/// What to do with each kind of thing; those that are left empty are passed over. A mesh that is defined is
+/// met at its definition, and then as a mesh wherever it is used; the block is that of the `use`.
 struct SceneVisitor {
   std::function<void(const Mesh&, const Placement&, const Block&)> mesh;
+  std::function<void(const MeshLight&, const Placement&, const Block&)> mesh_light;
   std::function<void(const AreaLight&, const Placement&, const Block&)> light;
   std::function<void(const Definition&, const Placement&)> definition;
   std::function<void(const Transform&, const Placement&, const Block&)> transform;
+  std::function<void(const Params&, const Placement&, const Block&)> params;
+  std::function<void(const Use&, const Placement&, const Block&)> use;  ///< before the mesh, if there is one
 };
 
 void visit(const Scene& scene, const SceneVisitor& visitor);
@@ -66,6 +105,7 @@ void visit(const Scene& scene, const SceneVisitor& visitor);
 struct ResolvedSurface {
   Colour colour = Colour(1);
   const BrdfModel* brdf = nullptr;
+  Scope brdf_scope;  ///< where the terms of a `combine` are looked up
   const PdfModel* pdf = nullptr;
   const Texture* texture = nullptr;
   std::optional<Colour> emission;

@@ -11,8 +11,9 @@ namespace grf {
 /// The text of a scene's own file. Included files are named in it, not written out.
 std::string to_text(const Scene& scene);
 
-/// A BRDF as it stands after the word `brdf`.
-std::string to_text(const Model& model);
+/// An instance as it stands after the word `brdf` or `pdf`, or in a file of its own.
+std::string to_text(const BrdfModel& brdf);
+std::string to_text(const PdfModel& pdf);
 
 /// Replaces the file, and the included files whose contents are no longer what was read from them (each with
 /// a note that names it). A file that cannot be written stays as it was, and the diagnostics say why.

@@ -1,5 +1,3 @@
-#include "grf/write_files.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -7,92 +5,109 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "grf/keywords.h"
+#include "grf/lexer.h"
+#include "grf/read.h"
 #include "grf/text_file.h"
 #include "grf/write.h"
+#include "grf/writer.h"
 
 namespace grf {
 namespace {
 
-/// Does something with each mesh, light and include of one file, with the scope that is in force there.
+constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
+
+/// Does something with each definition and each block without a body of one file, with the scope that is in
+/// force there.
 template <class Action>
-void for_each_in_file(const BlockList& list, Scope& scope, const Action& action) {
+void for_each_in_file(const BlockList& list, ScopeStack& scope, const Action& action) {
   for (const Block& block : list.blocks) {
     if (const auto* transform = std::get_if<Transform>(&block.content)) {
       for_each_in_file(transform->body, scope, action);
     } else if (const auto* definitions = std::get_if<DefinitionScope>(&block.content)) {
-      for (const Definition& definition : definitions->definitions) scope.enter(definition);
+      for (const Definition& definition : definitions->definitions) {
+        action(definition.body);
+        scope.enter(definition);
+      }
       for_each_in_file(definitions->body, scope, action);
       scope.leave(definitions->definitions.size());
     } else {
-      action(block);
+      action(block.content);
     }
   }
+}
+
+/// The mesh that a block or a definition is, or null.
+template <class Variant>
+const Mesh* mesh_in(const Variant& content) {
+  const auto* mesh = std::get_if<Shared<Mesh>>(&content);
+  return mesh == nullptr ? nullptr : &**mesh;
 }
 
 template <class ModelOfKind>
 bool reads_as_reference(const std::optional<std::variant<ModelOfKind, Reference>>& attribute,
                         const Scope& scope) {
   const auto* model = attribute ? std::get_if<ModelOfKind>(&*attribute) : nullptr;
-  return model != nullptr && model->arguments.empty() && scope.find<ModelOfKind>(model->keyword) != nullptr;
+  return model != nullptr && is_bare_word(*model) && scope.find<ModelOfKind>(model->keyword) != nullptr;
 }
 
 /// Whether a file that was not changed would now be read in another way, since a definition around it has
 /// taken the name of a model that it uses.
-bool reads_otherwise(const BlockList& contents, Scope scope) {
+bool reads_otherwise(const BlockList& contents, const Scope& outside) {
+  ScopeStack scope(outside);
   bool otherwise = false;
-  for_each_in_file(contents, scope, [&](const Block& block) {
-    const auto* mesh = std::get_if<Shared<Mesh>>(&block.content);
+  for_each_in_file(contents, scope, [&](const auto& content) {
+    const Mesh* mesh = mesh_in(content);
     if (mesh == nullptr) return;
-    for (const Surface& surface : (*mesh)->surfaces) {
-      otherwise =
-          otherwise || reads_as_reference(surface.brdf, scope) || reads_as_reference(surface.pdf, scope);
+    for (const Surface& surface : mesh->surfaces) {
+      otherwise = otherwise || reads_as_reference(surface.brdf, scope.scope()) ||
+                  reads_as_reference(surface.pdf, scope.scope());
     }
   });
   return otherwise;
 }
 
-/// Writes the files that a scene includes, where they are not what was read from there.
-class IncludeWriter {
+/// All comments of a text, as lines of their own.
+std::string comments_of(const std::shared_ptr<const std::string>& text) {
+  Lexer lexer(text, nullptr);
+  while (lexer.peek().kind != TokenKind::EndOfFile) lexer.next();
+  std::string comments;
+  for (const CommentToken& comment : lexer.comments()) comments += fmt::format("//{}\n", comment.text);
+  return comments;
+}
+
+/// Writes the files that a scene names, where they do not hold what the scene has from there.
+class FilesWriter {
  public:
-  IncludeWriter(const Scene& scene, const std::string& path, Diagnostics& diagnostics)
+  FilesWriter(const Scene& scene, const std::string& path, Diagnostics& diagnostics)
       : scene_(scene), path_(path), diagnostics_(diagnostics) {}
 
   /// Makes the texts; false if there can be no such files.
   bool prepare() {
     valid_ = true;
-    for_each_include([this](const Include& include, const std::string& path) {
+    for_each_file([this](const Include& include, const std::string& path) {
       const std::string exact_path = canonical_path(path);
       const IncludeOrigin& origin = include.origin;
       const bool is_as_read = origin.path == exact_path && origin.contents == include.contents;
-      if (!is_as_read || reads_otherwise(*include.contents, scope_)) changed_.insert(exact_path);
+      if (!is_as_read || reads_otherwise(*include.contents, scope_.scope())) changed_.insert(exact_path);
     });
-    for_each_include([this](const Include& include, const std::string& path) {
+    prepare_own();
+    for_each_file([this](const Include& include, const std::string& path) {
       const std::string exact_path = canonical_path(path);
-      if (!changed_.contains(exact_path)) return;
-      const std::string text = text_of_file(*include.contents, scope_);
-      const auto [known, is_new] = texts_.emplace(exact_path, Text{path, text});
-      if (is_new || known->second.text == text) return;
-      fail(path, "it is included more than once, and was changed in one place only");
+      if (changed_.contains(exact_path)) prepare_file(path, *include.contents);
     });
     return valid_;
   }
 
   bool write() const {
-    bool written = true;
-    for (const auto& [exact_path, text] : texts_) {
-      Diagnostics unheard;
-      const auto old_text = read_file(exact_path, unheard);
-      if (old_text && *old_text == text.text) continue;
-      diagnostics_.note(whole_file(text.path), "the included file is written too");
-      std::error_code ignored;  // what is wrong with the folder is said when the file cannot be made
-      std::filesystem::create_directories(std::filesystem::path(exact_path).parent_path(), ignored);
-      written = replace_file(text.path, text.text, diagnostics_) && written;
-    }
+    bool written = replace_file(path_, own_text_, diagnostics_);
+    for (auto text = texts_.begin(); written && text != texts_.end(); ++text) written = write(*text);
     return written;
   }
 
@@ -102,30 +117,111 @@ class IncludeWriter {
     std::string text;
   };
 
-  template <class Action>
-  void for_each_include(const Action& action) {
-    open_files_ = {canonical_path(path_)};
-    for_each_include(scene_.contents, path_, action);
+  bool write(const std::pair<const std::string, Text>& entry) const {
+    const auto& [exact_path, text] = entry;
+    Diagnostics unheard;
+    const auto old_text = read_file(exact_path, unheard);
+    if (old_text && *old_text == text.text) return true;
+    diagnostics_.note(whole_file(text.path), "this file, which the scene names, is written too");
+    std::error_code ignored;  // what is wrong with the folder is said when the file cannot be made
+    std::filesystem::create_directories(std::filesystem::path(exact_path).parent_path(), ignored);
+    return replace_file(text.path, text.text, diagnostics_);
   }
 
-  template <class Action>
-  void for_each_include(const BlockList& list, const std::string& naming_file, const Action& action) {
-    for_each_in_file(list, scope_, [&](const Block& block) {
-      const auto* include = std::get_if<Include>(&block.content);
-      if (include == nullptr || !valid_) return;
-      const std::string path = path_beside(naming_file, include->file);
-      const std::string exact_path = canonical_path(path);
-      if (std::find(open_files_.begin(), open_files_.end(), exact_path) != open_files_.end()) {
-        return fail(path, "it would include itself");
+  void prepare_own() {
+    own_text_ = checked_text(path_, scene_.contents, {});
+    prepare_brdf_files(scene_.contents, path_, {});
+  }
+
+  void prepare_file(const std::string& path, const BlockList& contents) {
+    add(path, checked_text(path, contents, scope_.scope()),
+        "it is included more than once, and was changed in one place only");
+    prepare_brdf_files(contents, path, scope_.scope());
+  }
+
+  std::string checked_text(const std::string& path, const BlockList& contents, const Scope& scope) {
+    FileText text = text_of_file(contents, scope);
+    if (!text.is_finite) fail(path, NotFinite);
+    if (has_irradiance(contents) && !is_igrf_name(path)) {
+      fail(path, fmt::format("it has irradiance, expected the name of an IGRF file, such as '{}'",
+                             std::filesystem::path(path).replace_extension("igrf").string()));
+    }
+    return std::move(text.text);
+  }
+
+  void add(const std::string& path, std::string text, const char* conflict) {
+    const auto [known, is_new] = texts_.emplace(canonical_path(path), Text{path, text});
+    if (!is_new && known->second.text != text) fail(path, conflict);
+  }
+
+  // The files of single BRDFs that a file of blocks names.
+  void prepare_brdf_files(const BlockList& contents, const std::string& naming_file, const Scope& outside) {
+    ScopeStack scope(outside);
+    for_each_in_file(contents, scope, [&](const auto& content) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(content)>, Definition::Body>) {
+        if (const auto* brdf = std::get_if<BrdfModel>(&content)) prepare_brdf_file(*brdf, naming_file);
       }
-      action(*include, path);
-      open_files_.push_back(exact_path);
-      for_each_include(*include->contents, path, action);
-      open_files_.pop_back();
+      const Mesh* mesh = mesh_in(content);
+      if (mesh == nullptr) return;
+      std::vector<bool> is_written = used_surfaces(*mesh);
+      is_written[0] = true;
+      for (std::size_t i = 0; i < mesh->surfaces.size(); ++i) {
+        const auto& attribute = mesh->surfaces[i].brdf;
+        const auto* brdf = is_written[i] && attribute ? std::get_if<BrdfModel>(&*attribute) : nullptr;
+        if (brdf != nullptr) prepare_brdf_file(*brdf, naming_file);
+      }
     });
   }
 
-  void fail(const std::string& path, const char* why) {
+  void prepare_brdf_file(const BrdfModel& brdf, const std::string& naming_file) {
+    if (brdf.instance_file.empty()) return;
+    const std::string path = path_beside(naming_file, brdf.instance_file);
+    if (!is_finite(brdf)) return fail(path, NotFinite);
+    BrdfModel instance = brdf;
+    instance.instance_file.clear();
+    const auto [known, is_new] = instances_.emplace(canonical_path(path), instance);
+    if (!is_new) {
+      if (!(known->second == instance)) fail(path, "it would have to hold several BRDFs");
+      return;
+    }
+    Diagnostics unheard;
+    const auto old_text = read_file(path, unheard);
+    const auto old = old_text ? read_brdf(*old_text, path, unheard) : std::nullopt;
+    if (old && *old == instance) return;
+    add(path, (old_text ? comments_of(old_text) : "") + to_text(instance) + "\n",
+        "it would have to hold a BRDF and blocks");
+  }
+
+  template <class Action>
+  void for_each_file(const Action& action) {
+    open_files_ = {canonical_path(path_)};
+    for_each_file(scene_.contents, path_, action);
+  }
+
+  template <class Action>
+  void for_each_file(const BlockList& list, const std::string& naming_file, const Action& action) {
+    for_each_in_file(list, scope_, [&](const auto& content) {
+      if constexpr (!std::is_same_v<std::decay_t<decltype(content)>, Definition::Body>) {
+        if (const auto* include = std::get_if<Include>(&content)) enter(*include, naming_file, action);
+      }
+    });
+  }
+
+  template <class Action>
+  void enter(const Include& include, const std::string& naming_file, const Action& action) {
+    if (!valid_) return;
+    const std::string path = path_beside(naming_file, include.file);
+    const std::string exact_path = canonical_path(path);
+    if (std::find(open_files_.begin(), open_files_.end(), exact_path) != open_files_.end()) {
+      return fail(path, "it would include itself");
+    }
+    action(include, path);
+    open_files_.push_back(exact_path);
+    for_each_file(*include.contents, path, action);
+    open_files_.pop_back();
+  }
+
+  void fail(const std::string& path, std::string_view why) {
     diagnostics_.error(whole_file(path), fmt::format("cannot write the file: {}", why));
     valid_ = false;
   }
@@ -133,18 +229,20 @@ class IncludeWriter {
   const Scene& scene_;
   const std::string& path_;
   Diagnostics& diagnostics_;
-  Scope scope_;
+  ScopeStack scope_;
   bool valid_ = true;
   std::vector<std::string> open_files_;
   std::set<std::string> changed_;
-  std::map<std::string, Text> texts_;  // by canonical path
+  std::string own_text_;
+  std::map<std::string, Text> texts_;           // by canonical path
+  std::map<std::string, BrdfModel> instances_;  // the same
 };
 
 }  // namespace
 
 bool write(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
-  IncludeWriter includes(scene, path, diagnostics);
-  return includes.prepare() && replace_file(path, to_text(scene), diagnostics) && includes.write();
+  FilesWriter files(scene, path, diagnostics);
+  return files.prepare() && files.write();
 }
 
 }  // namespace grf

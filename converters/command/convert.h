@@ -11,6 +11,8 @@ struct ConvertOptions {
   InputOptions input;
   std::string output;
   const Format* output_format = nullptr;  ///< null: told by the output's name
+  bool flat = false;                      ///< includes and BRDF files are written out in the one file
+  bool grf2008 = false;                   ///< the grammar of 2008 alone
   bool quiet = false;
 };
 

@@ -28,8 +28,7 @@ nlohmann::ordered_json to_json(const Format& format, const grf::Summary& summary
   json["vertices"] = summary.vertices;
   json["faces"] = summary.faces;
   json["triangles"] = summary.triangles;
-  // A scene can place a mesh by one block only.
-  json["instances"] = 0;
+  json["instances"] = summary.instances;
   json["lights"] = summary.lights;
   json["brdfs"] = summary.brdfs;
   json["pdfs"] = summary.pdfs;
@@ -61,6 +60,7 @@ void print_table(const std::string& path, const Format& format, const grf::Summa
   print_row("vertices", summary.vertices);
   print_row("faces", summary.faces);
   print_row("triangles", summary.triangles);
+  print_row("instances", summary.instances);
   print_row("lights", summary.lights);
   print_row("BRDFs", summary.brdfs);
   print_row("PDFs", summary.pdfs);

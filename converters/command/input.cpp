@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "grf/catalogue.h"
+#include "grf/check.h"
 #include "grf/read.h"
 #include "renderer/reflectance/scheme.h"
 

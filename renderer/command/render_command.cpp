@@ -16,7 +16,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "grf/catalogue.h"
+#include "grf/check.h"
 #include "grf/read.h"
 #include "renderer/command/progress_bar.h"
 #include "renderer/options/op_file.h"

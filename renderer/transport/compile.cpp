@@ -40,6 +40,7 @@ class Compiler {
   explicit Compiler(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   void add(const Mesh& mesh, const Placement& placement);
+  void add(const grf::MeshLight& light, const Placement& placement);
   void add(const AreaLight& light, const Placement& placement);
 
   CompiledScene finish() {
@@ -56,7 +57,10 @@ class Compiler {
 
  private:
   void add_vertices(const Mesh& mesh, const Matrix44d& to_world);
+  bool has_room_for(const Mesh& mesh);
   std::vector<std::uint32_t> add_surfaces(const Mesh& mesh, const grf::Scope& scope);
+  std::vector<std::uint32_t> add_light_surfaces(const Mesh& mesh, const grf::Scope& scope);
+  void add_faces(const Mesh& mesh, const Matrix44d& to_world, const std::vector<std::uint32_t>& surfaces);
   void add_face(const Mesh& mesh, std::size_t face, std::uint32_t surface, std::uint32_t first_vertex,
                 bool turn);
   void add_triangle(const std::array<std::uint32_t, 3>& corners, TriangleSurface surface,
@@ -72,17 +76,43 @@ class Compiler {
   std::map<std::string, std::uint32_t> reflector_by_text_;
   std::vector<Emitter> emitters_;
   std::size_t textured_faces_ = 0;
+  bool is_too_large_ = false;
 };
 
-// A mirroring transform turns triangles inside out: the other winding keeps their front where it was.
 void Compiler::add(const Mesh& mesh, const Placement& placement) {
+  if (!has_room_for(mesh)) return;
+  add_faces(mesh, placement.to_world, add_surfaces(mesh, placement.scope));
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    if (mesh.surface(i).texture) ++textured_faces_;
+  }
+}
+
+void Compiler::add(const grf::MeshLight& light, const Placement& placement) {
+  if (!has_room_for(*light.mesh)) return;
+  add_faces(*light.mesh, placement.to_world, add_light_surfaces(*light.mesh, placement.scope));
+}
+
+// Each instance is a copy here, so a scene that is small as a file can be large.
+bool Compiler::has_room_for(const Mesh& mesh) {
+  constexpr std::size_t MostTriangles = 200'000'000;
+  if (is_too_large_) return false;
+  is_too_large_ = geometry_.triangle_surfaces.size() + mesh.corners.size() > MostTriangles;
+  if (is_too_large_) {
+    diagnostics_.error(
+        {}, fmt::format("more than {} million triangles, each instance counted, cannot be rendered",
+                        MostTriangles / 1'000'000));
+  }
+  return !is_too_large_;
+}
+
+// A mirroring transform turns triangles inside out: the other winding keeps their front where it was.
+void Compiler::add_faces(const Mesh& mesh, const Matrix44d& to_world,
+                         const std::vector<std::uint32_t>& surfaces) {
   const auto first_vertex = static_cast<std::uint32_t>(geometry_.positions.size());
-  const std::vector<std::uint32_t> surfaces = add_surfaces(mesh, *placement.scope);
-  add_vertices(mesh, placement.to_world);
-  const bool turn = mirrors(placement.to_world);
+  add_vertices(mesh, to_world);
+  const bool turn = mirrors(to_world);
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     add_face(mesh, i, surfaces[mesh.surface_of_face[i]], first_vertex, turn);
-    if (mesh.surface(i).texture) ++textured_faces_;
   }
 }
 
@@ -107,14 +137,23 @@ void Compiler::add_vertices(const Mesh& mesh, const Matrix44d& to_world) {
 }
 
 std::vector<std::uint32_t> Compiler::add_surfaces(const Mesh& mesh, const grf::Scope& scope) {
-  std::vector<bool> used(mesh.surfaces.size(), false);
-  for (const std::uint32_t surface : mesh.surface_of_face) used[surface] = true;
+  const std::vector<bool> used = used_surfaces(mesh);
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
     indices.push_back(static_cast<std::uint32_t>(surfaces_.size()));
     if (!used[i]) continue;
     const ResolvedSurface resolved = resolve(mesh.surfaces[i], scope);
     surfaces_.push_back({resolved.colour, resolved.emission.value_or(Colour(0)), reflector_of(resolved)});
+  }
+  return indices;
+}
+
+// The colour of a mesh light is what it emits.
+std::vector<std::uint32_t> Compiler::add_light_surfaces(const Mesh& mesh, const grf::Scope& scope) {
+  std::vector<std::uint32_t> indices;
+  for (const grf::Surface& surface : mesh.surfaces) {
+    indices.push_back(static_cast<std::uint32_t>(surfaces_.size()));
+    surfaces_.push_back({Rgb(1), resolve(surface, scope).colour, None});
   }
   return indices;
 }
@@ -138,7 +177,7 @@ std::uint32_t Compiler::add_reflector(const ResolvedSurface& surface) {
       surface.pdf != nullptr ? reflectance::make_scheme(*surface.pdf) : reflectance::default_scheme();
   if (!brdf || !scheme) {
     const grf::Model& unknown = !brdf ? static_cast<const grf::Model&>(*surface.brdf) : *surface.pdf;
-    diagnostics_.error(unknown.location, fmt::format("unknown model '{}'", unknown.keyword));
+    diagnostics_.error(unknown.location, fmt::format("'{}' cannot be rendered", unknown.keyword));
     return None;
   }
   const std::string refusal = reflectance::refusal(*scheme, *brdf);
@@ -221,6 +260,9 @@ std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& 
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
     compiler.add(mesh, placement);
+  };
+  visitor.mesh_light = [&](const grf::MeshLight& light, const Placement& placement, const grf::Block&) {
+    compiler.add(light, placement);
   };
   visitor.light = [&](const AreaLight& light, const Placement& placement, const grf::Block&) {
     compiler.add(light, placement);

@@ -28,6 +28,14 @@ const std::string Malformed = "/usr/share/assimp/models/invalid/malformed.obj";
 
 const std::string Triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
+// What stands in a mesh behind its attributes, up to its end.
+const std::string Faces =
+    " begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces (0, 1, 2) end faces end mesh";
+const std::string FacesWithUv =
+    " begin vertexs uv (0, 0) (0, 0, 0) uv (1, 0) (1, 0, 0) uv (0, 1) (0, 1, 0) end vertexs begin faces (0, "
+    "1, 2) end faces "
+    "end mesh";
+
 test::Outcome grfconvert(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), GRANADA_BIN_DIR "/grfconvert");
   return test::run(arguments);
@@ -156,6 +164,7 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
            {{input, input, "-o", output}, "not expected"},
            {{"info"}, "FILE is required"},
            {{"check"}, "FILE is required"},
+           {{"tidy"}, "FILE is required"},
        }) {
     const test::Outcome outcome = grfconvert(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << message;
@@ -247,6 +256,214 @@ TEST(GrfconvertCheck, CountsForScripts) {
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0], nlohmann::json({{"file", Malformed}, {"errors", 1}, {"warnings", 0}}));
   EXPECT_EQ(files[1], nlohmann::json({{"file", sound}, {"errors", 0}, {"warnings", 1}}));
+}
+
+TEST(GrfconvertCheck, PrintsWarningsAndStillCallsTheFileSound) {
+  const TemporaryFolder folder;
+  const std::string path = folder.add("a.grf", "def a = brdf ward\nbegin\nend\n");
+  const test::Outcome outcome = grfconvert({"check", path});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, path + ": sound, with warnings\n");
+  EXPECT_EQ(outcome.err,
+            path + ":1:5: warning: the BRDF 'a' is defined and never used\n  def a = brdf ward\n      ^\n");
+  const test::Outcome quiet = grfconvert({"check", "--quiet", path});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_THAT(quiet.out + quiet.err, IsEmpty());
+}
+
+TEST(GrfconvertCheck, SaysNothingOfWhatIsRight) {
+  const TemporaryFolder folder;
+  const std::string path = folder.add("a.grf", "begin mesh brdf ward" + Faces + "\n");
+  const test::Outcome outcome = grfconvert({"check", path});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(outcome.out, path + ": sound\n");
+}
+
+TEST(GrfconvertTidy, WritesFilesInTheOneStyleOnce) {
+  const TemporaryFolder folder;
+  const std::string path = folder.add("a.grf", "// lamp\nlight   begin (0,2,0)(1,0,0)(0,0,1) end // on\n");
+  const test::Outcome first = grfconvert({"tidy", path});
+  EXPECT_EQ(first.exit_code, 0);
+  EXPECT_EQ(first.out, path + ": tidied\n");
+  EXPECT_THAT(first.err, IsEmpty());
+  const std::string tidy = "// lamp\nlight begin\n  (0, 2, 0)\n  (1, 0, 0)\n  (0, 0, 1)\nend  // on\n";
+  EXPECT_EQ(test::bytes_of(path), tidy);
+  const test::Outcome second = grfconvert({"tidy", path});
+  EXPECT_EQ(second.exit_code, 0);
+  EXPECT_EQ(second.out, path + ": was tidy\n");
+  EXPECT_EQ(test::bytes_of(path), tidy);
+  EXPECT_THAT(folder.names(), ElementsAre("a.grf"));
+}
+
+TEST(GrfconvertTidy, GoesOnAfterABadFileAndLeavesThatAlone) {
+  const TemporaryFolder folder;
+  const std::string bad = folder.add("bad.grf", "light begin end\n");
+  const std::string obj = folder.add("t.obj", Triangle);
+  const std::string good = folder.add("good.grf", "params   begin end");
+  const test::Outcome outcome = grfconvert({"tidy", bad, obj, folder.path("missing.grf"), good});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr(bad + ":1:13: error: "));
+  EXPECT_THAT(outcome.err, HasSubstr(obj + ": error: this is obj, expected GRF\n"));
+  EXPECT_THAT(outcome.err, HasSubstr(folder.path("missing.grf") + ": error: "));
+  EXPECT_EQ(outcome.out, good + ": tidied\n");
+  EXPECT_EQ(test::bytes_of(bad), "light begin end\n");
+  EXPECT_EQ(test::bytes_of(obj), Triangle);
+}
+
+TEST(GrfconvertTidy, KeepsModelsThatNobodyKnows) {
+  const TemporaryFolder folder;
+  const std::string path = folder.add("a.grf", "def a=brdf unheard of=1 begin end");
+  EXPECT_EQ(grfconvert({"tidy", path, "-q"}).exit_code, 0);
+  EXPECT_EQ(test::bytes_of(path), "def a = brdf unheard of=1\nbegin\nend\n");
+}
+
+TEST(GrfconvertTidy, LeavesIncludedFilesAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string part = folder.add("part.grf", "params   begin end");
+  const std::string path = folder.add("a.grf", "include   \"part.grf\"");
+  EXPECT_EQ(grfconvert({"tidy", path}).out, path + ": tidied\n");
+  EXPECT_EQ(test::bytes_of(part), "params   begin end");
+}
+
+TEST(GrfconvertTidy, WarnsOfCommentsThatItCannotKeep) {
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.add("a.grf", "begin mesh begin vertexs // one\n(0, 0, 0) // two\n end begin faces end end\n");
+  const test::Outcome outcome = grfconvert({"tidy", path});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err,
+            path + ": warning: 2 comments inside lists of vertices or faces: the scene does not keep them\n");
+}
+
+TEST(GrfconvertTidy, RefusesIrradianceInAFileThatIsNotCalledIgrf) {
+  const TemporaryFolder folder;
+  const std::string text = "begin mesh begin vertexs irad (1, 1, 1) (0, 0, 0) end begin faces end end";
+  const std::string path = folder.add("a.grf", text);
+  const test::Outcome outcome = grfconvert({"tidy", path});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr(folder.path("a.igrf")));
+  EXPECT_EQ(test::bytes_of(path), text);
+  EXPECT_EQ(grfconvert({"tidy", folder.add("b.igrf", text)}).exit_code, 0);
+}
+
+TEST(GrfconvertFlatten, WritesOneFile) {
+  const TemporaryFolder folder;
+  folder.add("parts/gold.brdf", "ward sx=0.1");
+  folder.add("parts/wood.png", "an image");
+  const std::string part = "begin mesh brdf \"gold.brdf\" texture \"wood.png\"" + FacesWithUv;
+  folder.add("parts/part.grf", part);
+  const std::string scene = folder.add("scene.grf", "include \"parts/part.grf\" // here\n");
+  const std::string output = folder.path("out.grf");
+  const test::Outcome outcome = grfconvert({scene, "-o", output, "--flatten"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(outcome.out, output + ": 1 mesh, 1 face\n");
+  EXPECT_THAT(test::bytes_of(output),
+              StartsWith("// here\nbegin mesh\n  brdf ward sx=0.1\n  texture \"parts/wood.png\"\n"));
+  EXPECT_EQ(test::bytes_of(folder.path("parts/part.grf")), part);
+  EXPECT_EQ(grfconvert({"check", output}).err, "");
+}
+
+TEST(GrfconvertFlatten, NamesFilesFromTheFolderOfTheOutput) {
+  const TemporaryFolder folder;
+  folder.add("in/parts/wood.png", "an image");
+  folder.add("in/parts/part.grf", "begin mesh brdf ward texture \"wood.png\"" + FacesWithUv);
+  folder.add("out/x", "");
+  const std::string scene = folder.add("in/scene.grf", "include \"parts/part.grf\"");
+  EXPECT_EQ(grfconvert({scene, "-o", folder.path("out/scene.grf"), "--flatten"}).exit_code, 0);
+  EXPECT_THAT(test::bytes_of(folder.path("out/scene.grf")), HasSubstr("texture \"../in/parts/wood.png\"\n"));
+  EXPECT_EQ(grfconvert({"check", folder.path("out/scene.grf")}).err, "");
+}
+
+TEST(Grfconvert, KeepsTexturesAndIncludesFoundInAnotherFolder) {
+  const TemporaryFolder folder;
+  folder.add("in/wood.png", "an image");
+  folder.add("in/gold.brdf", "ward");
+  const std::string part = "begin mesh brdf \"gold.brdf\" texture \"wood.png\"" + FacesWithUv;
+  folder.add("in/part.grf", part);
+  folder.add("out/x", "");
+  const std::string scene = folder.add("in/scene.grf", "include \"part.grf\" " + part);
+  const std::string output = folder.path("out/scene.grf");
+  const test::Outcome outcome = grfconvert({scene, "-o", output});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty()) << "no other file is written";
+  EXPECT_THAT(test::bytes_of(output), HasSubstr("include \"../in/part.grf\"\n"));
+  EXPECT_EQ(grfconvert({"check", output}).err, "");
+  EXPECT_EQ(test::bytes_of(folder.path("in/part.grf")), part);
+}
+
+TEST(Grfconvert, WritesIrradianceOnlyIntoIgrfFiles) {
+  const TemporaryFolder folder;
+  const std::string scene =
+      folder.add("scene.igrf",
+                 "begin mesh brdf ward begin vertexs irad (1, 1, 1) (0, 0, 0) end begin faces end end "
+                 "params begin dependent view (0, 0, 5) end");
+  const test::Outcome outcome = grfconvert({scene, "-o", folder.path("out.grf")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("expected the name of an IGRF file, such as '" + folder.path("out.igrf") + "'"));
+  EXPECT_THAT(folder.names(), ElementsAre("scene.igrf"));
+  EXPECT_EQ(grfconvert({scene, "-o", folder.path("out.igrf")}).err, "");
+  EXPECT_THAT(folder.names(), ElementsAre("out.igrf", "scene.igrf"));
+}
+
+TEST(Grfconvert2008, WritesNoExtensions) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.add("scene.grf", "begin mesh \"lamp\" light rgb (5, 5, 5)" + Faces +
+                                                        "\nbegin mesh brdf ward" + FacesWithUv + "\n");
+  const std::string output = folder.path("out.grf");
+  const test::Outcome outcome = grfconvert({scene, "-o", output, "--grf2008"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err,
+              HasSubstr(scene + ":1:1: warning: a mesh light of the grammar of 2008 has the radiance 1"));
+  EXPECT_THAT(test::bytes_of(output), StartsWith("// lamp\nmesh light begin\n"));
+}
+
+TEST(Grfconvert2008, RefusesParametersOfThreeNumbers) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.add("scene.grf", "begin mesh brdf diffuse kd=(1, 0, 0)" + Faces);
+  const test::Outcome outcome = grfconvert({scene, "-o", folder.path("out.grf"), "--grf2008"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr(scene + ":1:25: error: 'kd' has three numbers"));
+  EXPECT_THAT(folder.names(), ElementsAre("scene.grf"));
+}
+
+TEST(Grfconvert2008, WritesFilesAsOneWhereOneWouldHaveToChangeAndLeavesItAlone) {
+  const TemporaryFolder folder;
+  folder.add("in/wood.png", "an image");
+  const std::string part = "begin mesh \"a\" brdf ward texture \"wood.png\"" + FacesWithUv;
+  folder.add("in/part.grf", part);
+  folder.add("out/x", "");
+  const std::string scene = folder.add("in/scene.grf", "include \"part.grf\"");
+  const std::string output = folder.path("out/scene.grf");
+  const test::Outcome outcome = grfconvert({scene, "-o", output, "--grf2008"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("all files are written as one\n"));
+  EXPECT_THAT(test::bytes_of(output),
+              StartsWith("// a\nbegin mesh\n  brdf ward\n  texture \"../in/wood.png\"\n"));
+  EXPECT_EQ(test::bytes_of(folder.path("in/part.grf")), part);
+  EXPECT_EQ(grfconvert({"check", output}).err, "");
+}
+
+TEST(GrfconvertInfo, CountsInstancesAndMeshLights) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.add(
+      "scene.grf",
+      "def m = begin mesh brdf ward" + Faces +
+          " begin use m transform translation (0, 0, 3) begin use m end\nmesh light begin begin vertexs "
+          "(0, 0, 1) (0, 1, 1) (1, 0, 1) end begin faces (0, 1, 2) end end end");
+  const test::Outcome outcome = grfconvert({"info", "--json", scene});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["meshes"], 2);
+  EXPECT_EQ(json["instances"], 2);
+  EXPECT_EQ(json["lights"], 1);
+  EXPECT_EQ(json["faces"], 3);
+  EXPECT_EQ(json["brdfs"], 1);
+  EXPECT_EQ(json["area"], 1.5);
+  EXPECT_EQ(json["bounds"], nlohmann::json::parse(R"({"min": [0, 0, 0], "max": [1, 1, 3]})"));
+  EXPECT_EQ(json["warnings"], 0);
 }
 
 TEST(GrfconvertFormats, ListsThemAll) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "grf/catalogue.h"
+#include "grf/check.h"
 #include "grf/read.h"
 #include "grf/summary.h"
 #include "renderer/options/op_file.h"

@@ -4,11 +4,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "grf/lexer.h"
 #include "grf/read.h"
 #include "grf/write.h"
 #include "tests/support/temporary_folder.h"
@@ -42,6 +44,8 @@ class Corpus : public testing::TestWithParam<std::string> {
     return diagnostics.to_text() + (scene ? to_text(*scene) : "");
   }
 
+  std::string scene_text() const { return test::bytes_of(scene_path_.string()); }
+
   void compare(const std::string& text) const {
     const fs::path expected_path = fs::path(scene_path_).replace_extension(".txt");
     if (std::getenv("GRANADA_UPDATE_CORPUS") != nullptr) std::ofstream(expected_path) << text;
@@ -63,6 +67,35 @@ TEST_P(ValidCorpus, IsReadAndWritten) {
   const std::string text = outcome(is_read);
   EXPECT_TRUE(is_read);
   compare(text);
+}
+
+/// The text cut before each of its words, numbers, strings and marks.
+std::vector<std::string> pieces_of(const std::string& text) {
+  const auto shared_text = std::make_shared<const std::string>(text);
+  std::vector<std::string> pieces;
+  const char* begin = shared_text->data();
+  for (Lexer lexer(shared_text, nullptr); lexer.peek().kind != TokenKind::EndOfFile; lexer.next()) {
+    pieces.emplace_back(begin, lexer.peek().begin);
+    begin = lexer.peek().begin;
+  }
+  pieces.emplace_back(begin, shared_text->data() + shared_text->size());
+  return pieces;
+}
+
+// One mistake may make what is behind it wrong too, but not everything.
+TEST_P(ValidCorpus, HasFewErrorsWhereOneWordIsMissingOrTwice) {
+  constexpr std::size_t MostErrors = 4;
+  const std::vector<std::string> pieces = pieces_of(scene_text());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (const std::string& changed : {std::string(), pieces[i] + pieces[i]}) {
+      std::string text;
+      for (std::size_t k = 0; k < pieces.size(); ++k) text += k == i ? changed : pieces[k];
+      Diagnostics diagnostics;
+      const auto scene = read_text(text, "changed.grf", diagnostics);
+      EXPECT_EQ(scene.has_value(), !diagnostics.has_errors());
+      EXPECT_LE(diagnostics.error_count(), MostErrors) << diagnostics.to_text();
+    }
+  }
 }
 
 TEST_P(InvalidCorpus, IsExplained) {

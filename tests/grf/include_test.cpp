@@ -67,7 +67,7 @@ TEST_F(IncludeTest, StandsInTheScopeAndUnderTheTransformsOfItsPlace) {
   ASSERT_TRUE(scene) << said;
   SceneVisitor visitor;
   visitor.mesh = [](const Mesh& mesh, const Placement& placement, const Block&) {
-    EXPECT_EQ(resolve(mesh.surface(0), *placement.scope).colour, Colour(1, 0, 0));
+    EXPECT_EQ(resolve(mesh.surface(0), placement.scope).colour, Colour(1, 0, 0));
     EXPECT_EQ(Vec3d(1, 1, 1) * placement.to_world, Vec3d(3, 3, 3));
   };
   visit(*scene, visitor);

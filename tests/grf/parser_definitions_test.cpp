@@ -40,13 +40,9 @@ TEST(Definitions, AreToldFromParametersByWhatFollows) {
 
 TEST(Definitions, NameBothReadingsOfAnyOtherWord) {
   EXPECT_EQ(error_in("def a = brdf ward b = phong begin end"),
-            "found 'phong', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf' or "
-            "'texture' for "
-            "a definition called 'b'");
-  EXPECT_EQ(error_in("def a = brdf ward b = begin end"),
-            "found 'begin', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf' or "
-            "'texture' for "
-            "a definition called 'b'");
+            "found 'phong', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf', "
+            "'texture' or 'begin mesh' for a definition called 'b'");
+  EXPECT_EQ(error_in("def a = brdf ward b = begin end"), "found 'end', expected 'mesh' after this 'begin'");
 }
 
 TEST(Definitions, AreCaseSensitiveAndMayHaveTheNamesOfKeywords) {
@@ -56,13 +52,23 @@ TEST(Definitions, AreCaseSensitiveAndMayHaveTheNamesOfKeywords) {
               ElementsAre("ward", "light", "transform", "include", "mesh", "rgb", "brdf"));
 }
 
+TEST(Definitions, CannotHaveReservedNames) {
+  for (const std::string name : {"begin", "end", "none", "use", "true", "false", "USE"}) {
+    EXPECT_EQ(error_in("def " + name + " = rgb (1, 0, 0) begin end"),
+              "'" + name + "' is a reserved word, expected another name");
+    EXPECT_EQ(error_in("def a = brdf ward " + name + " = rgb (1, 0, 0) begin end"),
+              "'" + name + "' is a reserved word, expected another name");
+  }
+  EXPECT_EQ(error_in("def def = rgb (1, 0, 0) begin end"), "found '=', expected the name of a definition");
+}
+
 /// What the attribute `brdf` of the mesh in the definitions means: its keyword.
 std::string meaning_of(const std::string& definitions, const std::string& brdf,
                        const std::string& end = "end") {
   std::string meaning = "nothing";
   SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
-    const ResolvedSurface surface = resolve(mesh.surface(0), *placement.scope);
+    const ResolvedSurface surface = resolve(mesh.surface(0), placement.scope);
     if (surface.brdf != nullptr) meaning = surface.brdf->keyword;
   };
   visit(scene_of(definitions + " begin " + triangle("brdf " + brdf) + end), visitor);
@@ -97,19 +103,33 @@ TEST(Scope, KnowsWhatCanBeSeen) {
   const Definition outer{"a", Colour(1, 0, 0), {}, {}};
   const Definition other{"b", PdfModel(), {}, {}};
   const Definition inner{"a", BrdfModel(), {}, {}};
-  Scope scope;
-  for (const Definition* definition : {&outer, &other, &inner}) scope.enter(*definition);
+  ScopeStack stack;
+  for (const Definition* definition : {&outer, &other, &inner}) stack.enter(*definition);
+  const Scope scope = stack.scope();
   EXPECT_EQ(scope.find("a"), &inner);
   EXPECT_EQ(scope.find<Colour>("a"), nullptr);
   EXPECT_EQ(scope.find("c"), nullptr);
   EXPECT_THAT(scope.names(), testing::UnorderedElementsAre("a", "b"));
   EXPECT_THAT(scope.names_of<BrdfModel>(), ElementsAre("a"));
   EXPECT_THAT(scope.names_of<Colour>(), ElementsAre());
-  scope.leave(1);
-  EXPECT_EQ(scope.find("a"), &outer);
-  scope.leave(2);
-  EXPECT_EQ(scope.find("a"), nullptr);
-  EXPECT_THAT(scope.names(), ElementsAre());
+  stack.leave(1);
+  EXPECT_EQ(stack.scope().find("a"), &outer);
+  stack.leave(2);
+  EXPECT_EQ(stack.scope().find("a"), nullptr);
+  EXPECT_THAT(stack.scope().names(), ElementsAre());
+}
+
+TEST(Scope, OfADefinitionIsWhatStandsBeforeIt) {
+  const Definition outer{"a", Colour(1, 0, 0), {}, {}};
+  const Definition mesh{"m", Shared<Mesh>(), {}, {}};
+  const Definition inner{"a", BrdfModel(), {}, {}};
+  ScopeStack stack;
+  for (const Definition* definition : {&outer, &mesh, &inner}) stack.enter(*definition);
+  const Scope around = stack.scope().around("m");
+  EXPECT_EQ(around.find("a"), &outer);
+  EXPECT_EQ(around.find("m"), nullptr);
+  EXPECT_THAT(around.names(), ElementsAre("a"));
+  EXPECT_EQ(stack.scope().around("nothing").find("a"), nullptr);
 }
 
 TEST(UnknownColour, IsReportedOnceWithTheNearestNames) {

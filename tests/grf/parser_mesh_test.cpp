@@ -54,7 +54,7 @@ TEST(Faces, MayHaveATextureFromAFileOrADefinition) {
   SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-      const Texture* texture = resolve(mesh.surface(i), *placement.scope).texture;
+      const Texture* texture = resolve(mesh.surface(i), placement.scope).texture;
       files.push_back(texture == nullptr ? "none" : texture->file);
     }
   };
@@ -123,50 +123,6 @@ TEST(MissingWords, AreAnErrorWhereTwoReadingsArePossible) {
   EXPECT_EQ(error_in(mesh + "end mesh light begin (0, 2, 0) (1, 0, 0) (0, 0, 1) end"),
             "'end faces' is missing, and this can be 'end faces end mesh' before a light, or 'end faces end' "
             "before a mesh light");
-}
-
-TEST(FirstExampleOfTheThesis, IsRead) {
-  const Scene scene = scene_of(R"(
-// Wannabe Amazing sep 01, 2001, 12:58 Canvas: Width 585 Height 415 Scale 0.2 Box : width=2.0 height=1.0
-// length=0.5 nvertexs=4 nfaces=6 Bounding Box : Lower=(-2.797451055, -3.276146411, -2.716787639)
-// Upper=(2.5823486120, 2.1036532564, 2.6630120283)
-
-def cromo = brdf ward sx=0.05 sy=0.3 ks=0.05 kd=0.4
-begin
-begin mesh
-brdf cromo
-begin vertexs
-normal(0.0, 0.0, 1.0) (2.0, -1.0, 0.5)
-normal(0.0, 0.0, 1.0) (2.0, 1.0, 0.5)
-normal(0.0, 0.0, 1.0) (-2.0, 1.0, 0.5)
-normal(0.0, 0.0, 1.0) (-2.0, -1.0, 0.5)
-normal(0.0, 0.0, -1.0) (-2.0, -1.0, -0.5)
-normal(0.0, 0.0, -1.0) (-2.0, 1.0, -0.5)
-normal(0.0, 0.0, -1.0) (2.0, 1.0, -0.5)
-normal(0.0, 0.0, -1.0) (2.0, -1.0, -0.5)
-end vertexs
-begin faces
-rgb(0.3,0.8,1.0)
-(0,1,2,3)
-(4,5,6,7)
-(7,6,1,0)
-(3,2,5,4)
-(1,6,5,2)
-(3,4,7,0)
-end faces
-end mesh
-end
-)");
-  const auto& definitions = block<DefinitionScope>(scene.contents);
-  const Mesh& mesh = *block<Shared<Mesh>>(definitions.body);
-  EXPECT_EQ(mesh.positions.size(), 8U);
-  EXPECT_EQ(mesh.face_count(), 6U);
-  Scope scope;
-  scope.enter(definitions.definitions[0]);
-  const ResolvedSurface surface = resolve(mesh.surface(5), scope);
-  EXPECT_EQ(surface.colour, Colour(0.3F, 0.8F, 1));
-  EXPECT_EQ(surface.brdf->keyword, "ward");
-  EXPECT_EQ(surface.brdf->arguments.size(), 4U);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ std::map<std::string, std::string> files_of(const test::TemporaryFolder& folder)
 
 void write_to(const test::TemporaryFolder& folder, const Scene& scene) {
   Diagnostics diagnostics;
-  if (!write(scene, folder.path("scene.grf"), diagnostics)) RC_FAIL(diagnostics.to_text());
+  if (!write(scene, folder.path("scene.igrf"), diagnostics)) RC_FAIL(diagnostics.to_text());
 }
 
 void keeps_included_files_apart() {
@@ -67,7 +67,7 @@ void keeps_included_files_apart() {
   write_to(folder, scene);
   for (const auto& [name, bytes] : files_of(folder)) RC_LOG() << "--- " << name << "\n" << bytes;
   Diagnostics diagnostics;
-  const auto again = read(folder.path("scene.grf"), diagnostics);
+  const auto again = read(folder.path("scene.igrf"), diagnostics);
   if (!again || !diagnostics.entries().empty()) RC_FAIL(diagnostics.to_text());
   RC_ASSERT(*again == scene);
   const test::TemporaryFolder copy;

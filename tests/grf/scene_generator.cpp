@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <set>
@@ -82,14 +83,33 @@ BlockList SceneGenerator::block_list(int depth) {
 
 Block SceneGenerator::block(int depth) {
   Block block;
-  const int kind = number_up_to(depth < DeepestBody ? (with_includes_ ? 4 : 3) : 1);
+  const std::vector<std::string> meshes = names_of<Shared<Mesh>>();
+  const int kind = number_up_to(depth < DeepestBody ? (with_includes_ ? 7 : 6) : 4);
   if (kind == 0) block.content = light();
   if (kind == 1) block.content = Shared<Mesh>(mesh());
-  if (kind == 2) block.content = transform(depth);
-  if (kind == 3) block.content = definitions(depth);
-  if (kind == 4) block.content = include(depth);
+  if (kind == 2) block.content = mesh_light();
+  if (kind == 3) block.content = params();
+  if (kind == 4) {
+    if (meshes.empty()) {
+      block.content = light();
+    } else {
+      block.content = use(meshes);
+    }
+  }
+  if (kind == 5) block.content = transform(depth);
+  if (kind == 6) block.content = definitions(depth);
+  if (kind == 7) block.content = include(depth);
   block.comments = comments();
   return block;
+}
+
+Use SceneGenerator::use(std::vector<std::string> names) { return {{one_of(names), {}}}; }
+
+Params SceneGenerator::params() {
+  Params params;
+  const int count = number_up_to(2);
+  for (int i = 0; i < count; ++i) params.views.push_back(colour());
+  return params;
 }
 
 AreaLight SceneGenerator::light() {
@@ -113,7 +133,7 @@ Transform SceneGenerator::transform(int depth) {
 }
 
 DefinitionScope SceneGenerator::definitions(int depth) {
-  DefinitionScope scope;
+  std::deque<Definition> definitions;  // each sees those before it
   std::set<std::string> names;
   const int count = 1 + number_up_to(3);
   for (int i = 0; i < count; ++i) {
@@ -121,24 +141,26 @@ DefinitionScope SceneGenerator::definitions(int depth) {
     definition.name = definition_name();
     const bool is_new = names.insert(definition.name).second;
     if (!is_new) definition.name += std::to_string(i);
-    const int kind = number_up_to(3);
+    const int kind = number_up_to(4);
+    if (kind == 4) definition.body = Shared<Mesh>(mesh());
     if (kind == 0) definition.body = colour();
     if (kind == 1) definition.body = model<BrdfModel>();
     if (kind == 2) definition.body = model<PdfModel>();
     if (kind == 3) definition.body = texture();
     definition.comments = comments();
-    scope.definitions.push_back(std::move(definition));
+    scope_.enter(definitions.emplace_back(std::move(definition)));
   }
-  for (const Definition& definition : scope.definitions) scope_.enter(definition);
+  DefinitionScope scope;
   scope.body = block_list(depth + 1);
-  scope_.leave(scope.definitions.size());
+  scope_.leave(definitions.size());
+  scope.definitions.assign(definitions.begin(), definitions.end());
   return scope;
 }
 
 Include SceneGenerator::include(int depth) {
   Include include;
   const std::string folder = one_of({"", "parts/", "parts\\", "más partes/", "“a”/"});
-  include.file = folder + std::to_string(++include_count_) + one_of({"", " b", "ñ", "'"}) + ".grf";
+  include.file = folder + std::to_string(++file_count_) + one_of({"", " b", "ñ", "'"}) + ".igrf";
   include.contents = block_list(depth + 1);
   return include;
 }
@@ -157,8 +179,20 @@ Mesh SceneGenerator::mesh() {
   mesh.comments.faces = comments();
   mesh.comments.end = comment_lines();
   fill_vertices(mesh);
-  if (!mesh.positions.empty()) fill_faces(mesh);
+  if (!mesh.positions.empty()) fill_faces(mesh, &SceneGenerator::surface);
   return mesh;
+}
+
+MeshLight SceneGenerator::mesh_light() {
+  Mesh mesh;
+  mesh.surfaces[0] = light_surface();
+  if (mesh.surfaces[0].colour) mesh.comments.colour = comments();
+  mesh.comments.vertices = comments();
+  mesh.comments.faces = comments();
+  mesh.comments.end = comment_lines();
+  fill_vertices(mesh);
+  if (!mesh.positions.empty()) fill_faces(mesh, &SceneGenerator::light_surface);
+  return {std::move(mesh)};
 }
 
 void SceneGenerator::fill_vertices(Mesh& mesh) {
@@ -169,13 +203,22 @@ void SceneGenerator::fill_vertices(Mesh& mesh) {
     if (coin()) mesh.normals.set(vertex, colour());
     if (coin()) mesh.colours.set(vertex, colour());
     if (coin()) mesh.uvs.set(vertex, Vec2f(number(), number()));
+    if (number_up_to(3) == 0) mesh.irradiance.set(vertex, irradiance());
   }
 }
 
-void SceneGenerator::fill_faces(Mesh& mesh) {
+Irradiance SceneGenerator::irradiance() {
+  if (coin()) return colour();
+  std::vector<DirectionalIrradiance> list;
+  const int count = number_up_to(2);
+  for (int i = 0; i < count; ++i) list.push_back({colour(), colour()});
+  return list;
+}
+
+void SceneGenerator::fill_faces(Mesh& mesh, Surface (SceneGenerator::*make)()) {
   const int surfaces = number_up_to(3);
   for (int i = 0; i < surfaces; ++i) {
-    mesh.surfaces.push_back(number_up_to(3) == 0 ? written_otherwise(mesh.surfaces.back()) : surface());
+    mesh.surfaces.push_back(number_up_to(3) == 0 ? written_otherwise(mesh.surfaces.back()) : (this->*make)());
   }
   const int faces = number_up_to(5);
   for (int i = 0; i < faces; ++i) {
@@ -197,11 +240,24 @@ Surface SceneGenerator::surface() {
   return surface;
 }
 
+Surface SceneGenerator::light_surface() {
+  Surface surface;
+  surface.colour = attribute<Colour>();
+  return surface;
+}
+
+/// Sorted, so that the same choice is the same name in every run.
+template <class Body>
+std::vector<std::string> SceneGenerator::names_of() const {
+  std::vector<std::string> names = scope_.scope().names_of<Body>();
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 template <class Body>
 std::optional<std::variant<Body, Reference>> SceneGenerator::attribute() {
   if (coin()) return std::nullopt;
-  std::vector<std::string> names = scope_.names_of<Body>();
-  std::sort(names.begin(), names.end());  // so that the same choice is the same name in every run
+  const std::vector<std::string> names = names_of<Body>();
   if (!names.empty() && coin()) return Reference{one_of(names), {}};
   if constexpr (std::is_same_v<Body, Colour>) {
     return colour();
@@ -216,10 +272,26 @@ template <class ModelOfKind>
 ModelOfKind SceneGenerator::model() {
   ModelOfKind model;
   model.keyword = keyword();
+  if constexpr (std::is_same_v<ModelOfKind, BrdfModel>) {
+    const std::vector<std::string> names = names_of<BrdfModel>();
+    if (!names.empty() && number_up_to(2) == 0) return combine(names);
+    if (number_up_to(3) == 0) model.data_file = quotable();
+    // The files of such instances are written where included ones are.
+    if (with_includes_ && number_up_to(3) == 0) model.instance_file = std::to_string(++file_count_) + ".brdf";
+  }
   const int count = number_up_to(2);
   for (int i = 0; i < count; ++i)
     model.arguments.push_back({one_of({"sx", "Cx", "begin", "_", "$1"}), value(), {}});
   return model;
+}
+
+BrdfModel SceneGenerator::combine(const std::vector<std::string>& names) {
+  BrdfModel brdf;
+  brdf.keyword = one_of({"combine", "Combine"});
+  const int count = 1 + number_up_to(2);
+  for (int i = 0; i < count; ++i) brdf.terms.push_back({std::abs(number()), {one_of(names), {}}});
+  if (coin()) brdf.arguments.push_back({"sx", value(), {}});
+  return brdf;
 }
 
 Texture SceneGenerator::texture() { return {quotable(), {}}; }

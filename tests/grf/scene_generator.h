@@ -28,15 +28,23 @@ class SceneGenerator {
   Transform transform(int depth);
   DefinitionScope definitions(int depth);
   Include include(int depth);
+  Use use(std::vector<std::string> names);
+  Params params();
   Mesh mesh();
+  MeshLight mesh_light();
   void fill_vertices(Mesh& mesh);
-  void fill_faces(Mesh& mesh);
+  Irradiance irradiance();
+  void fill_faces(Mesh& mesh, Surface (SceneGenerator::*make)());
   Surface surface();
+  Surface light_surface();
   template <class Body>
   std::optional<std::variant<Body, Reference>> attribute();
   Colour colour();
   template <class ModelOfKind>
   ModelOfKind model();
+  BrdfModel combine(const std::vector<std::string>& names);
+  template <class Body>
+  std::vector<std::string> names_of() const;
   Texture texture();
   Value value();
   Comments comments();
@@ -45,8 +53,8 @@ class SceneGenerator {
   std::string quotable();
 
   bool with_includes_;
-  int include_count_ = 0;
-  Scope scope_;
+  int file_count_ = 0;
+  ScopeStack scope_;
 };
 
 }  // namespace grf

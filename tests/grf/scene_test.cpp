@@ -1,5 +1,6 @@
 #include "grf/scene.h"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -112,12 +113,12 @@ TEST(OptionalVertexValues, AreEqualIfTheSameVerticesHaveTheSame) {
 
 TEST(SurfaceHash, IsTheSameForEqualSurfaces) {
   Surface a;
-  a.brdf = BrdfModel{{"ward", {{"kd", Colour(0, 0, 1), {}}, {"fast", true, {}}}, {}}};
+  a.brdf = BrdfModel{{"ward", {{"kd", Colour(0, 0, 1), {}}, {"fast", true, {}}}, {}}, {}, {}, {}};
   a.colour = Reference{"red", {}};
   a.emission = Colour(0, 1, 1);
   Surface b = a;
   std::get<BrdfModel>(*b.brdf) =
-      BrdfModel{{"WARD", {{"KD", Colour(-0.0F, 0, 1), {}}, {"fast", true, {}}}, {}}};
+      BrdfModel{{"WARD", {{"KD", Colour(-0.0F, 0, 1), {}}, {"fast", true, {}}}, {}}, {}, {}, {}};
   b.emission = Colour(-0.0F, 1, 1);
   EXPECT_EQ(a, b);
   EXPECT_EQ(hash_value(a), hash_value(b));
@@ -136,6 +137,31 @@ TEST(SurfaceIndex, FindsSurfacesThatTheMeshHas) {
   EXPECT_EQ(index.index_of(red), 1U);
   EXPECT_EQ(SurfaceIndex(mesh).index_of(red), 1U);
   EXPECT_EQ(mesh.surfaces.size(), 2U);
+}
+
+TEST(PartOfAMesh, HasTheFacesAndTheVerticesThatTheyUse) {
+  const Mesh mesh =
+      mesh_of(scene_of("begin mesh \"a\" brdf ward // shiny\n begin vertexs (0, 0, 0) normal (0, 0, 1) rgb "
+                       "(1, 0, 0) uv (0, 1) irad (1, 2, 3) (1, 0, 0) "
+                       "(2, 0, 0) (3, 0, 0) (4, 0, 0) end begin faces (0, 1, 2) rgb (1, 0, 0) (3, 2, 1, 4) "
+                       "brdf none (1, 2, 3) (2, 3, 4) end end"));
+  const Mesh expected =
+      mesh_of(scene_of("begin mesh rgb (1, 0, 0) begin vertexs (2, 0, 0) (3, 0, 0) (4, 0, 0) "
+                       "normal (0, 0, 1) rgb (1, 0, 0) uv (0, 1) irad (1, 2, 3) (1, 0, 0) end begin faces "
+                       "(0, 1, 2) brdf ward (1, 0, 3, 2) "
+                       "end end"));
+  const std::uint32_t faces[] = {3, 1};
+  EXPECT_EQ(part_of(mesh, faces), expected);
+}
+
+TEST(PartOfAMesh, OfNoFacesIsEmpty) {
+  EXPECT_EQ(part_of(mesh_of(scene_of(triangle("\"a\" brdf ward"))), {}), Mesh());
+}
+
+TEST(PartOfAMesh, OfAllFacesIsTheMesh) {
+  const Mesh mesh = mesh_of(scene_of(triangle("brdf ward", "(0, 1, 2) rgb (1, 0, 0)")));
+  const std::uint32_t faces[] = {0, 1};
+  EXPECT_EQ(part_of(mesh, faces), mesh);
 }
 
 }  // namespace

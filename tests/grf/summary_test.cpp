@@ -110,5 +110,67 @@ TEST(Summary, CountsDifferentImages) {
   EXPECT_EQ(summarize(scene).textures, 3U);
 }
 
+TEST(Summary, CountsInstancesAsMeshesToo) {
+  const Summary summary = summary_of("def m = " + cube() + " unused = " + cube() + " begin use m " + cube() +
+                                     "transform translation (5, 0, 0) begin use m end end");
+  EXPECT_EQ(summary.meshes, 3U);
+  EXPECT_EQ(summary.instances, 2U);
+  EXPECT_EQ(summary.vertices, 24U);
+  EXPECT_EQ(summary.faces, 18U);
+  EXPECT_EQ(summary.triangles, 36U);
+  EXPECT_DOUBLE_EQ(summary.area, 18);
+  EXPECT_EQ(summary.bounds, Box3f(Vec3f(0), Vec3f(6, 1, 1)));
+}
+
+TEST(Summary, CountsInstancesThatEmitAsLights) {
+  const Summary summary = summary_of("def m = " + cube("light rgb (1, 1, 1)") + " begin use m use m end");
+  EXPECT_EQ(summary.lights, 2U);
+}
+
+TEST(Summary, CountsMeshLightsAsLightsWithTheirFaces) {
+  const Summary summary = summary_of(
+      "mesh light begin begin vertexs (0, 0, 2) (2, 0, 2) (2, 3, 2) (0, 3, 2) end begin faces (0, 1, 2, 3) "
+      "end end");
+  EXPECT_EQ(summary.lights, 1U);
+  EXPECT_EQ(summary.meshes, 0U);
+  EXPECT_EQ(summary.instances, 0U);
+  EXPECT_EQ(summary.vertices, 4U);
+  EXPECT_EQ(summary.faces, 1U);
+  EXPECT_EQ(summary.triangles, 2U);
+  EXPECT_EQ(summary.boundary_edges, 4U);
+  EXPECT_DOUBLE_EQ(summary.area, 6);
+  EXPECT_EQ(summary.bounds, Box3f(Vec3f(0, 0, 2), Vec3f(2, 3, 2)));
+}
+
+TEST(Summary, OfInstancesIsThatOfMeshesWrittenOut) {
+  const std::string first =
+      "transform rotation (0.3, -0.7, 2) scale (2, 3, -0.5) translation (1, 2, 3) begin ";
+  const std::string second = "transform scale (2, 2, 2) rotation (1, 1, 1) begin ";
+  const std::string third = "transform rotation (0, 0, 0.7853982) translation (0, 0, 1) begin ";
+  const auto scene = [&](const std::string& mesh) {
+    return mesh + first + mesh + second + mesh + "end end " + second + mesh + "end " + third + mesh + "end ";
+  };
+  const std::string mesh = cube("", "");
+  const Summary instances = summary_of("def m = " + mesh + " begin " + scene("use m ") + "end");
+  const Summary meshes = summary_of(scene(mesh));
+  EXPECT_EQ(instances.instances, 5U);
+  EXPECT_EQ(instances.meshes, meshes.meshes);
+  EXPECT_EQ(instances.faces, meshes.faces);
+  EXPECT_EQ(instances.boundary_edges, meshes.boundary_edges);
+  EXPECT_EQ(instances.bounds, meshes.bounds);
+  EXPECT_NEAR(instances.area, meshes.area, 1e-9 * meshes.area);
+}
+
+TEST(Summary, MeasuresInstancesUnderRotationsAndScalesThatAreNotUniform) {
+  const auto area = [](const std::string& transform) {
+    return summary_of("def m = " + cube() + " begin transform " + transform + " begin use m end end").area;
+  };
+  EXPECT_NEAR(area("scale (2, 3, 5)"), 2 * (6 + 15 + 10), 1e-9);
+  EXPECT_NEAR(area("scale (2, 3, -5) rotation (1, 2, 3)"), 2 * (6 + 15 + 10), 1e-9);
+  EXPECT_NEAR(area("rotation (1, 2, 3) scale (2, 2, 2)"), 24, 1e-9);
+  // A square turned by an eighth is stretched to a rhombus.
+  EXPECT_NEAR(area("rotation (0, 0, 0.78539816) scale (2, 1, 1)"), 2 * 2 + 4 * std::sqrt(2.5), 1e-6);
+}
+
 }  // namespace
 }  // namespace grf

@@ -1,7 +1,10 @@
 #include "grf/write.h"
 
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,10 +52,10 @@ TEST(Writing, HasOneStyle) {
       "    end mesh\n"
       "  end\n"
       "  light begin\n"
-      "    rgb (4, 4, 4)\n"
       "    (0, 2, 0)\n"
       "    (1, 0, 0)\n"
       "    (0, 0, 1)\n"
+      "    rgb (4, 4, 4)\n"
       "  end\n"
       "end\n"
       "// the end\n";
@@ -195,8 +198,8 @@ TEST_F(WriteTest, NamesAndWritesIncludedFilesThatChanged) {
       std::get<Include>(std::get<Transform>(scene.contents.blocks[0].content).body.blocks[0].content);
   move_light(std::get<Include>(room.contents.edit().blocks[0].content), 7);
   EXPECT_EQ(write_scene(scene, "scene.grf"),
-            "parts/light.grf: note: the included file is written too\n"
-            "parts/room.grf: note: the included file is written too\n");
+            "parts/light.grf: note: this file, which the scene names, is written too\n"
+            "parts/room.grf: note: this file, which the scene names, is written too\n");
   EXPECT_EQ(test::bytes_of(folder.path("parts/other.grf")), light);
   expect_same_after_reading(scene, "scene.grf");
   EXPECT_EQ(write_scene(scene, "scene.grf"), "") << "they are as they should be now";
@@ -208,7 +211,7 @@ TEST_F(WriteTest, WritesIncludedFilesBesideACopy) {
   const Scene scene = read_scene("scene.grf");
   std::filesystem::create_directory(folder.path("copy"));
   EXPECT_EQ(write_scene(scene, "copy/scene.grf"),
-            "copy/parts/light.grf: note: the included file is written too\n");
+            "copy/parts/light.grf: note: this file, which the scene names, is written too\n");
   expect_same_after_reading(scene, "copy/scene.grf");
 }
 
@@ -217,7 +220,8 @@ TEST_F(WriteTest, WritesAnIncludedFileThatWouldBeReadInAnotherWay) {
   folder.add("scene.grf", "def shiny = brdf phong begin include \"part.grf\" end");
   Scene scene = read_scene("scene.grf");
   std::get<DefinitionScope>(scene.contents.blocks[0].content).definitions[0].name = "ward";
-  EXPECT_EQ(write_scene(scene, "scene.grf"), "part.grf: note: the included file is written too\n");
+  EXPECT_EQ(write_scene(scene, "scene.grf"),
+            "part.grf: note: this file, which the scene names, is written too\n");
   expect_same_after_reading(scene, "scene.grf");
 }
 
@@ -232,7 +236,8 @@ TEST_F(WriteTest, WritesAFileThatIsIncludedTwiceIfBothPlacesAgree) {
       "only\n");
   EXPECT_EQ(test::bytes_of(folder.path("light.grf")), light);
   move_light(include_in(scene, 1), 7);
-  EXPECT_EQ(write_scene(scene, "scene.grf"), "light.grf: note: the included file is written too\n");
+  EXPECT_EQ(write_scene(scene, "scene.grf"),
+            "light.grf: note: this file, which the scene names, is written too\n");
   expect_same_after_reading(scene, "scene.grf");
 }
 
@@ -257,6 +262,153 @@ TEST_F(WriteTest, SaysWhyAFileCannotBeWritten) {
   std::filesystem::create_directory(folder.path("light.grf"));
   EXPECT_THAT(write_scene(scene, "scene.grf", false),
               HasSubstr("light.grf: error: cannot write the file: it is a directory\n"));
+}
+
+const std::string Lit = "begin mesh begin vertexs irad (1, 2, 3) (0, 0, 0) end begin faces end end\n";
+
+TEST_F(WriteTest, RefusesIrradianceUnderANameThatIsNotOfIgrf) {
+  const Scene scene = scene_of(Lit);
+  EXPECT_EQ(write_scene(scene, "scene.grf", false),
+            "scene.grf: error: cannot write the file: it has irradiance, expected the name of an IGRF file, "
+            "such as "
+            "'scene.igrf'\n");
+  EXPECT_THAT(folder.names(), ElementsAre());
+  EXPECT_EQ(write_scene(scene, "scene.igrf"), "");
+  EXPECT_EQ(write_scene(scene, "other.IGRF"), "");
+  expect_same_after_reading(scene, "scene.igrf");
+}
+
+TEST_F(WriteTest, WantsTheNameOfIgrfOnlyForTheFileThatHoldsIrradiance) {
+  folder.add("part.igrf", Lit);
+  folder.add("scene.grf", "include \"part.igrf\"");
+  Scene scene = read_scene("scene.grf");
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "");
+  include_in(scene).file = "part.grf";
+  EXPECT_EQ(
+      write_scene(scene, "scene.grf", false),
+      "part.grf: error: cannot write the file: it has irradiance, expected the name of an IGRF file, such as "
+      "'part.igrf'\n");
+}
+
+TEST_F(WriteTest, LeavesAFileAloneThatItReadUnderAnotherName) {
+  folder.add("part.grf", Lit);
+  folder.add("scene.grf", "include \"part.grf\"");
+  EXPECT_EQ(write_scene(read_scene("scene.grf"), "scene.grf"), "") << "it is not written";
+}
+
+/// Scenes that are finite but for one number.
+std::vector<Scene> infinite_scenes() {
+  const float infinity = std::numeric_limits<float>::infinity();
+  std::vector<Scene> scenes;
+  const auto add = [&](const std::string& text, const auto& change) {
+    scenes.push_back(scene_of(text));
+    change(scenes.back().contents.blocks[0]);
+  };
+  const auto mesh_in = [](Block& block) -> Mesh& { return std::get<Shared<Mesh>>(block.content).edit(); };
+  const auto definition_in = [](Block& block) -> Definition::Body& {
+    return std::get<DefinitionScope>(block.content).definitions.back().body;
+  };
+  add(triangle(), [&](Block& block) { mesh_in(block).positions[0].y = infinity; });
+  add(triangle(), [&](Block& block) { mesh_in(block).positions[0].y = std::nanf(""); });
+  add(triangle(), [&](Block& block) { mesh_in(block).normals.set(1, Vec3f(infinity)); });
+  add(triangle(), [&](Block& block) { mesh_in(block).uvs.set(1, Vec2f(0, infinity)); });
+  add(triangle(), [&](Block& block) { mesh_in(block).irradiance.set(1, Colour(infinity)); });
+  add(triangle(), [&](Block& block) {
+    mesh_in(block).irradiance.set(1, std::vector<DirectionalIrradiance>{{Vec3f(infinity), Colour(1)}});
+  });
+  add(triangle("rgb (1, 1, 1)"), [&](Block& block) { mesh_in(block).surfaces[0].colour = Colour(infinity); });
+  add(triangle(), [&](Block& block) { mesh_in(block).surfaces[0].emission = Colour(infinity); });
+  add(triangle("brdf ward sx=1"), [&](Block& block) {
+    std::get<BrdfModel>(*mesh_in(block).surfaces[0].brdf).arguments[0].value = infinity;
+  });
+  add("def a = pdf few n=1 begin end",
+      [&](Block& block) { std::get<PdfModel>(definition_in(block)).arguments[0].value = Colour(infinity); });
+  add("def a = brdf ward b = brdf combine 1 a begin end",
+      [&](Block& block) { std::get<BrdfModel>(definition_in(block)).terms[0].weight = infinity; });
+  add("def a = rgb (1, 1, 1) begin end", [&](Block& block) { definition_in(block) = Colour(infinity); });
+  add("params begin end",
+      [&](Block& block) { std::get<Params>(block.content).views.emplace_back(infinity); });
+  add("transform scale (1, 1, 1) begin end",
+      [&](Block& block) { std::get<Transform>(block.content).steps[0].value.z = infinity; });
+  add("light begin (0, 0, 0) (1, 0, 0) (0, 1, 0) end",
+      [&](Block& block) { std::get<AreaLight>(block.content).radiance = Colour(infinity); });
+  return scenes;
+}
+
+TEST_F(WriteTest, RefusesNumbersThatCannotBeReadAgain) {
+  for (const Scene& scene : infinite_scenes()) {
+    EXPECT_EQ(write_scene(scene, "scene.igrf", false),
+              "scene.igrf: error: cannot write the file: it would have numbers that are infinite or not a "
+              "number (nan)\n")
+        << to_text(scene);
+  }
+  EXPECT_THAT(folder.names(), ElementsAre());
+}
+
+/// The BRDF that a scene defines, in a file of its own.
+BrdfModel& brdf_in(Scene& scene) {
+  return std::get<BrdfModel>(
+      std::get<DefinitionScope>(scene.contents.blocks.at(0).content).definitions[0].body);
+}
+
+class WriteBrdfFile : public WriteTest {
+ protected:
+  void SetUp() override {
+    folder.add("brdfs/gold.brdf", text);
+    folder.add("scene.grf",
+               "def gold = brdf \"brdfs/gold.brdf\" begin " + triangle("brdf \"brdfs/gold.brdf\"") + "end");
+    scene = read_scene("scene.grf");
+  }
+  std::string brdf_text() const { return test::bytes_of(folder.path("brdfs/gold.brdf")); }
+
+  const std::string text = "// bright\nBRDF Ward   sx=0.10 // along";
+  Scene scene;
+};
+
+TEST_F(WriteBrdfFile, LeavesItAsItIsWhereTheBrdfDidNotChange) {
+  brdf_in(scene).keyword = "WARD";
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "") << "the case of a keyword is no change";
+  EXPECT_EQ(brdf_text(), text);
+}
+
+TEST_F(WriteBrdfFile, NamesAndWritesItWithItsCommentsWhereTheBrdfChanged) {
+  std::get<DefinitionScope>(scene.contents.blocks[0].content).body = {};
+  brdf_in(scene).arguments[0].value = 0.2F;
+  EXPECT_EQ(write_scene(scene, "scene.grf"),
+            "brdfs/gold.brdf: note: this file, which the scene names, is written too\n");
+  EXPECT_EQ(brdf_text(), "// bright\n// along\nWard sx=0.2\n");
+  expect_same_after_reading(scene, "scene.grf");
+}
+
+TEST_F(WriteBrdfFile, WritesItBesideACopy) {
+  std::filesystem::create_directory(folder.path("copy"));
+  EXPECT_EQ(write_scene(scene, "copy/scene.grf"),
+            "copy/brdfs/gold.brdf: note: this file, which the scene names, is written too\n");
+  expect_same_after_reading(scene, "copy/scene.grf");
+}
+
+TEST_F(WriteBrdfFile, CannotHoldTwoBrdfs) {
+  brdf_in(scene).arguments[0].value = 0.2F;
+  EXPECT_EQ(write_scene(scene, "scene.grf", false),
+            "brdfs/gold.brdf: error: cannot write the file: it would have to hold several BRDFs\n");
+  EXPECT_EQ(brdf_text(), text);
+}
+
+TEST_F(WriteBrdfFile, IsNotWrittenForASurfaceThatNoFaceHas) {
+  auto& body = std::get<DefinitionScope>(scene.contents.blocks[0].content).body;
+  Surface unused;
+  unused.brdf = brdf_in(scene);
+  std::get<BrdfModel>(*unused.brdf).instance_file = "unused.brdf";
+  std::get<Shared<Mesh>>(body.blocks[0].content).edit().surfaces.push_back(unused);
+  EXPECT_EQ(write_scene(scene, "scene.grf"), "");
+  EXPECT_THAT(folder.names(), ElementsAre("brdfs", "scene.grf"));
+}
+
+TEST_F(WriteBrdfFile, CannotHoldNumbersThatCannotBeReadAgain) {
+  std::get<DefinitionScope>(scene.contents.blocks[0].content).body = {};
+  brdf_in(scene).arguments[0].value = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(write_scene(scene, "scene.grf", false), HasSubstr("it would have numbers that are infinite"));
+  EXPECT_EQ(brdf_text(), text);
 }
 
 }  // namespace

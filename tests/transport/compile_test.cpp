@@ -96,6 +96,98 @@ TEST(Compile, RefusesASchemeThatCannotServeTheBrdf) {
   }
 }
 
+void expect_same_emitters(const CompiledScene& a, const CompiledScene& b) {
+  EXPECT_EQ(a.triangle_count(), b.triangle_count());
+  EXPECT_EQ(a.bounds(), b.bounds());
+  ASSERT_EQ(a.emitters().size(), b.emitters().size());
+  for (std::uint32_t i = 0; i < a.emitters().size(); ++i) {
+    EXPECT_FLOAT_EQ(a.emitters().area_density(i), b.emitters().area_density(i));
+  }
+}
+
+const std::string LightShape =
+    "begin vertexs (0,0,2) (0,1,2) (1,1,2) (1,0,2) end vertexs begin faces rgb (4,4,4) (0,1,2) rgb (1,2,3) "
+    "(0,2,3) "
+    "rgb none (3,2,1) rgb (0,0,0) (0,1,3) end faces end ";
+const std::string EmittingShape =
+    "begin mesh begin vertexs (0,0,2) (0,1,2) (1,1,2) (1,0,2) end vertexs begin faces light rgb (4,4,4) "
+    "(0,1,2) light rgb "
+    "(1,2,3) (0,2,3) light rgb (1,1,1) (3,2,1) light rgb (0,0,0) (0,1,3) end faces end mesh ";
+
+TEST(Compile, MakesOfAMeshLightWhatItMakesOfFacesThatEmit) {
+  const CompiledScene light = test::scene_of("mesh light begin " + LightShape + UnitQuad);
+  const CompiledScene faces = test::scene_of(EmittingShape + UnitQuad);
+  EXPECT_EQ(light.emitters().size(), 3U);
+  expect_same_emitters(light, faces);
+  for (const float x : {0.2F, 0.8F}) {
+    const transport::Ray up{Vec3f(x, 0.5F, 1), Vec3f(0, 0, 1)};
+    const auto a = light.intersect(up);
+    const auto b = faces.intersect(up);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->surface->emission, b->surface->emission);
+    EXPECT_EQ(a->geometric_normal, b->geometric_normal);
+    EXPECT_EQ(light.reflector(*a->surface), nullptr) << "it reflects nothing";
+  }
+}
+
+TEST(Compile, LooksTheRadianceOfMeshLightsUpInTheirScope) {
+  const CompiledScene scene = test::scene_of(
+      "def c = rgb (7,0,0) begin mesh light begin rgb c begin vertexs (0,0,2) (0,1,2) (1,0,2) end begin "
+      "faces (0,1,2) end "
+      "end " +
+      UnitQuad + "end");
+  const auto point = scene.intersect({Vec3f(0.25F, 0.25F, 1), Vec3f(0, 0, 1)});
+  ASSERT_TRUE(point);
+  EXPECT_EQ(point->surface->emission, Rgb(7, 0, 0));
+}
+
+TEST(Compile, TurnsMeshLightsRoundUnderMirroringTransforms) {
+  const std::string light =
+      "mesh light begin begin vertexs (0,0,0) (1,0,0) (0,1,0) end begin faces (0,1,2) end end ";
+  const CompiledScene scene = test::scene_of("transform scale (-1,1,1) begin " + light + "end " + UnitQuad);
+  EXPECT_EQ(down_at(scene, -0.25F, 0.25F)->geometric_normal, Vec3f(0, 0, 1));
+}
+
+std::string placed_by(const std::string& mesh) {
+  return mesh + "transform scale (1,2,-3) rotation (0.3,0.7,1) translation (3,0,0) begin " + mesh + "end " +
+         "def paint = rgb (0,0,1) begin transform translation (0,5,0) begin " + mesh + "end end ";
+}
+
+TEST(Compile, MakesOfAnInstanceWhatItMakesOfTheMeshWrittenOut) {
+  const std::string mesh =
+      "begin mesh rgb paint brdf ward begin vertexs normal (0,1,2) (0,0,0) (1,0,0) normal (0,0,1) (1,1,0) "
+      "(0,1,0) end vertexs "
+      "begin faces (0,1,2) light rgb (3,3,3) (0,2,3) end faces end mesh ";
+  const CompiledScene used =
+      test::scene_of("def paint = rgb (1,0,0) shape = " + mesh + "begin " + placed_by("use shape ") + "end");
+  const CompiledScene written = test::scene_of("def paint = rgb (1,0,0) begin " + placed_by(mesh) + "end");
+  EXPECT_EQ(used.triangle_count(), 6U);
+  expect_same_emitters(used, written);
+  const auto a = down_at(used, 0.9F, 0.1F);
+  const auto b = down_at(written, 0.9F, 0.1F);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->shading_normal, b->shading_normal);
+  EXPECT_EQ(a->colour, b->colour);
+  EXPECT_EQ(down_at(used, 0.9F, 5.1F)->colour, Rgb(1, 0, 0)) << "by the name where it is defined";
+  EXPECT_EQ(down_at(written, 0.9F, 5.1F)->colour, Rgb(0, 0, 1));
+}
+
+TEST(Compile, RendersAMeshLightAndAnInstanceAsWhatTheyStandFor) {
+  const std::string room = test::quad("brdf diffuse kd=0.5", "(-2,-2,0) (2,-2,0) (2,2,0) (-2,2,0)");
+  const std::string long_way =
+      room + EmittingShape + "transform translation (-1,-1,0) begin " + EmittingShape + "end ";
+  const std::string short_way = "def lamp = " + EmittingShape + "begin " + room + "mesh light begin " +
+                                LightShape + "transform translation (-1,-1,0) begin use lamp end end";
+  test::Look look;
+  look.eye = transport::Vec3f(0, -3, 1);
+  look.width = look.height = 8;
+  const transport::Film a = test::render(test::scene_of(short_way), look);
+  const transport::Film b = test::render(test::scene_of(long_way), look);
+  EXPECT_GT(test::mean_radiance(b).mean, 0);
+  EXPECT_FLOAT_EQ(static_cast<float>(test::mean_radiance(a).mean),
+                  static_cast<float>(test::mean_radiance(b).mean));
+}
+
 TEST(Camera, LooksThroughTheMiddleOfTheImage) {
   transport::View view;
   view.eye = Vec3f(1, 2, 3);

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "grf/catalogue.h"
+#include "grf/check.h"
 #include "grf/read.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/render.h"

@@ -1,0 +1,310 @@
+#include "grf/check.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "grf/check_geometry.h"
+#include "grf/keywords.h"
+#include "grf/text_file.h"
+#include "grf/visit.h"
+
+namespace grf {
+namespace {
+
+/// The models of one kind, and what messages call them.
+template <class ModelOfKind>
+struct Kind {
+  const std::vector<ModelInfo>& models;
+  std::string_view name;
+};
+
+std::string path_of(const SourceLocation& location, const std::string& file) {
+  return location.file ? path_beside(location.file->path, file) : file;
+}
+
+bool is_combine(const BrdfModel& brdf) { return same_keyword(brdf.keyword, "combine"); }
+
+class Check {
+ public:
+  Check(const Catalogue& catalogue, Diagnostics& diagnostics)
+      : brdfs_{catalogue.brdfs, "BRDF"}, pdfs_{catalogue.pdfs, "PDF"}, diagnostics_(diagnostics) {}
+
+  void run(const Scene& scene) {
+    SceneVisitor visitor;
+    visitor.mesh = [this](const Mesh& mesh, const Placement& placement, const Block& block) {
+      if (placement.instance_of == nullptr) check_mesh(mesh, placement.scope, block.location);
+      lights_.add(mesh, placement);
+    };
+    visitor.mesh_light = [this](const MeshLight& light, const Placement& placement, const Block& block) {
+      check_mesh_light(*light.mesh, placement.scope, block.location);
+      lights_.add_light(light, placement, block);
+    };
+    visitor.light = [this](const AreaLight& light, const Placement& placement, const Block& block) {
+      if (light.radiance) check_not_negative(*light.radiance, block.location, "radiance");
+      lights_.add_light(light, placement, block);
+    };
+    visitor.definition = [this](const Definition& definition, const Placement& placement) {
+      if (visited_.insert(&definition).second) definitions_.push_back(&definition);
+      check_definition(definition, placement.scope);
+    };
+    visitor.use = [this](const Use& use, const Placement& placement, const Block&) {
+      check_reference<Shared<Mesh>>(use.mesh, "mesh", placement.scope);
+    };
+    visitor.params = [this](const Params& params, const Placement&, const Block&) {
+      has_observer_ = has_observer_ || !params.views.empty();
+    };
+    const std::size_t errors_before = diagnostics_.error_count();
+    visit(scene, visitor);
+    warn_of_irradiance();
+    // After an error these could be its consequences.
+    if (diagnostics_.error_count() > errors_before) return;
+    lights_.report(diagnostics_);
+    warn_of_unused();
+  }
+
+ private:
+  void check_mesh(const Mesh& mesh, const Scope& scope, const SourceLocation& location) {
+    for (const Surface& surface : mesh.surfaces) {
+      const SourceLocation& place = surface.location.file ? surface.location : location;
+      if (surface.brdf) check_model_attribute(*surface.brdf, brdfs_, scope);
+      if (surface.pdf) check_model_attribute(*surface.pdf, pdfs_, scope);
+      check_colour_attribute(surface.colour, place, scope);
+      check_texture(surface.texture, scope);
+      if (surface.emission) check_not_negative(*surface.emission, place, "radiance");
+    }
+    check_vertices(mesh, location);
+    warn_of_default(mesh, location);
+    warn_of_missing_uvs(mesh, location);
+    check_faces(mesh, location, diagnostics_);
+  }
+
+  void check_mesh_light(const Mesh& mesh, const Scope& scope, const SourceLocation& location) {
+    for (const Surface& surface : mesh.surfaces) {
+      if (!surface.colour) continue;
+      if (const auto* reference = std::get_if<Reference>(&*surface.colour)) {
+        check_reference<Colour>(*reference, "colour", scope);
+      } else {
+        const SourceLocation& place = surface.location.file ? surface.location : location;
+        check_not_negative(std::get<Colour>(*surface.colour), place, "radiance");
+      }
+    }
+    check_vertices(mesh, location);
+    check_faces(mesh, location, diagnostics_);
+  }
+
+  void check_vertices(const Mesh& mesh, const SourceLocation& location) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (mesh.colours.has(i)) check_colour(mesh.colours[i], location, "vertex colour");
+      if (mesh.irradiance.has(i)) check_irradiance(mesh.irradiance[i], location);
+    }
+  }
+
+  void check_irradiance(const Irradiance& irradiance, const SourceLocation& location) {
+    if (!irradiance_at_) irradiance_at_ = location;
+    if (location.file && !is_igrf_name(location.file->path) &&
+        files_to_rename_.insert(location.file->path).second) {
+      diagnostics_.warning(location, "irradiance makes this an IGRF file: its name should end in '.igrf'");
+    }
+    if (const auto* value = std::get_if<Colour>(&irradiance)) {
+      return check_not_negative(*value, location, "irradiance");
+    }
+    for (const DirectionalIrradiance& arrival : std::get<1>(irradiance)) {
+      check_not_negative(arrival.irradiance, location, "irradiance");
+    }
+  }
+
+  // The default of absent BRDFs is one that nobody wrote down, so a file that relies on it hears of it, once.
+  void warn_of_default(const Mesh& mesh, const SourceLocation& location) {
+    const std::string file = location.file ? location.file->path : std::string();
+    if (files_with_default_.contains(file)) return;
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      if (mesh.surface(i).brdf || mesh.surface(i).emission) continue;
+      files_with_default_.insert(file);
+      diagnostics_.warning(location, "faces without a BRDF: they are diffuse with kd=0.5");
+      return;
+    }
+  }
+
+  void warn_of_missing_uvs(const Mesh& mesh, const SourceLocation& location) {
+    std::size_t faces = 0;
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      const auto corners = mesh.face(i);
+      const auto lacks_uv = [&](std::uint32_t corner) { return !mesh.uvs.has(corner); };
+      if (mesh.surface(i).texture && std::any_of(corners.begin(), corners.end(), lacks_uv)) ++faces;
+    }
+    if (faces == 0) return;
+    diagnostics_.warning(location, fmt::format("{} with a texture {} corners without uv: it is (0, 0) there",
+                                               faces == 1 ? "a face" : fmt::format("{} faces", faces),
+                                               faces == 1 ? "has" : "have"));
+  }
+
+  template <class ModelOfKind>
+  void check_model_attribute(const std::variant<ModelOfKind, Reference>& attribute,
+                             const Kind<ModelOfKind>& kind, const Scope& scope) {
+    if (const auto* reference = std::get_if<Reference>(&attribute)) {
+      check_reference<ModelOfKind>(*reference, kind.name, scope);
+    } else {
+      check_model(std::get<ModelOfKind>(attribute), kind, scope);
+    }
+  }
+
+  void check_model(const BrdfModel& brdf, const Kind<BrdfModel>& kind, const Scope& scope) {
+    if (is_combine(brdf)) return check_combine(brdf, scope);
+    check_known_model(brdf, kind, scope);
+    if (!brdf.data_file.empty() && find_model(kind.models, brdf.keyword) != nullptr) {
+      diagnostics_.error(brdf.location, fmt::format("'{}' reads no file", brdf.keyword));
+    }
+  }
+  void check_model(const PdfModel& pdf, const Kind<PdfModel>& kind, const Scope& scope) {
+    check_known_model(pdf, kind, scope);
+  }
+
+  void check_combine(const BrdfModel& brdf, const Scope& scope) {
+    if (brdf.terms.empty())
+      diagnostics_.error(brdf.location, "'combine' of nothing, expected weights and names");
+    for (const CombineTerm& term : brdf.terms) {
+      check_reference<BrdfModel>(term.brdf, "BRDF", scope);
+      if (term.weight < 0) {
+        diagnostics_.error(term.brdf.location,
+                           fmt::format("the weight {} of a BRDF, expected 0 or more", term.weight));
+      }
+    }
+    for (const Argument& argument : brdf.arguments) {
+      diagnostics_.error(argument.location,
+                         fmt::format("'combine' has no parameter '{}', it has none", argument.name));
+    }
+  }
+
+  // The names of definitions are suggested too: who wrote an unknown keyword may have meant one of those.
+  template <class ModelOfKind>
+  void check_known_model(const ModelOfKind& model, const Kind<ModelOfKind>& kind, const Scope& scope) {
+    if (find_model(kind.models, model.keyword) != nullptr) {
+      check(model, kind.models, kind.name, diagnostics_);
+    } else if (scope.find<ModelOfKind>(model.keyword) != nullptr) {
+      // Else faces would have it by its name, so this is in a definition or has parameters.
+      diagnostics_.error(model.location,
+                         fmt::format("'{}' is the name of a {}, expected a model", model.keyword, kind.name));
+    } else {
+      std::vector<std::string> words = scope.names_of<ModelOfKind>();
+      if (kind.name == "BRDF") words.emplace_back("combine");
+      report_unknown(model, kind.models, kind.name, words, diagnostics_);
+    }
+  }
+
+  void check_colour_attribute(const std::optional<ColourAttribute>& attribute, const SourceLocation& location,
+                              const Scope& scope) {
+    if (!attribute) return;
+    const auto* reference = std::get_if<Reference>(&*attribute);
+    if (reference == nullptr) return check_colour(std::get<Colour>(*attribute), location, "colour");
+    check_reference<Colour>(*reference, "colour", scope);
+    // Not where it is defined: it can be meant for a light.
+    const auto* colour = scope.find<Colour>(reference->name);
+    if (colour != nullptr) check_colour(*colour, scope.find(reference->name)->location, "colour");
+  }
+
+  void check_texture(const std::optional<TextureAttribute>& attribute, const Scope& scope) {
+    if (!attribute) return;
+    if (const auto* reference = std::get_if<Reference>(&*attribute)) {
+      check_reference<Texture>(*reference, "texture", scope);
+    } else {
+      check_image(std::get<Texture>(*attribute));
+    }
+  }
+
+  // A scene is of use without its images, so one that is missing is no error. Each is reported once.
+  void check_image(const Texture& texture) {
+    const std::string path = path_of(texture.location, texture.file);
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error) || !missing_images_.insert(path).second) return;
+    diagnostics_.warning(texture.location, fmt::format("there is no image '{}'", path));
+  }
+
+  template <class Body>
+  void check_reference(const Reference& reference, std::string_view kind, const Scope& scope) {
+    if (scope.find<Body>(reference.name) != nullptr) {
+      used_.insert(scope.find(reference.name));
+      return;
+    }
+    const std::string suggestion = did_you_mean(reference.name, scope.names_of<Body>());
+    diagnostics_.error(reference.location,
+                       fmt::format("no {} called '{}' is defined here{}{}", kind, reference.name,
+                                   suggestion.empty() ? "" : ": ", suggestion));
+  }
+
+  void check_definition(const Definition& definition, const Scope& scope) {
+    if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
+      check_model(*brdf, brdfs_, scope);
+    } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
+      check_model(*pdf, pdfs_, scope);
+    } else if (const auto* colour = std::get_if<Colour>(&definition.body)) {
+      check_not_negative(*colour, definition.location, "colour");
+    } else if (const auto* texture = std::get_if<Texture>(&definition.body)) {
+      check_image(*texture);
+    } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body)) {
+      check_mesh(**mesh, scope, definition.location);
+    }
+  }
+
+  void check_not_negative(const Colour& colour, const SourceLocation& location, std::string_view what) {
+    if (colour.x >= 0 && colour.y >= 0 && colour.z >= 0) return;
+    diagnostics_.error(location,
+                       fmt::format("{} {} of ({}, {}, {}), expected components of 0 or more",
+                                   what == "irradiance" ? "an" : "a", what, colour.x, colour.y, colour.z));
+  }
+
+  void check_colour(const Colour& colour, const SourceLocation& location, std::string_view what) {
+    check_not_negative(colour, location, what);
+    if (std::max({colour.x, colour.y, colour.z}) > 1) {
+      diagnostics_.warning(location,
+                           "a colour over 1: such a surface can reflect more light than it receives");
+    }
+  }
+
+  void warn_of_unused() {
+    for (const Definition* definition : definitions_) {
+      if (used_.contains(definition)) continue;
+      diagnostics_.warning(definition->location, fmt::format("the {} '{}' is defined and never used",
+                                                             kind_of(definition->body), definition->name));
+    }
+  }
+
+  void warn_of_irradiance() {
+    if (!irradiance_at_) return;
+    if (!has_observer_) {
+      diagnostics_.warning(
+          *irradiance_at_,
+          "irradiance without 'params begin dependent view (..) end', the observer that it is for");
+    }
+  }
+
+  const Kind<BrdfModel> brdfs_;
+  const Kind<PdfModel> pdfs_;
+  Diagnostics& diagnostics_;
+  LightCheck lights_;
+  std::set<std::string> files_with_default_;
+  std::set<std::string> missing_images_;
+  std::vector<const Definition*> definitions_;
+  std::set<const Definition*> visited_;
+  std::set<const Definition*> used_;
+  std::set<std::string> files_to_rename_;
+  std::optional<SourceLocation> irradiance_at_;
+  bool has_observer_ = false;
+};
+
+}  // namespace
+
+bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  Check(catalogue, diagnostics).run(scene);
+  return diagnostics.error_count() == errors_before;
+}
+
+}  // namespace grf

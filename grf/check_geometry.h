@@ -1,0 +1,47 @@
+// The part of `check` that looks at shapes and places.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
+#include "grf/visit.h"
+
+namespace grf {
+
+/// Warns of faces that have no area, and of those that have all their normals on their back.
+void check_faces(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics);
+
+/// Finds the lights in front of which there is nothing that they could light.
+class LightCheck {
+ public:
+  void add(const Mesh& mesh, const Placement& placement);
+  void add_light(const AreaLight& light, const Placement& placement, const Block& block);
+  void add_light(const MeshLight& light, const Placement& placement, const Block& block);
+
+  /// Once everything was added.
+  void report(Diagnostics& diagnostics) const;
+
+ private:
+  struct Body {
+    const Mesh* mesh = nullptr;
+    Matrix44d to_world;
+    std::array<Vec3d, 8> corners;  ///< of a box around it
+  };
+  struct Light {
+    const Mesh* mesh = nullptr;  ///< null for a parallelogram
+    Matrix44d to_world;
+    Vec3d point = Vec3d(0);  ///< of a parallelogram, with its normal
+    Vec3d normal = Vec3d(0);
+    SourceLocation location;
+  };
+
+  bool faces_something(const Light& light) const;
+  bool faces_something(const Vec3d& point, const Vec3d& normal) const;
+
+  std::vector<Body> bodies_;
+  std::vector<Light> lights_;
+};
+
+}  // namespace grf

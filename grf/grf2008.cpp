@@ -1,0 +1,342 @@
+#include "grf/grf2008.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "grf/relocate.h"
+#include "grf/visit.h"
+
+namespace grf {
+namespace {
+
+template <class Attribute>
+bool is_reset(const std::optional<Attribute>& before, const std::optional<Attribute>& after) {
+  return before && !after;
+}
+
+/// Whether a face after another one would need `none`.
+bool needs_none(const Surface& before, const Surface& after) {
+  return is_reset(before.colour, after.colour) || is_reset(before.brdf, after.brdf) ||
+         is_reset(before.pdf, after.pdf) || is_reset(before.texture, after.texture);
+}
+
+BrdfModel black() {
+  BrdfModel brdf;
+  brdf.keyword = "diffuse";
+  brdf.arguments.push_back({"kd", 0.0F, {}});
+  return brdf;
+}
+
+/// What one mesh becomes.
+struct Parts {
+  std::vector<Mesh> meshes;  ///< none if all faces emit
+  std::optional<MeshLight> light;
+};
+
+struct ChangedFile {
+  std::string name;
+  SourceLocation named_at;
+};
+
+class Downgrade {
+ public:
+  explicit Downgrade(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  Scene run(const Scene& scene) {
+    SceneVisitor names;
+    names.definition = [this](const Definition& definition, const Placement&) {
+      names_.insert(definition.name);
+    };
+    visit(scene, names);
+    return {blocks(scene.contents)};
+  }
+
+  /// A file that the scene names and that would have to change, where it is named.
+  const std::optional<ChangedFile>& changed_file() const { return changed_file_; }
+
+ private:
+  BlockList blocks(const BlockList& list) {
+    BlockList result;
+    for (const Block& block : list.blocks) {
+      std::visit([&](const auto& content) { add(content, block, result); }, block.content);
+    }
+    result.end_comments = list.end_comments;
+    return result;
+  }
+
+  void add(const Shared<Mesh>& mesh, const Block& block, BlockList& result) {
+    Parts parts = parts_of(*mesh, block.location);
+    const std::size_t first = result.blocks.size();
+    for (Mesh& part : parts.meshes)
+      result.blocks.push_back({Shared<Mesh>(std::move(part)), {}, block.location});
+    if (parts.light) result.blocks.push_back({*parts.light, {}, block.location});
+    result.blocks[first].comments = block.comments;
+    name_in_comment(*mesh, result.blocks[first].comments);
+  }
+
+  void add(const MeshLight& light, const Block& block, BlockList& result) {
+    Block& copy = result.blocks.emplace_back(block);
+    std::get<MeshLight>(copy.content) = plain_light(*light.mesh, block.location);
+  }
+
+  void add(const AreaLight&, const Block& block, BlockList& result) { result.blocks.push_back(block); }
+  void add(const Params&, const Block& block, BlockList& result) { result.blocks.push_back(block); }
+
+  void add(const Include& include, const Block& block, BlockList& result) {
+    const bool stays = blocks(*include.contents) == *include.contents;
+    if (!stays) changed_file_ = {include.file, block.location};
+    result.blocks.push_back(block);
+  }
+
+  void add(const Transform& transform, const Block& block, BlockList& result) {
+    Block& copy =
+        result.blocks.emplace_back(Block{Transform{transform.steps, {}}, block.comments, block.location});
+    BlockList body = blocks(transform.body);
+    std::get<Transform>(copy.content).body = std::move(body);
+  }
+
+  void add(const DefinitionScope& scope, const Block& block, BlockList& result) {
+    DefinitionScope converted;
+    for (const Definition& definition : scope.definitions) {
+      define(definition, converted.definitions);
+      scope_.enter(definition);
+    }
+    converted.body = blocks(scope.body);
+    scope_.leave(scope.definitions.size());
+    result.blocks.push_back({std::move(converted), block.comments, block.location});
+  }
+
+  // A mesh that becomes several takes several names, and `use` of it uses them all.
+  void define(const Definition& definition, std::vector<Definition>& result) {
+    const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body);
+    if (mesh == nullptr) {
+      Definition& copy = result.emplace_back(definition);
+      if (auto* brdf = std::get_if<BrdfModel>(&copy.body)) downgrade(*brdf);
+      if (auto* pdf = std::get_if<PdfModel>(&copy.body)) downgrade(*pdf);
+      return;
+    }
+    Parts parts = parts_of(**mesh, definition.location);
+    Placed& placed = placed_[&definition] = {{}, parts.light};
+    if (parts.meshes.empty()) parts.meshes.emplace_back();  // a `def` needs what it defines
+    for (Mesh& part : parts.meshes) {
+      Definition& copy = result.emplace_back(Definition{definition.name, {}, {}, definition.location});
+      if (placed.names.empty()) {
+        copy.comments = definition.comments;
+        name_in_comment(**mesh, copy.comments);
+      } else {
+        copy.name = new_name(definition.name);
+      }
+      placed.names.push_back(copy.name);
+      copy.body = Shared<Mesh>(std::move(part));
+    }
+  }
+
+  void add(const Use& use, const Block& block, BlockList& result) {
+    const auto placed = placed_.find(scope_.scope().find(use.mesh.name));
+    if (placed == placed_.end()) return result.blocks.push_back(block);
+    for (const std::string& name : placed->second.names) {
+      Block& copy = result.blocks.emplace_back(block);
+      copy.content = Use{{name, use.mesh.location}};
+      if (name != use.mesh.name) copy.comments = {};
+    }
+    if (placed->second.light) result.blocks.push_back({*placed->second.light, {}, block.location});
+  }
+
+  std::string new_name(const std::string& name) {
+    std::size_t number = 2;
+    while (!names_.insert(fmt::format("{}_{}", name, number)).second) ++number;
+    return fmt::format("{}_{}", name, number);
+  }
+
+  static void name_in_comment(const Mesh& mesh, Comments& comments) {
+    std::string name = mesh.name;
+    while (name.ends_with('\r')) name.pop_back();  // which would be a part of the line end
+    if (!name.empty()) comments.before.push_back(" " + name);
+  }
+
+  Parts parts_of(const Mesh& original, const SourceLocation& location) {
+    Mesh mesh = original;
+    mesh.name.clear();
+    std::vector<std::uint32_t> reflecting;
+    std::vector<std::uint32_t> emitting;
+    for (std::uint32_t i = 0; i < mesh.face_count(); ++i) {
+      (emits(mesh.surface(i)) ? emitting : reflecting).push_back(i);
+    }
+    Parts parts;
+    if (!emitting.empty()) parts.light = light_of(mesh, emitting, location);
+    if (parts.light && reflecting.empty()) {
+      Mesh& light = parts.light->mesh.edit();
+      light.comments = mesh.comments;
+      keep_comments(light);
+      return parts;
+    }
+    for (Surface& surface : mesh.surfaces) downgrade(surface);
+    const std::vector<std::vector<std::uint32_t>> runs = runs_without_none(mesh, reflecting);
+    if (runs.size() > 1) {
+      diagnostics_.warning(
+          location,
+          fmt::format("the grammar of 2008 has no 'none' in faces: the mesh becomes {}", runs.size()));
+    }
+    if (runs.size() == 1 && emitting.empty()) {
+      own_of_first_face(mesh);
+      keep_comments(mesh);
+      parts.meshes.push_back(std::move(mesh));
+      return parts;
+    }
+    for (const auto& run : runs) parts.meshes.push_back(part_of(mesh, run));
+    parts.meshes.front().comments = mesh.comments;
+    keep_comments(parts.meshes.front());
+    return parts;
+  }
+
+  // What was said of an attribute that is no longer there stays before the vertices.
+  static void keep_comments(Mesh& mesh) {
+    const Surface& own = mesh.surfaces.front();
+    std::vector<std::string>& kept = mesh.comments.vertices.before;
+    const auto keep = [&kept](bool has_attribute, Comments& comments) {
+      if (has_attribute) return;
+      if (!comments.behind.empty()) comments.before.push_back(comments.behind);
+      kept.insert(kept.begin(), comments.before.begin(), comments.before.end());
+      comments = {};
+    };
+    keep(own.emission.has_value(), mesh.comments.emission);
+    keep(own.texture.has_value(), mesh.comments.texture);
+    keep(own.pdf.has_value(), mesh.comments.pdf);
+    keep(own.brdf.has_value(), mesh.comments.brdf);
+    keep(own.colour.has_value(), mesh.comments.colour);
+  }
+
+  static bool emits(const Surface& surface) { return surface.emission && *surface.emission != Colour(0); }
+
+  // The mesh's own surface is what its first face has, where that lacks something.
+  static void own_of_first_face(Mesh& mesh) {
+    if (mesh.face_count() == 0 || !needs_none(mesh.surfaces.front(), mesh.surface(0))) return;
+    const std::uint32_t first = mesh.surface_of_face.front();
+    std::swap(mesh.surfaces.front(), mesh.surfaces[first]);
+    for (std::uint32_t& surface : mesh.surface_of_face) {
+      if (surface == 0 || surface == first) surface = first - surface;
+    }
+  }
+
+  static std::vector<std::vector<std::uint32_t>> runs_without_none(const Mesh& mesh,
+                                                                   const std::vector<std::uint32_t>& faces) {
+    std::vector<std::vector<std::uint32_t>> runs(1);
+    const Surface* before = nullptr;
+    for (const std::uint32_t face : faces) {
+      const Surface& surface = mesh.surface(face);
+      if (before != nullptr && needs_none(*before, surface)) runs.emplace_back();
+      runs.back().push_back(face);
+      before = &surface;
+    }
+    return runs;
+  }
+
+  MeshLight light_of(const Mesh& mesh, const std::vector<std::uint32_t>& faces,
+                     const SourceLocation& location) {
+    Mesh light = part_of(mesh, faces);
+    bool had_brdf = false;
+    bool had_radiance = false;
+    for (const std::uint32_t face : faces) {
+      const Surface& surface = mesh.surface(face);
+      had_brdf = had_brdf || surface.brdf;
+      had_radiance = had_radiance || *surface.emission != Colour(1);
+    }
+    light.surfaces = {Surface()};
+    std::fill(light.surface_of_face.begin(), light.surface_of_face.end(), 0);
+    if (had_radiance) warn_of_radiance(location);
+    if (had_brdf) diagnostics_.warning(location, "faces that emit lose their BRDF: they become a mesh light");
+    return {std::move(light)};
+  }
+
+  MeshLight plain_light(Mesh mesh, const SourceLocation& location) {
+    bool had_radiance = false;
+    for (const std::uint32_t surface : mesh.surface_of_face) {
+      const ResolvedSurface resolved = resolve(mesh.surfaces[surface], scope_.scope());
+      had_radiance = had_radiance || resolved.colour != Colour(1);
+    }
+    if (had_radiance) warn_of_radiance(location);
+    mesh.surfaces = {Surface()};
+    std::fill(mesh.surface_of_face.begin(), mesh.surface_of_face.end(), 0);
+    keep_comments(mesh);
+    return {std::move(mesh)};
+  }
+
+  void warn_of_radiance(const SourceLocation& location) {
+    diagnostics_.warning(location,
+                         "a mesh light of the grammar of 2008 has the radiance 1: another one is lost");
+  }
+
+  // Of what reflects. A face that was said to emit nothing is as black as one that emits.
+  void downgrade(Surface& surface) {
+    if (surface.emission && !surface.brdf) surface.brdf = black();
+    surface.emission.reset();
+    if (surface.brdf) downgrade_model<BrdfModel>(*surface.brdf);
+    if (surface.pdf) downgrade_model<PdfModel>(*surface.pdf);
+  }
+
+  template <class ModelOfKind>
+  void downgrade_model(std::variant<ModelOfKind, Reference>& attribute) {
+    if (auto* model = std::get_if<ModelOfKind>(&attribute)) downgrade(*model);
+  }
+
+  void downgrade(BrdfModel& brdf) {
+    if (!brdf.data_file.empty() && !brdf.arguments.empty()) {
+      diagnostics_.warning(
+          brdf.arguments.front().location,
+          fmt::format("'{}' has no parameters in the grammar of 2008: they are lost", brdf.keyword));
+      brdf.arguments.clear();
+      if (!brdf.instance_file.empty()) changed_file_ = {brdf.instance_file, brdf.location};
+    }
+    downgrade(static_cast<Model&>(brdf));
+  }
+
+  void downgrade(Model& model) {
+    for (const Argument& argument : model.arguments) {
+      if (!std::holds_alternative<Colour>(argument.value)) continue;
+      diagnostics_.error(argument.location,
+                         fmt::format("'{}' has three numbers, and parameters have one in the grammar of 2008",
+                                     argument.name));
+    }
+  }
+
+  /// What a defined mesh became.
+  struct Placed {
+    std::vector<std::string> names;
+    std::optional<MeshLight> light;
+  };
+
+  Diagnostics& diagnostics_;
+  std::optional<ChangedFile> changed_file_;
+  ScopeStack scope_;
+  std::set<std::string> names_;  ///< of all definitions
+  std::map<const Definition*, Placed> placed_;
+};
+
+}  // namespace
+
+std::optional<Scene> to_grf2008(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  Diagnostics unheard;
+  Downgrade trial(unheard);
+  trial.run(scene);
+  const std::optional<ChangedFile>& changed = trial.changed_file();
+  if (changed) {
+    diagnostics.warning(
+        changed->named_at,
+        fmt::format("'{}' has what the grammar of 2008 lacks: all files are written as one", changed->name));
+  }
+  Scene result = Downgrade(diagnostics).run(changed ? flatten(scene, path) : scene);
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return result;
+}
+
+}  // namespace grf

@@ -1,0 +1,147 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "grf/parser.h"
+#include "grf/text_file.h"
+
+namespace grf {
+namespace {
+
+bool is_boolean(const Token& token) {
+  return token.kind == TokenKind::Word &&
+         (same_keyword(token.text, "true") || same_keyword(token.text, "false"));
+}
+
+bool starts_value(const Token& token) {
+  return token.kind == TokenKind::Number || token.is('(') || is_boolean(token);
+}
+
+}  // namespace
+
+std::optional<BrdfModel> Parser::parse_lone_brdf() {
+  accept("brdf");
+  BrdfModel brdf;
+  if (!parse_keyword(brdf)) return std::nullopt;
+  if (same_keyword(brdf.keyword, "combine")) {
+    context_.diagnostics.error(brdf.location,
+                               "a 'combine' of names, where nothing is defined that could have them");
+    return std::nullopt;
+  }
+  if (lexer_.peek().kind == TokenKind::String) brdf.data_file = lexer_.next().text;
+  if (!parse_arguments(brdf, nullptr)) return std::nullopt;
+  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the BRDF");
+  if (context_.has_errors()) return std::nullopt;
+  return brdf;
+}
+
+bool Parser::parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next) {
+  if (lexer_.peek().kind == TokenKind::String) return parse_brdf_file(brdf);
+  if (!parse_keyword(brdf)) return false;
+  if (same_keyword(brdf.keyword, "combine") && lexer_.peek().kind == TokenKind::Number) {
+    if (!parse_terms(brdf.terms)) return false;
+  } else if (lexer_.peek().kind == TokenKind::String) {
+    brdf.data_file = lexer_.next().text;
+  } else if (same_keyword(brdf.keyword, "combine") && lexer_.peek().kind == TokenKind::Word) {
+    const Scope scope = context_.scope.scope();
+    const bool lacks_weight = scope.find<BrdfModel>(lexer_.peek().text) != nullptr &&
+                              scope.find<BrdfModel>(brdf.keyword) == nullptr && !lexer_.peek_second().is('=');
+    if (lacks_weight) return fail_expected("the weight of a BRDF before its name");
+  }
+  return parse_arguments(brdf, next);
+}
+
+bool Parser::parse_model(Model& model, std::optional<NextDefinition>* next) {
+  return parse_keyword(model) && parse_arguments(model, next);
+}
+
+bool Parser::parse_keyword(Model& model) {
+  const bool is_model = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
+  if (!is_model) return fail_expected("a model's keyword or the name of a definition");
+  const Token keyword = lexer_.next();
+  model.keyword = keyword.text;
+  model.location = lexer_.location(keyword);
+  return true;
+}
+
+// In a list of definitions, `name = value` is one more parameter and `name = brdf ...` the next definition:
+// that name, already taken from the text, is handed back.
+bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) {
+  while (lexer_.peek().kind == TokenKind::Word && lexer_.peek_second().is('=')) {
+    const std::uint32_t line_before = lexer_.line_of_last();
+    const Token name = lexer_.next();
+    lexer_.next();
+    if (next != nullptr && starts_definition_body(lexer_.peek())) {
+      *next = NextDefinition{name, line_before};
+      return true;
+    }
+    if (next != nullptr && !starts_value(lexer_.peek())) {
+      return fail_expected(
+          fmt::format("a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf', 'pdf', 'texture' or "
+                      "'begin mesh' for a definition called '{0}'",
+                      name.text, model.keyword));
+    }
+    Argument argument{std::string(name.text), {}, lexer_.location(name)};
+    if (!parse_value(name, argument.value)) return false;
+    model.arguments.push_back(std::move(argument));
+  }
+  return true;
+}
+
+bool Parser::parse_value(const Token& name, Value& value) {
+  if (lexer_.peek().is('(')) return parse_vector(value.emplace<Colour>());
+  if (is_boolean(lexer_.peek())) {
+    value = same_keyword(lexer_.next().text, "true");
+    return true;
+  }
+  if (lexer_.peek().kind != TokenKind::Number) {
+    return fail_expected(
+        fmt::format("a number, 'true', 'false' or three numbers in parentheses for '{}'", name.text));
+  }
+  return parse_number(value.emplace<float>());
+}
+
+// The comma may be missing. A number is the weight of one more term if a word follows it, and else begins a
+// face.
+bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
+  const auto at_term = [this] {
+    return lexer_.peek().kind == TokenKind::Number && lexer_.peek_second().kind == TokenKind::Word;
+  };
+  do {
+    CombineTerm term;
+    const Token weight = lexer_.peek();
+    if (weight.kind != TokenKind::Number) return fail_expected("the weight of one more BRDF");
+    if (!parse_number(term.weight)) return false;
+    if (term.weight < 0)
+      error(weight, fmt::format("the weight {} of a BRDF, expected 0 or more", weight.text));
+    const bool is_name = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
+    if (!is_name) return fail_expected("the name of a BRDF, behind its weight");
+    parse_reference<BrdfModel>(term.brdf);
+    terms.push_back(std::move(term));
+  } while (accept(',') || at_term());
+  return true;
+}
+
+// The statement itself is read even if the file is not, so reading goes on behind it.
+bool Parser::parse_brdf_file(BrdfModel& brdf) {
+  const Token name = lexer_.next();
+  const SourceLocation location = lexer_.location(name);
+  const std::string path = path_beside(file_->path, name.text);
+  const std::string exact_path = canonical_path(path);
+  auto known = context_.brdf_files.find(exact_path);
+  if (known == context_.brdf_files.end()) {
+    const auto text = read_file(path, context_.diagnostics, location);
+    if (!text) return true;
+    const auto file = source_file(path, text, location);
+    if (!is_text(*text, "a BRDF", {file, 0, 0}, context_.diagnostics)) return true;
+    const auto instance = Parser(text, file, context_).parse_lone_brdf();
+    if (!instance) return true;
+    known = context_.brdf_files.emplace(exact_path, *instance).first;
+  }
+  brdf = known->second;
+  brdf.instance_file = name.text;
+  return true;
+}
+
+}  // namespace grf

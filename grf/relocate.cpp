@@ -1,0 +1,165 @@
+#include "grf/relocate.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+#include "grf/text_file.h"
+
+namespace grf {
+namespace {
+
+/// How names in one file read in another.
+class Names {
+ public:
+  Names(const std::string& from, const std::string& to) : from_(from), to_(to), to_folder_(folder_of(to)) {
+    moves_ = folder_of(from) != to_folder_;
+  }
+
+  /// False: names read alike in both.
+  bool moves() const { return moves_; }
+
+  std::string moved(const std::string& name) const {
+    if (!moves_ || name.empty() || is_absolute(name)) return name;
+    const std::filesystem::path target = canonical_path(path_beside(from_, name));
+    const std::filesystem::path relative = target.lexically_relative(to_folder_);
+    return relative.empty() ? target.string() : relative.string();
+  }
+
+  /// A name from a file that is itself named in the first one.
+  std::string moved_from(const std::string& file, const std::string& name) const {
+    return Names(path_beside(from_, file), to_).moved(name);
+  }
+
+ private:
+  static std::filesystem::path folder_of(const std::string& path) {
+    return std::filesystem::path(canonical_path(path)).parent_path();
+  }
+  static bool is_absolute(const std::string& name) { return name.front() == '/' || name.front() == '\\'; }
+
+  std::string from_;
+  std::string to_;
+  std::filesystem::path to_folder_;
+  bool moves_ = false;
+};
+
+/// Changes what names files. Meshes are edited, and so copied if they are shared, only where something
+/// changes.
+class Mover {
+ public:
+  Mover(const Names& names, bool writes_brdfs_out) : names_(names), writes_brdfs_out_(writes_brdfs_out) {}
+
+  void move(BlockList& list) const {
+    for (Block& block : list.blocks) {
+      std::visit([this](auto& content) { move(content); }, block.content);
+    }
+  }
+
+  void move(Shared<Mesh>& mesh) const {
+    const auto stays = [this](Surface surface) {
+      const Surface before = surface;
+      move(surface);
+      return surface == before;
+    };
+    if (std::all_of(mesh->surfaces.begin(), mesh->surfaces.end(), stays)) return;
+    for (Surface& surface : mesh.edit().surfaces) move(surface);
+  }
+  void move(Include& include) const { include.file = names_.moved(include.file); }
+  void move(Transform& transform) const { move(transform.body); }
+  void move(DefinitionScope& scope) const {
+    for (Definition& definition : scope.definitions) {
+      std::visit([this](auto& body) { move(body); }, definition.body);
+    }
+    move(scope.body);
+  }
+
+ private:
+  // What names no file.
+  void move(MeshLight&) const {}
+  void move(AreaLight&) const {}
+  void move(Params&) const {}
+  void move(Use&) const {}
+  void move(Colour&) const {}
+  void move(PdfModel&) const {}
+  void move(Reference&) const {}
+
+  void move(BrdfModel& brdf) const {
+    // Data that a BRDF's own file names is named from there.
+    if (brdf.instance_file.empty()) {
+      brdf.data_file = names_.moved(brdf.data_file);
+    } else if (writes_brdfs_out_) {
+      brdf.data_file = names_.moved_from(brdf.instance_file, brdf.data_file);
+      brdf.instance_file.clear();
+    } else {
+      brdf.instance_file = names_.moved(brdf.instance_file);
+    }
+  }
+  void move(Texture& texture) const { texture.file = names_.moved(texture.file); }
+  void move(Surface& surface) const {
+    if (surface.brdf) std::visit([this](auto& brdf) { move(brdf); }, *surface.brdf);
+    if (surface.texture) std::visit([this](auto& texture) { move(texture); }, *surface.texture);
+  }
+
+  const Names& names_;
+  bool writes_brdfs_out_;
+};
+
+/// Collects the blocks of a file and of those that it includes.
+class Flattener {
+ public:
+  explicit Flattener(const std::string& path) : path_(path) {}
+
+  BlockList flat(const BlockList& list, const std::string& file) {
+    BlockList result;
+    std::vector<std::string> comments;  // of includes, for the block that comes next
+    add(list, file, result, comments);
+    comments.insert(comments.end(), list.end_comments.begin(), list.end_comments.end());
+    result.end_comments = std::move(comments);
+    return result;
+  }
+
+ private:
+  void add(const BlockList& list, const std::string& file, BlockList& result,
+           std::vector<std::string>& comments) {
+    const Names names(file, path_);
+    for (const Block& block : list.blocks) {
+      comments.insert(comments.end(), block.comments.before.begin(), block.comments.before.end());
+      if (const auto* include = std::get_if<Include>(&block.content)) {
+        if (!block.comments.behind.empty()) comments.push_back(block.comments.behind);
+        add(*include->contents, path_beside(file, include->file), result, comments);
+        comments.insert(comments.end(), include->contents->end_comments.begin(),
+                        include->contents->end_comments.end());
+        continue;
+      }
+      Block& copy = result.blocks.emplace_back(block);
+      copy.comments.before = std::exchange(comments, {});
+      if (auto* transform = std::get_if<Transform>(&copy.content)) {
+        transform->body = flat(transform->body, file);
+      } else if (auto* scope = std::get_if<DefinitionScope>(&copy.content)) {
+        const BlockList body = flat(scope->body, file);
+        scope->body = {};
+        Mover(names, true).move(*scope);
+        scope->body = body;
+      } else if (auto* mesh = std::get_if<Shared<Mesh>>(&copy.content)) {
+        Mover(names, true).move(*mesh);
+      }
+    }
+  }
+
+  const std::string& path_;
+};
+
+}  // namespace
+
+void relocate(Scene& scene, const std::string& from, const std::string& to) {
+  const Names names(from, to);
+  if (names.moves()) Mover(names, false).move(scene.contents);
+}
+
+Scene flatten(const Scene& scene, const std::string& path) {
+  return {Flattener(path).flat(scene.contents, path)};
+}
+
+}  // namespace grf

@@ -1,0 +1,121 @@
+// The writer behind `write.h`: one function a production.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grf/scene.h"
+#include "grf/visit.h"
+
+namespace grf {
+
+struct FileText {
+  std::string text;
+  bool is_finite = true;  ///< false: numbers among it are not, so it cannot be read again
+};
+
+/// The text of a file that holds these blocks and is read where those definitions are in force.
+FileText text_of_file(const BlockList& contents, const Scope& scope);
+
+// writer_words.cpp: words and values.
+
+// Numbers have the fewest digits that read back to the same float, without regard to the locale.
+void append(std::string& text, const Vec2f& v);
+void append(std::string& text, const Vec3f& v);
+void append(std::string& text, std::span<const std::uint32_t> corners);
+
+bool is_finite(const Vec2f& v);
+bool is_finite(const Vec3f& v);
+bool is_finite(const std::vector<Argument>& arguments);
+bool is_finite(const BrdfModel& brdf);
+
+/// Text that cannot stand in a file as it is must not make the rest of it unreadable.
+std::string comment_text(const std::string& comment);
+std::string quoted(const std::string& string);
+
+/// The word with another case of its letters: each number, seen as binary digits, gives another spelling.
+std::string respelled(std::string word, std::uint64_t number);
+
+class Writer {
+ public:
+  /// The definitions in force where the text will stand.
+  explicit Writer(const Scope& scope) : scope_(scope) {}
+
+  void blocks(const BlockList& list);
+
+  /// A file of no bytes at all is taken for a mistake when it is read.
+  FileText take_text() { return {text_.empty() ? "\n" : std::move(text_), is_finite_}; }
+
+ private:
+  void put_block(const Shared<Mesh>& mesh) {
+    begin_line("");
+    put_mesh(*mesh);
+  }
+  void put_block(const MeshLight& light);
+  void put_block(const AreaLight& light);
+  void put_block(const Include& include) { begin_line("include " + quoted(include.file)); }
+  void put_block(const Transform& transform);
+  void put_block(const DefinitionScope& definitions);
+  void put_block(const Params& params);
+  void put_block(const Use& use) { begin_line("use " + use.mesh.name); }
+
+  void put_definition(const Definition& definition, bool first);
+  void put_definition_body(const Definition::Body& body);
+  void put_body(const BlockList& body);
+  void put_mesh(const Mesh& mesh);
+  void put_lists(const Mesh& mesh);
+  void put_vertices(const Mesh& mesh);
+  void put_irradiance(const Irradiance& irradiance);
+  void put_faces(const Mesh& mesh);
+  void put_attributes(const Surface& surface, const MeshComments& comments);
+  void put_changes(const Surface& before, const Surface& after);
+  void put_attribute(const ColourAttribute& colour);
+  void put_attribute(const BrdfAttribute& brdf);
+  void put_attribute(const PdfAttribute& pdf);
+  void put_attribute(const TextureAttribute& texture);
+  void put_attribute(const Colour& emission);
+  template <class Attribute>
+  void put_model(const char* keyword, const Attribute& attribute);
+  template <class Attribute>
+  void put_own(const std::optional<Attribute>& attribute, const Comments& comments);
+  template <class Attribute>
+  void put_change(const char* keyword, const std::optional<Attribute>& before,
+                  const std::optional<Attribute>& after);
+  template <class ModelOfKind>
+  std::string unambiguous(const ModelOfKind& model);
+
+  // Numbers that are not finite cannot be read again.
+  template <class Vector>
+  void put(const Vector& v) {
+    is_finite_ = is_finite_ && is_finite(v);
+    append(text_, v);
+  }
+  std::string text_or_file(const BrdfModel& brdf);
+  std::string text_or_file(const PdfModel& pdf);
+
+  void put_comments(const std::vector<std::string>& comments);
+  void comments_before(const Comments& comments) { put_comments(comments.before); }
+  void begin_line(std::string_view words) {
+    text_.append(2 * indentation_, ' ');
+    text_ += words;
+  }
+  void end_line() { text_ += '\n'; }
+  void end_line(const Comments& comments);
+  void line(std::string_view words) {
+    begin_line(words);
+    end_line();
+  }
+
+  std::string text_;
+  std::size_t indentation_ = 0;
+  ScopeStack scope_;
+  bool is_finite_ = true;
+};
+
+}  // namespace grf

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "grf/write.h"
+#include "grf/writer.h"
+
+namespace grf {
+namespace {
+
+bool is_finite(float number) { return std::isfinite(number); }
+
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\0'; }, ' ');
+  return text;
+}
+
+std::string text_of(const std::vector<Argument>& arguments) {
+  std::string text;
+  for (const Argument& argument : arguments) {
+    text += ' ' + argument.name + '=';
+    if (const auto* number = std::get_if<float>(&argument.value)) text += fmt::format("{}", *number);
+    if (const auto* flag = std::get_if<bool>(&argument.value)) text += *flag ? "true" : "false";
+    if (const auto* colour = std::get_if<Colour>(&argument.value)) append(text, *colour);
+  }
+  return text;
+}
+
+}  // namespace
+
+void append(std::string& text, const Vec2f& v) {
+  std::array<char, 64> digits;
+  const auto* const end = fmt::format_to(digits.data(), FMT_COMPILE("({}, {})"), v.x, v.y);
+  text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
+}
+
+void append(std::string& text, const Vec3f& v) {
+  std::array<char, 64> digits;
+  const auto* const end = fmt::format_to(digits.data(), FMT_COMPILE("({}, {}, {})"), v.x, v.y, v.z);
+  text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
+}
+
+void append(std::string& text, std::span<const std::uint32_t> corners) {
+  char separator = '(';
+  for (const std::uint32_t corner : corners) {
+    text += separator;
+    if (separator == ',') text += ' ';
+    const fmt::format_int digits(corner);
+    text.append(digits.data(), digits.size());
+    separator = ',';
+  }
+  text += ')';
+}
+
+bool is_finite(const Vec2f& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool is_finite(const std::vector<Argument>& arguments) {
+  return std::all_of(arguments.begin(), arguments.end(), [](const Argument& argument) {
+    const auto* number = std::get_if<float>(&argument.value);
+    const auto* colour = std::get_if<Colour>(&argument.value);
+    return (number == nullptr || is_finite(*number)) && (colour == nullptr || is_finite(*colour));
+  });
+}
+
+bool is_finite(const BrdfModel& brdf) {
+  return is_finite(brdf.arguments) &&
+         std::all_of(brdf.terms.begin(), brdf.terms.end(),
+                     [](const CombineTerm& term) { return is_finite(term.weight); });
+}
+
+// A return at the end of a line is taken for a part of the line end.
+std::string comment_text(const std::string& comment) {
+  std::string text = on_one_line(comment);
+  while (text.ends_with('\r')) text.pop_back();
+  return text;
+}
+
+std::string quoted(const std::string& string) {
+  std::string text = on_one_line(string);
+  if (text.find('"') == std::string::npos) return fmt::format("\"{}\"", text);
+  for (const std::string_view quote : {"\u201C", "\u201D"}) {
+    for (auto at = text.find(quote); at != std::string::npos; at = text.find(quote, at)) {
+      text[at] = '"';
+      text.erase(at + 1, quote.size() - 1);
+    }
+  }
+  return fmt::format("\u201C{}\u201D", text);
+}
+
+std::string respelled(std::string word, std::uint64_t number) {
+  for (char& c : word) {
+    const char lower = lower_case(c);
+    if (lower < 'a' || lower > 'z') continue;
+    if ((number & 1U) != 0) c = c == lower ? static_cast<char>(lower - 'a' + 'A') : lower;
+    number >>= 1U;
+  }
+  return word;
+}
+
+std::string to_text(const BrdfModel& brdf) {
+  std::string text = brdf.keyword;
+  if (!brdf.data_file.empty()) text += ' ' + quoted(brdf.data_file);
+  for (const CombineTerm& term : brdf.terms) {
+    text += fmt::format("{}{} {}", &term == brdf.terms.data() ? " " : ", ", term.weight, term.brdf.name);
+  }
+  return text + text_of(brdf.arguments);
+}
+
+std::string to_text(const PdfModel& pdf) { return pdf.keyword + text_of(pdf.arguments); }
+
+}  // namespace grf

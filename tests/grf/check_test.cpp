@@ -1,0 +1,437 @@
+#include "grf/check.h"
+
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/grf/reading.h"
+#include "tests/grf/small_catalogue.h"
+#include "tests/support/temporary_folder.h"
+
+namespace grf {
+namespace {
+
+/// The messages about a text that can be read, a line each, with the severity before those of warnings.
+std::string said_of(const std::string& text) {
+  const Scene scene = scene_of(text);
+  Diagnostics diagnostics;
+  const bool valid = check(scene, catalogue(), diagnostics);
+  EXPECT_EQ(valid, !diagnostics.has_errors());
+  std::string messages;
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    messages += (entry.severity == Severity::Warning ? "warning: " : "") + entry.message + "\n";
+  }
+  return messages;
+}
+
+std::string said_of_brdf(const std::string& brdf) { return said_of(triangle("brdf " + brdf)); }
+
+TEST(Check, AcceptsWhatTheCatalogueHas) {
+  EXPECT_EQ(said_of_brdf("glossy rough=0.5 kd=(0, 0.5, 1) fast=true"), "");
+  EXPECT_EQ(said_of_brdf("GLOSSY ROUGH=3e38 Kd=1 FAST=0"), "");
+  EXPECT_EQ(said_of_brdf("glossy sigma=1"), "");
+  EXPECT_EQ(said_of(triangle("brdf flat pdf cosine n=100")), "");
+}
+
+TEST(Check, ReportsUnknownModels) {
+  EXPECT_EQ(said_of_brdf("glosy"), "unknown BRDF 'glosy': did you mean 'glossy'?\n");
+  EXPECT_EQ(said_of_brdf("kajiya"), "unknown BRDF 'kajiya'\n");
+  EXPECT_EQ(said_of(triangle("brdf flat pdf cosin")), "unknown PDF 'cosin': did you mean 'cosine'?\n");
+  EXPECT_EQ(said_of(triangle("brdf flat pdf glossy")), "unknown PDF 'glossy'\n")
+      << "each kind has its models";
+}
+
+TEST(Check, SuggestsDefinitionsOfThatKindToo) {
+  EXPECT_EQ(said_of("def chrome = brdf flat chroma = rgb (1, 0, 0) begin " + triangle("brdf chrom") + "end"),
+            "unknown BRDF 'chrom': did you mean 'chrome'?\n");
+}
+
+TEST(Check, ReportsUnknownParametersWithThoseThatThereAre) {
+  EXPECT_EQ(said_of_brdf("glossy rouhg=1"),
+            "'glossy' has no parameter 'rouhg', it has Rough, kd, fast: did you mean 'Rough'?\n");
+  EXPECT_EQ(said_of_brdf("flat kd=1"), "'flat' has no parameter 'kd', it has none\n");
+}
+
+TEST(Check, ReportsParametersThatAreGivenTwice) {
+  EXPECT_EQ(said_of_brdf("glossy rough=1 kd=1 Rough=1"), "the parameter 'Rough' is given twice\n");
+  EXPECT_EQ(said_of_brdf("glossy m=1 sigma=1"), "the parameter 'Rough' is given twice\n");
+}
+
+TEST(Check, ReportsValuesOutOfRange) {
+  EXPECT_EQ(said_of_brdf("glossy kd=1.5"),
+            "'kd' of 'glossy': 1.5 is out of range, expected a number from 0 to 1\n");
+  EXPECT_EQ(said_of_brdf("glossy kd=(0, 1, -0.5)"),
+            "'kd' of 'glossy': -0.5 is out of range, expected numbers from 0 to 1\n");
+  EXPECT_EQ(said_of_brdf("glossy m=-1"),
+            "'Rough' of 'glossy': -1 is out of range, expected a number of 0 or more\n");
+}
+
+TEST(Check, ReportsValuesOfAnotherKind) {
+  EXPECT_EQ(said_of_brdf("glossy rough=true"), "'Rough' of 'glossy': expected a number of 0 or more\n");
+  EXPECT_EQ(said_of_brdf("glossy rough=(1, 1, 1)"), "'Rough' of 'glossy': expected a number of 0 or more\n");
+  EXPECT_EQ(said_of_brdf("glossy kd=true"),
+            "'kd' of 'glossy': expected a number, or three in parentheses, from 0 to 1\n");
+  EXPECT_EQ(said_of_brdf("glossy fast=2"), "'fast' of 'glossy': expected true, false, 1 or 0\n");
+  EXPECT_EQ(said_of_brdf("glossy fast=(1, 1, 1)"), "'fast' of 'glossy': expected true, false, 1 or 0\n");
+}
+
+TEST(Check, ReportsEveryMistakeAtItsPlace) {
+  const Scene scene = scene_of("def a = brdf glossy\n  kd=2 rough=-1\n  b = pdf cosin\nbegin end");
+  Diagnostics diagnostics;
+  check(scene, catalogue(), diagnostics);
+  ASSERT_EQ(diagnostics.entries().size(), 3U);
+  EXPECT_EQ(diagnostics.entries()[0].location.line, 2U);
+  EXPECT_EQ(diagnostics.entries()[0].location.column, 3U);
+  EXPECT_EQ(diagnostics.entries()[1].location.column, 8U);
+  EXPECT_EQ(diagnostics.entries()[2].location.line, 3U);
+  EXPECT_EQ(diagnostics.entries()[2].location.column, 11U);
+}
+
+TEST(Check, ReportsOneMistakeOnceForAllFacesThatHaveIt) {
+  EXPECT_EQ(said_of(triangle("brdf glosy", "rgb (1, 0, 0) (0, 1, 2) rgb (0, 1, 0)")),
+            "unknown BRDF 'glosy': did you mean 'glossy'?\n");
+}
+
+TEST(Check, ReportsNegativeColoursAndWarnsOfLargeOnes) {
+  const std::string warning =
+      "warning: a colour over 1: such a surface can reflect more light than it receives\n";
+  EXPECT_EQ(said_of(triangle("brdf flat rgb (1.5, 0, 0)")), warning);
+  EXPECT_EQ(said_of(triangle("brdf flat rgb (0, -1, 0)")),
+            "a colour of (0, -1, 0), expected components of 0 or more\n");
+  EXPECT_EQ(
+      said_of("def red = rgb (2, 0, 0) dark = rgb (0, 0, -2) begin " + triangle("brdf flat rgb red") + "end"),
+      "a colour of (0, 0, -2), expected components of 0 or more\n" + warning);
+  const std::string vertices = "(0, 0, 0) rgb (0, 0, 2) (1, 0, 0) rgb (0, 0, -2) (0, 1, 0)";
+  EXPECT_EQ(said_of("begin mesh brdf flat begin vertexs " + vertices + " end begin faces end end"),
+            warning + "a vertex colour of (0, 0, -2), expected components of 0 or more\n");
+}
+
+TEST(Check, LetsRadianceBeLargeButNotNegative) {
+  EXPECT_EQ(said_of(triangle("light rgb (100, 0, 0)")), "");
+  EXPECT_EQ(said_of(triangle("light rgb (-1, 0, 0)")),
+            "a radiance of (-1, 0, 0), expected components of 0 or more\n");
+  EXPECT_EQ(said_of("light begin rgb (9, 9, -1) (0, 0, 0) (1, 0, 0) (0, 1, 0) end"),
+            "a radiance of (9, 9, -1), expected components of 0 or more\n");
+}
+
+TEST(Check, WarnsOnceAFileOfFacesWithoutBrdf) {
+  const std::string warning = "warning: faces without a BRDF: they are diffuse with kd=0.5\n";
+  EXPECT_EQ(said_of(triangle() + triangle()), warning);
+  EXPECT_EQ(said_of(triangle("brdf flat", "(0, 1, 2) brdf none")), warning);
+  EXPECT_EQ(said_of(triangle("", "brdf flat")), "") << "every face has one";
+  EXPECT_EQ(said_of(triangle("light rgb (1, 1, 1)")), "") << "such emitters are black";
+
+  const test::TemporaryFolder folder;
+  folder.add("part.grf", triangle() + triangle());
+  folder.add("scene.grf", triangle() + "include \"part.grf\" include \"part.grf\"");
+  Diagnostics diagnostics;
+  const auto scene = read(folder.path("scene.grf"), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  EXPECT_TRUE(check(*scene, catalogue(), diagnostics));
+  EXPECT_EQ(diagnostics.warning_count(), 2U);
+}
+
+/// A scene that no text gives: its reference does not mean what it should.
+std::string said_of_reference(const std::string& definitions, const Surface& surface) {
+  Scene scene = scene_of(definitions + " begin " + triangle("brdf flat") + " end");
+  auto& scope = std::get<DefinitionScope>(scene.contents.blocks[0].content);
+  std::get<Shared<Mesh>>(scope.body.blocks[0].content).edit().surfaces[0] = surface;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(check(scene, catalogue(), diagnostics));
+  return diagnostics.entries().at(0).message;
+}
+
+TEST(Check, ReportsReferencesToDefinitionsThatAreNotThere) {
+  const Reference gold{"gold", {}};
+  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}, {}, {}}),
+            "no BRDF called 'gold' is defined here: did you mean 'god'?");
+  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}, {}, {}}),
+            "no BRDF called 'gold' is defined here");
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}, {}, {}}),
+            "no PDF called 'gold' is defined here");
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}, {}, {}}),
+            "no colour called 'gold' is defined here");
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), {}, gold, {}, {}}),
+            "no texture called 'gold' is defined here");
+}
+
+TEST(Check, WarnsOfImagesThatAreMissingAndOfCornersWithoutUv) {
+  const test::TemporaryFolder folder;
+  folder.add("there.png", "an image");
+  const std::string vertices =
+      "begin vertexs uv (0, 0) (0, 0, 0) uv (1, 0) (1, 0, 0) uv (1, 1) (1, 1, 0) (0, 1, 0) end vertexs ";
+  const std::string path = folder.add(
+      "scene.grf",
+      "def stone = texture \"gone.png\" begin begin mesh brdf flat texture \"there.png\" " + vertices +
+          "begin faces (0, 1, 2) texture stone (0, 2, 3) texture \"gone.png\" (0, 1, 3) end faces "
+          "end mesh end");
+  Diagnostics diagnostics;
+  const auto scene = read(path, diagnostics);
+  ASSERT_TRUE(scene && check(*scene, catalogue(), diagnostics)) << diagnostics.to_text();
+  ASSERT_EQ(diagnostics.entries().size(), 2U) << diagnostics.to_text();
+  EXPECT_EQ(diagnostics.entries()[0].message, "there is no image '" + folder.path("gone.png") + "'");
+  EXPECT_EQ(diagnostics.entries()[1].message,
+            "2 faces with a texture have corners without uv: it is (0, 0) there");
+}
+
+const std::string Square = "begin vertexs (0, 0, 0) (1, 0, 0) (1, 1, 0) (0, 1, 0) end vertexs ";
+
+std::string faces(const std::string& list) { return "begin faces " + list + " end faces "; }
+
+std::string mesh(const std::string& vertices, const std::string& list) {
+  return "begin mesh brdf flat begin vertexs " + vertices + " end vertexs " + faces(list) + "end mesh ";
+}
+
+TEST(CheckOfTermsOfCombine, ReportsWhatNoTextCanHave) {
+  const std::string text = "def a = brdf flat b = brdf combine 1 a begin " + triangle("brdf b") + "end";
+  EXPECT_EQ(said_of(text), "");
+  Scene scene = scene_of(text);
+  auto& brdf =
+      std::get<BrdfModel>(std::get<DefinitionScope>(scene.contents.blocks[0].content).definitions[1].body);
+  brdf.terms = {{-1, {"a", {}}}, {1, {"c", {}}}, {1, {"b", {}}}};
+  Diagnostics diagnostics;
+  EXPECT_FALSE(check(scene, catalogue(), diagnostics));
+  ASSERT_EQ(diagnostics.entries().size(), 3U) << diagnostics.to_text();
+  EXPECT_EQ(diagnostics.entries()[0].message, "the weight -1 of a BRDF, expected 0 or more");
+  EXPECT_EQ(diagnostics.entries()[1].message, "no BRDF called 'c' is defined here");
+  EXPECT_EQ(diagnostics.entries()[2].message, "no BRDF called 'b' is defined here");
+}
+
+TEST(CheckOfTermsOfCombine, WantsSomeAndNothingElse) {
+  EXPECT_EQ(said_of_brdf("combine"), "'combine' of nothing, expected weights and names\n");
+  EXPECT_EQ(said_of("def a = brdf flat begin " + triangle("brdf combine 1 a kd=1") + "end"),
+            "'combine' has no parameter 'kd', it has none\n");
+  EXPECT_EQ(said_of("def chrome = brdf flat begin " + triangle("brdf chrome", "brdf combin") + "end"),
+            "unknown BRDF 'combin': did you mean 'combine'?\n");
+}
+
+TEST(CheckOfModels, LetsThoseThatReadNoFileHaveNone) {
+  EXPECT_EQ(said_of_brdf("flat \"a.dat\""), "'flat' reads no file\n");
+  EXPECT_EQ(said_of_brdf("unknown \"a.dat\""), "unknown BRDF 'unknown'\n");
+}
+
+TEST(CheckOfModels, DoesNotTakeANameForAModelInADefinition) {
+  EXPECT_EQ(said_of("def a = brdf flat b = brdf a begin " + triangle("brdf b") + "end"),
+            "'a' is the name of a BRDF, expected a model\n");
+  EXPECT_EQ(said_of("def a = brdf flat begin " + triangle("brdf a kd=1") + "end"),
+            "'a' is the name of a BRDF, expected a model\n");
+  EXPECT_EQ(said_of("def a = pdf cosine b = pdf a begin " + triangle("brdf flat pdf b") + "end"),
+            "'a' is the name of a PDF, expected a model\n");
+  EXPECT_EQ(said_of("def flat = brdf flat begin " + triangle("brdf flat") + "end"), "")
+      << "a definition may be called like its model";
+}
+
+TEST(CheckOfDefinitions, WarnsOfThoseThatNothingUses) {
+  EXPECT_EQ(said_of("def a = brdf flat b = pdf cosine c = rgb (1, 0, 0) d = begin mesh brdf flat " + Square +
+                    faces("") + "end begin end"),
+            "warning: the BRDF 'a' is defined and never used\n"
+            "warning: the PDF 'b' is defined and never used\n"
+            "warning: the colour 'c' is defined and never used\n"
+            "warning: the mesh 'd' is defined and never used\n");
+  EXPECT_EQ(said_of("def a = brdf flat begin def a = brdf flat begin " + triangle("brdf a") + "end end"),
+            "warning: the BRDF 'a' is defined and never used\n")
+      << "the inner one hides it";
+}
+
+TEST(CheckOfDefinitions, KnowsEveryUse) {
+  EXPECT_EQ(said_of("def a = brdf flat b = pdf cosine c = rgb (1, 0, 0) begin " +
+                    triangle("brdf flat", "brdf a pdf b rgb c") + "end"),
+            "");
+  EXPECT_EQ(said_of("def a = brdf flat b = brdf combine 1 a begin " + triangle("brdf b") + "end"), "");
+  EXPECT_EQ(said_of("def c = rgb (1, 0, 0) begin mesh light begin rgb c " + Square + faces("(0, 1, 2)") +
+                    "end " + mesh("(0, 0, 1) (1, 0, 1) (0, 1, 1)", "(0, 1, 2)") + "end"),
+            "");
+  EXPECT_EQ(said_of("def a = brdf flat m = " + triangle("brdf a") + " begin use m end"), "");
+  const test::TemporaryFolder folder;
+  folder.add("part.grf", triangle("brdf a"));
+  const std::string path = folder.add("scene.grf", "def a = brdf flat begin include \"part.grf\" end");
+  Diagnostics diagnostics;
+  const auto scene = read(path, diagnostics);
+  EXPECT_TRUE(scene && check(*scene, catalogue(), diagnostics));
+  EXPECT_EQ(diagnostics.to_text(), "") << "in an included file";
+}
+
+TEST(CheckOfDefinitions, SaysNothingOfUnusedOnesAfterAnError) {
+  EXPECT_EQ(said_of("def a = brdf flat begin " + triangle("brdf unknown") + "end"),
+            "unknown BRDF 'unknown'\n");
+}
+
+TEST(CheckOfDefinedMeshes, SaysOnceWhatIsWrongHoweverOftenTheyArePlaced) {
+  EXPECT_EQ(said_of("def m = " + triangle("brdf glosy") + " begin use m use m end"),
+            "unknown BRDF 'glosy': did you mean 'glossy'?\n");
+  EXPECT_EQ(said_of("def m = " + triangle("brdf flat", "rgb (2, 0, 0)") + " begin use m use m end"),
+            "warning: a colour over 1: such a surface can reflect more light than it receives\n");
+}
+
+TEST(CheckOfDefinedMeshes, LooksNamesUpWhereTheyAreDefined) {
+  EXPECT_EQ(said_of("def a = brdf flat m = " + triangle("brdf a") +
+                    " begin def a = rgb (0, 0, 0) begin use m " + triangle("brdf flat rgb a") + "end end"),
+            "");
+}
+
+TEST(CheckOfUses, ReportsMeshesThatAreNotThere) {
+  Scene scene = scene_of("def ball = " + triangle("brdf flat") + " begin use ball end");
+  auto& scope = std::get<DefinitionScope>(scene.contents.blocks[0].content);
+  std::get<Use>(scope.body.blocks[0].content).mesh.name = "bal";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(check(scene, catalogue(), diagnostics));
+  EXPECT_EQ(diagnostics.entries().at(0).message,
+            "no mesh called 'bal' is defined here: did you mean 'ball'?");
+}
+
+TEST(CheckOfFaces, WarnsOfThoseWithoutArea) {
+  const std::string vertices = "(0, 0, 0) (1, 0, 0) (2, 0, 0) (0, 1, 0)";
+  EXPECT_EQ(said_of(mesh(vertices, "(0, 1, 3) (0, 1, 2)")), "warning: face 1 has no area\n");
+  EXPECT_EQ(said_of(mesh(vertices, "(0, 1, 2) (0, 1, 3) (1, 1, 3)")),
+            "warning: 2 faces, the first is 0, have no area\n");
+  EXPECT_EQ(said_of(mesh("(0, 0, 0) (1e-6, 0, 0) (0, 1e-6, 0)", "(0, 1, 2)")), "") << "small is not flat";
+  EXPECT_EQ(said_of(mesh("(0, 0, 0) (1, 0, 0) (1, 1e-4, 0)", "(0, 1, 2)")), "") << "nor is narrow";
+}
+
+TEST(CheckOfFaces, WarnsOfNormalsBehindThem) {
+  const std::string vertices =
+      "normal (0, 0, -1) (0, 0, 0) normal (1, 0, -1) (1, 0, 0) normal (0, 0, -2) (1, 1, 0) normal (0, 0, 1) "
+      "(0, 1, 0) "
+      "(2, 2, 0)";
+  EXPECT_EQ(said_of(mesh(vertices, "(0, 1, 2)")),
+            "warning: face 0 has normals that point away from the front\n");
+  EXPECT_EQ(said_of(mesh(vertices, "(2, 1, 0) (0, 1, 2) (0, 1, 2)")),
+            "warning: 2 faces, the first is 1, have normals that point away from the front\n");
+  EXPECT_EQ(said_of(mesh(vertices, "(2, 1, 0)")), "") << "turned over";
+  EXPECT_EQ(said_of(mesh(vertices, "(0, 1, 2, 3)")), "") << "one normal is in front";
+  EXPECT_EQ(said_of(mesh(vertices, "(0, 1, 4)")), "") << "one corner has no normal";
+}
+
+const std::string Nothing = "nothing is in front of this light, on the side that emits";
+
+/// Whether a light of that text is said to face nothing where there is a triangle in the plane z = 0.
+bool faces_nothing(const std::string& light) {
+  const std::string said = said_of(triangle("brdf flat") + light);
+  EXPECT_TRUE(said.empty() || said == "warning: " + Nothing + "\n") << said;
+  return !said.empty();
+}
+
+TEST(CheckOfLights, WarnsOfThoseThatFaceNothing) {
+  EXPECT_TRUE(faces_nothing("light begin (0, 0, 1) (1, 0, 0) (0, 1, 0) end"));
+  EXPECT_FALSE(faces_nothing("light begin (0, 0, 1) (0, 1, 0) (1, 0, 0) end"));
+  EXPECT_FALSE(faces_nothing("light begin (0, 0, -1) (1, 0, 0) (0, 1, 0) end"));
+  EXPECT_TRUE(faces_nothing("light begin (0, 0, 0) (1, 0, 0) (0, 1, 0) end")) << "in its plane";
+  EXPECT_TRUE(faces_nothing(
+      "transform translation (0, 0, 9) begin light begin (0, 0, -1) (1, 0, 0) (0, 1, 0) end end"));
+  EXPECT_FALSE(
+      faces_nothing("transform scale (1, 1, -1) begin light begin (0, 0, -1) (1, 0, 0) (0, 1, 0) end end"))
+      << "a mirror image emits from the mirrored side";
+  EXPECT_TRUE(
+      faces_nothing("transform scale (1, 1, -1) begin light begin (0, 0, -1) (0, 1, 0) (1, 0, 0) end end"));
+}
+
+TEST(CheckOfLights, LooksAtEachFaceOfAMeshLight) {
+  const auto light = [](const std::string& height, const std::string& list) {
+    return "mesh light begin begin vertexs (0, 0, " + height + ") (1, 0, " + height + ") (0, 1, " + height +
+           ") end vertexs " + faces(list) + "end ";
+  };
+  EXPECT_TRUE(faces_nothing(light("1", "(0, 1, 2)")));
+  EXPECT_FALSE(faces_nothing(light("1", "(0, 2, 1)")));
+  EXPECT_FALSE(faces_nothing(light("1", "(0, 1, 2) (0, 2, 1)"))) << "one of them is enough";
+  EXPECT_FALSE(faces_nothing(light("-1", "(0, 1, 2)")));
+  EXPECT_FALSE(faces_nothing("transform scale (1, 1, -1) begin " + light("-1", "(0, 1, 2)") + "end"));
+  EXPECT_TRUE(faces_nothing("transform scale (1, 1, -1) begin " + light("-1", "(0, 2, 1)") + "end"));
+}
+
+TEST(CheckOfLights, SeesMeshesWhereTheyArePlaced) {
+  const std::string light = "light begin (0, 0, 1) (1, 0, 0) (0, 1, 0) end ";
+  EXPECT_EQ(said_of("transform translation (0, 0, 2) begin " + triangle("brdf flat") + "end " + light), "");
+  EXPECT_EQ(said_of("def m = " + triangle("brdf flat") +
+                    " begin use m transform translation (0, 0, 2) begin use m end end " + light),
+            "");
+  EXPECT_EQ(said_of("def m = " + triangle("brdf flat") + " begin use m end " + light),
+            "warning: " + Nothing + "\n");
+}
+
+TEST(CheckOfLights, WarnsOfThoseWithoutArea) {
+  EXPECT_EQ(said_of("light begin (0, 0, 1) (1, 0, 0) (2, 0, 0) end " + triangle("brdf flat")),
+            "warning: a light without area\n");
+  EXPECT_EQ(said_of("mesh light begin " + Square + faces("") + "end"), "warning: a light without area\n");
+}
+
+TEST(CheckOfMeshLights, LetsRadianceBeLargeButNotNegative) {
+  const auto light = [](const std::string& attribute, const std::string& list) {
+    return "mesh light begin " + attribute + Square + faces(list) + "end " +
+           mesh("(0, 0, 1) (1, 0, 1) (0, 1, 1)", "(0, 1, 2)");
+  };
+  const std::string error = "a radiance of (0, -1, 0), expected components of 0 or more\n";
+  EXPECT_EQ(said_of(light("rgb (100, 0, 0) ", "(0, 1, 2) rgb none (0, 1, 2)")), "");
+  EXPECT_EQ(said_of(light("rgb (0, -1, 0) ", "(0, 1, 2)")), error);
+  EXPECT_EQ(said_of(light("", "rgb (0, -1, 0) (0, 1, 2)")), error);
+  EXPECT_EQ(said_of("def c = rgb (9, 9, 9) begin " + light("rgb c ", "(0, 1, 2)") + "end"), "")
+      << "a colour over 1 is no mistake there";
+}
+
+TEST(CheckOfMeshLights, LooksAtTheirFacesToo) {
+  EXPECT_EQ(
+      said_of(triangle("brdf flat") + "mesh light begin begin vertexs (0, 0, 1) (1, 0, 1) (0, 1, 1) end " +
+              faces("(0, 2, 1) (0, 1, 1)") + "end"),
+      "warning: face 1 has no area\n");
+}
+
+/// What is said of a text as a file of that name.
+std::string said_of_file(const std::string& name, const std::string& text) {
+  Diagnostics diagnostics;
+  const auto scene = read_text(text, name, diagnostics);
+  EXPECT_TRUE(scene && check(*scene, catalogue(), diagnostics));
+  std::string messages;
+  for (const Diagnostic& entry : diagnostics.entries()) messages += entry.message + "\n";
+  return messages;
+}
+
+TEST(CheckOfIrradiance, WarnsWhereTheNameOfTheFileOrTheObserverIsMissing) {
+  const std::string lit = mesh("irad (1, 1, 1) (0, 0, 0)", "");
+  const std::string name = "irradiance makes this an IGRF file: its name should end in '.igrf'\n";
+  const std::string observer =
+      "irradiance without 'params begin dependent view (..) end', the observer that it is for\n";
+  const std::string params = "params begin dependent view (0, 0, 5) end";
+  EXPECT_EQ(said_of_file("scene.grf", lit + lit), name + observer);
+  EXPECT_EQ(said_of_file("scene.igrf", lit), observer);
+  EXPECT_EQ(said_of_file("scene.igrf", lit + "params begin end"), observer) << "nobody observes";
+  EXPECT_EQ(said_of_file("scene.grf", lit + params), name);
+  EXPECT_EQ(said_of_file("scene.IGRF", params + " " + lit), "");
+  EXPECT_EQ(said_of_file("scene.grf", mesh("(0, 0, 0)", "")), "");
+  EXPECT_EQ(said_of_file("scene.igrf", mesh("(0, 0, 0)", "")), "") << "an IGRF file may have none";
+}
+
+TEST(CheckOfIrradiance, RefusesWhatIsNegative) {
+  const std::string message = "an irradiance of (1, -1, 1), expected components of 0 or more\n";
+  const auto errors = [](const std::string& vertex) {
+    Diagnostics diagnostics;
+    const auto scene =
+        read_text(mesh(vertex, "") + "params begin dependent view (0, 0, 5) end", "scene.igrf", diagnostics);
+    EXPECT_TRUE(scene);
+    check(*scene, catalogue(), diagnostics);
+    std::string messages;
+    for (const Diagnostic& entry : diagnostics.entries()) messages += entry.message + "\n";
+    return messages;
+  };
+  EXPECT_EQ(errors("irad (1, -1, 1) (0, 0, 0)"), message);
+  EXPECT_EQ(
+      errors("begin list ray (-1, 0, 0) irad (1, 1, 1) ray (1, 0, 0) irad (1, -1, 1) end list (0, 0, 0)"),
+      message);
+  EXPECT_EQ(errors("begin list ray (-1, 0, 0) irad (1000, 1, 0) end list (0, 0, 0)"), "");
+}
+
+TEST(CheckOfTextures, SaysNothingWhereAllIsThere) {
+  const test::TemporaryFolder folder;
+  folder.add("images/there.png", "an image");
+  folder.add("parts/part.grf",
+             "begin mesh brdf flat texture \"../images/there.png\" begin vertexs uv (0, 0) (0, 0, 0) "
+             "uv (1, 0) (1, 0, 0) uv (1, 1) (1, 1, 0) (0, 1, 0) end " +
+                 faces("(0, 1, 2) texture none (0, 2, 3)") + "end");
+  const std::string path = folder.add("scene.grf", "include \"parts/part.grf\"");
+  Diagnostics diagnostics;
+  const auto scene = read(path, diagnostics);
+  EXPECT_TRUE(scene && check(*scene, catalogue(), diagnostics));
+  EXPECT_EQ(diagnostics.to_text(), "");
+}
+
+}  // namespace
+}  // namespace grf
