@@ -3,6 +3,7 @@
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(Imath REQUIRED IMPORTED_TARGET Imath)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
+pkg_check_modules(Librsvg REQUIRED IMPORTED_TARGET librsvg-2.0)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -9,6 +9,7 @@ namespace grf {
 
 using Vec2f = Imath::V2f;
 using Vec3f = Imath::V3f;
+using Vec2d = Imath::V2d;
 using Vec3d = Imath::V3d;
 using Box3f = Imath::Box3f;
 

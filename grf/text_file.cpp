@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,6 +45,34 @@ std::string what_it_is(const struct stat& status) {
   if (S_ISFIFO(status.st_mode)) return "a pipe";
   return "a device or socket";
 }
+
+/// A file that was opened to be read, if it is one.
+class FileToRead {
+ public:
+  // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+  explicit FileToRead(const std::string& path)
+      : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+    is_open_ = file_.value() >= 0 && ::fstat(file_.value(), &status_) == 0;
+  }
+
+  bool is_regular() const { return is_open_ && S_ISREG(status_.st_mode); }
+  int descriptor() const { return file_.value(); }
+  std::size_t size() const { return static_cast<std::size_t>(status_.st_size); }
+
+  /// Why it cannot be read, said at the place that asked for it or of the file itself.
+  std::string problem(const SourceLocation& asked_for_at) const {
+    const bool is_another_kind = is_open_ && !is_regular();
+    const std::string why = is_another_kind ? fmt::format("it is {}, expected a file", what_it_is(status_)) : reason();
+    return asked_for_at.file ? fmt::format("cannot read '{}': {}", path_, why)
+                             : fmt::format("cannot read the file: {}", why);
+  }
+
+ private:
+  std::string path_;
+  Descriptor file_;
+  struct stat status_ = {};
+  bool is_open_ = false;
+};
 
 std::shared_ptr<std::string> read_all(int descriptor, std::size_t size) {
   auto bytes = std::make_shared<std::string>(size, '\0');
@@ -83,21 +112,26 @@ int create_beside(const std::string& target, mode_t mode, std::string& path) {
 
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
                                              const SourceLocation& asked_for_at) {
-  const auto fail = [&](const std::string& why) {
-    const SourceLocation place = asked_for_at.file ? asked_for_at : whole_file(path);
-    diagnostics.error(place, asked_for_at.file ? fmt::format("cannot read '{}': {}", path, why)
-                                               : fmt::format("cannot read the file: {}", why));
+  const FileToRead file(path);
+  auto bytes = file.is_regular() ? read_all(file.descriptor(), file.size()) : nullptr;
+  if (!bytes) diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
+  return bytes;
+}
+
+std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagnostics& diagnostics,
+                                                 const SourceLocation& asked_for_at) {
+  const FileToRead file(path);
+  if (file.is_regular() && file.size() == 0) return std::make_shared<const std::string_view>();
+  void* bytes = file.is_regular() ? ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, file.descriptor(), 0) : MAP_FAILED;
+  if (bytes == MAP_FAILED) {
+    diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
     return nullptr;
-  };
-  // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  struct stat status = {};
-  if (file.value() < 0 || ::fstat(file.value(), &status) != 0) return fail(reason());
-  if (!S_ISREG(status.st_mode)) {
-    return fail(fmt::format("it is {}, expected a file", what_it_is(status)));
   }
-  auto bytes = read_all(file.value(), static_cast<std::size_t>(status.st_size));
-  return bytes ? std::shared_ptr<const std::string>(std::move(bytes)) : fail(reason());
+  const auto unmap = [](const std::string_view* mapped) {
+    ::munmap(const_cast<char*>(mapped->data()), mapped->size());
+    delete mapped;
+  };
+  return {new std::string_view(static_cast<const char*>(bytes), file.size()), unmap};
 }
 
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {

@@ -18,6 +18,11 @@ inline constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
                                              const SourceLocation& asked_for_at = {});
 
+/// The same, mapped into memory: what is not looked at is not read. A file that is made shorter meanwhile ends the
+/// program, so this is for large data that nobody edits.
+std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagnostics& diagnostics,
+                                                 const SourceLocation& asked_for_at = {});
+
 /// Replaces the file by the bytes, or leaves it as it was and says why: a temporary file beside it is
 /// filled, forced to the disk and renamed over it.
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "renderer/command/brdf_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/options/render_options.h"
 
@@ -37,6 +38,41 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
   render->add_flag("--json", arguments.json, "print the summary as JSON");
 }
 
+void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
+  CLI::App* brdf = app.add_subcommand("brdf", "Look at a BRDF without a scene");
+  brdf->require_subcommand(1);
+  const auto add_command = [&](const char* name, const char* meaning, bool has_instance) {
+    CLI::App* command = brdf->add_subcommand(name, meaning);
+    if (has_instance) {
+      command
+          ->add_option("INSTANCE", arguments.instance,
+                       "such as \"ward sx=0.2 ks=0.4\", or a file that holds one")
+          ->required();
+    }
+    command->add_flag("--json", arguments.json, "print one JSON object");
+    return command;
+  };
+  add_command("list", "All models and their parameters", false);
+  CLI::App* eval = add_command("eval", "Values in 1/sr", true);
+  eval->add_option("--u", arguments.view,
+                   "direction to the eye; without it, lines of four angles from standard input")
+      ->type_name("THETA,PHI");
+  eval->add_option("--v", arguments.light, "direction to the light, in radians")->type_name("THETA,PHI");
+  CLI::App* albedo = add_command("albedo", "The share of light that is reflected", true);
+  albedo->add_option("--u", arguments.view, "direction, in radians")->type_name("THETA[,PHI]")->required();
+  CLI::App* plot = add_command("plot", "A picture: lobes, albedo and a lit sphere", true);
+  plot->add_option("-o,--output", arguments.output, "file to write")
+      ->type_name("FILE.svg|FILE.png")
+      ->required();
+}
+
+ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments) {
+  if (brdf.got_subcommand("list")) return command::list_brdfs(arguments);
+  if (brdf.got_subcommand("eval")) return command::evaluate_brdf(arguments);
+  if (brdf.got_subcommand("albedo")) return command::print_albedo(arguments);
+  return command::plot_brdf(arguments);
+}
+
 /// `bpt scene.op` renders, as the thesis' BPT did.
 std::vector<std::string> with_command(int argc, char** argv, CLI::App& app) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -53,11 +89,14 @@ ExitCode run(int argc, char** argv) {
   app.require_subcommand(1);
   command::RenderArguments arguments;
   add_render(app, arguments);
+  command::BrdfArguments brdf_arguments;
+  add_brdf(app, brdf_arguments);
   try {
     app.parse(with_command(argc, argv, app));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Done : ExitCode::BadCommandLine;
   }
+  if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   return command::render(arguments);
 }
 

@@ -1,0 +1,191 @@
+#include "renderer/command/brdf_command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "grf/text_file.h"
+#include "renderer/command/brdf_instance.h"
+#include "renderer/command/brdf_plot.h"
+#include "renderer/plot/svg.h"
+#include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/scheme.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using reflectance::Reflector;
+using reflectance::Rgb;
+using reflectance::Vec3f;
+
+/// The double with the fewest digits that is this float, so that 0.1F is printed as 0.1.
+double shortest(float value) {
+  const std::string digits = fmt::format("{}", value);
+  double number = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+nlohmann::ordered_json to_json(const Rgb& rgb) { return {shortest(rgb.x), shortest(rgb.y), shortest(rgb.z)}; }
+
+/// Numbers that commas or blanks separate, or nothing if there is anything else or another count of them.
+std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most) {
+  std::vector<double> numbers;
+  const char* position = text.data();
+  const char* end = position + text.size();
+  const auto is_separator = [](char c) { return c == ' ' || c == ',' || c == '\t' || c == '\r'; };
+  for (;;) {
+    position = std::find_if_not(position, end, is_separator);
+    if (position == end) break;
+    const auto [behind, error] = std::from_chars(position, end, numbers.emplace_back());
+    if (error != std::errc() || !std::isfinite(numbers.back())) return std::nullopt;
+    position = behind;
+  }
+  if (numbers.size() < least || numbers.size() > most) return std::nullopt;
+  return numbers;
+}
+
+/// In double, so that a direction at the horizon is there and not beside it.
+Vec3f direction_of(double theta, double phi) {
+  return Vec3f(static_cast<float>(std::sin(theta) * std::cos(phi)),
+               static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
+}
+
+std::optional<Vec3f> direction_option(const std::string& text, const char* option) {
+  const auto angles = numbers_of(text, 1, 2);
+  if (!angles) {
+    fmt::print(stderr, "error: {}: '{}' is no direction, expected theta,phi in radians\n", option, text);
+    return std::nullopt;
+  }
+  return direction_of(angles->front(), angles->size() > 1 ? angles->back() : 0);
+}
+
+void print_values(const std::vector<Rgb>& values, bool json) {
+  if (json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Rgb& value : values) list.push_back(to_json(value));
+    fmt::print("{}\n", nlohmann::ordered_json{{"values", list}}.dump());
+    return;
+  }
+  for (const Rgb& value : values) fmt::print("{} {} {}\n", value.x, value.y, value.z);
+}
+
+ExitCode evaluate_lines(const Reflector& reflector, bool json) {
+  std::vector<Rgb> values;
+  std::string line;
+  for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const auto angles = numbers_of(line, 4, 4);
+    if (!angles) {
+      fmt::print(stderr, "standard input:{}: error: expected theta_u phi_u theta_v phi_v, in radians\n  {}\n",
+                 number, line);
+      return ExitCode::BadInput;
+    }
+    values.push_back(reflector.evaluate(direction_of((*angles)[0], (*angles)[1]),
+                                        direction_of((*angles)[2], (*angles)[3])));
+  }
+  print_values(values, json);
+  return ExitCode::Done;
+}
+
+nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+  for (const grf::ParameterInfo& parameter : model.parameters) {
+    parameters.push_back({{"name", parameter.name},
+                          {"min", shortest(parameter.minimum)},
+                          {"max", shortest(parameter.maximum)},
+                          {"default", shortest(parameter.default_value)},
+                          {"unit", parameter.unit},
+                          {"help", parameter.help}});
+  }
+  return {{"keyword", model.keyword},
+          {"title", model.title},
+          {"parameters", parameters},
+          {"isotropic", model.not_isotropic.empty()},
+          {"reciprocal", model.not_reciprocal.empty()},
+          {"conserves_energy", model.not_conserving.empty()}};
+}
+
+void print_model(const grf::ModelInfo& model) {
+  fmt::print("{:<14} {}{}{}\n", model.keyword, model.title, model.paper.empty() ? "" : ". ", model.paper);
+  for (const grf::ParameterInfo& parameter : model.parameters) {
+    fmt::print("    {:<8} {} to {}, {} by default: {}\n", parameter.name, parameter.minimum,
+               parameter.maximum,
+               parameter.default_from.empty() ? fmt::format("{}", parameter.default_value)
+                                              : std::string(parameter.default_from),
+               parameter.help);
+  }
+  const auto print_reason = [](const char* property, std::string_view reason) {
+    if (!reason.empty()) fmt::print("    {}: {}\n", property, reason);
+  };
+  print_reason("not always isotropic", model.not_isotropic);
+  print_reason("not reciprocal", model.not_reciprocal);
+  print_reason("energy", model.not_conserving);
+}
+
+}  // namespace
+
+ExitCode list_brdfs(const BrdfArguments& arguments) {
+  const std::vector<grf::ModelInfo> models = reflectance::brdf_infos();
+  if (!arguments.json) {
+    std::for_each(models.begin(), models.end(), print_model);
+    return ExitCode::Done;
+  }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const grf::ModelInfo& model : models) list.push_back(to_json(model));
+  fmt::print("{}\n", nlohmann::ordered_json{{"models", list}}.dump(2));
+  return ExitCode::Done;
+}
+
+ExitCode evaluate_brdf(const BrdfArguments& arguments) {
+  const auto reflector = read_instance(arguments.instance);
+  if (!reflector) return ExitCode::BadInput;
+  if (arguments.view.empty() && arguments.light.empty()) return evaluate_lines(*reflector, arguments.json);
+  const auto u = direction_option(arguments.view, "--u");
+  const auto v = direction_option(arguments.light, "--v");
+  if (!u || !v) return ExitCode::BadCommandLine;
+  print_values({reflector->evaluate(*u, *v)}, arguments.json);
+  return ExitCode::Done;
+}
+
+ExitCode print_albedo(const BrdfArguments& arguments) {
+  const auto reflector = read_instance(arguments.instance);
+  if (!reflector) return ExitCode::BadInput;
+  const auto u = direction_option(arguments.view, "--u");
+  if (!u) return ExitCode::BadCommandLine;
+  const Rgb value = reflectance::albedo(*reflector, *u);
+  if (arguments.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"albedo", to_json(value)}}.dump());
+  } else {
+    fmt::print("{} {} {}\n", value.x, value.y, value.z);
+  }
+  return ExitCode::Done;
+}
+
+ExitCode plot_brdf(const BrdfArguments& arguments) {
+  const auto reflector = read_instance(arguments.instance);
+  if (!reflector) return ExitCode::BadInput;
+  Diagnostics diagnostics;
+  const bool written =
+      plot::write_picture(picture_of(*reflector, arguments.instance), arguments.output, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (!written) return ExitCode::BadInput;
+  if (arguments.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"file", arguments.output}}.dump());
+  } else {
+    fmt::print("{}\n", arguments.output);
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace command

@@ -1,0 +1,124 @@
+#include "renderer/command/lit_sphere.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "renderer/reflectance/albedo.h"
+
+namespace command {
+namespace {
+
+using reflectance::Reflector;
+using reflectance::Rgb;
+using reflectance::Uniforms;
+using reflectance::Vec3f;
+
+constexpr int SamplesOfAPixel = 96;
+constexpr float WindowRadiance = 12;
+constexpr float HalfWindow = 0.28F;  // of its sides, at distance 1
+
+/// The window's centre: up, left and in front. x is to the right, y up, z towards the eye.
+const Vec3f& to_window() {
+  static const Vec3f direction = Vec3f(-0.55F, 0.65F, 0.6F).normalized();
+  return direction;
+}
+
+/// The window's own axes.
+Vec3f across() { return Vec3f(0, 1, 0).cross(to_window()).normalized(); }
+Vec3f upwards() { return to_window().cross(across()); }
+
+float density_of_window(const Vec3f& direction) {
+  const float cosine = direction.dot(to_window());
+  if (cosine <= 0) return 0;
+  const Vec3f at_window = direction / cosine;
+  const bool inside =
+      std::abs(at_window.dot(across())) < HalfWindow && std::abs(at_window.dot(upwards())) < HalfWindow;
+  return inside ? 1 / (4 * HalfWindow * HalfWindow * cosine * cosine * cosine) : 0;
+}
+
+Vec3f direction_to_window(const reflectance::Vec2f& xi) {
+  return (to_window() + across() * (HalfWindow * (2 * xi.x - 1)) + upwards() * (HalfWindow * (2 * xi.y - 1)))
+      .normalized();
+}
+
+Rgb radiance_from(const Vec3f& direction) {
+  if (density_of_window(direction) > 0) return Rgb(WindowRadiance);
+  const float sky = 0.5F + 0.5F * direction.y;
+  return Rgb(0.12F, 0.12F, 0.13F) * (1 - sky) + Rgb(0.45F, 0.5F, 0.6F) * sky;
+}
+
+/// A number in [0,1) that nothing but the pixel and the dimension decide (splitmix64).
+float hashed(std::uint32_t pixel, std::uint32_t dimension) {
+  std::uint64_t x = (std::uint64_t{pixel} << 2U | dimension) * 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
+  return static_cast<float>((x ^ (x >> 31U)) >> 40U) * 0x1p-24F;
+}
+
+/// Points of a pixel, shifted from those of its neighbours.
+Uniforms point_of_pixel(std::uint32_t pixel, std::uint32_t sample) {
+  const Uniforms even = reflectance::even_point(sample);
+  const auto shifted = [pixel](float a, std::uint32_t dimension) {
+    const float sum = a + hashed(pixel, dimension);
+    return sum < 1 ? sum : sum - 1;
+  };
+  return {{shifted(even.direction.x, 0), shifted(even.direction.y, 1)}, shifted(even.choice, 2)};
+}
+
+/// What the window and the sky give, by both ways of finding the window, weighted by their densities.
+Rgb reflected(const Reflector& reflector, const reflectance::Frame& frame, const Vec3f& u,
+              const Uniforms& xi) {
+  Rgb sum(0);
+  if (const auto drawn = reflector.sample(u, xi)) {
+    const Vec3f direction = frame.to_world(drawn->direction);
+    const float window = density_of_window(direction);
+    const float share = drawn->is_mirror || window == 0 ? 1 : drawn->density / (drawn->density + window);
+    sum += drawn->weight * radiance_from(direction) * share;
+  }
+  const Vec3f direction = direction_to_window(xi.direction);
+  const Vec3f v = frame.to_local(direction);
+  const float density = density_of_window(direction);
+  if (v.z > 0 && density > 0) {
+    const float weight = v.z / (density + reflector.density(u, v));
+    sum += reflector.evaluate(u, v) * radiance_from(direction) * weight;
+  }
+  return sum;
+}
+
+reflectance::Frame frame_at(const Vec3f& normal) {
+  reflectance::Frame frame(normal);
+  const Vec3f around = Vec3f(0, 1, 0).cross(normal);
+  if (around.length2() > 0) {
+    frame.x = around.normalized();
+    frame.y = normal.cross(frame.x);
+  }
+  return frame;
+}
+
+}  // namespace
+
+transport::Image lit_sphere(const Reflector& reflector, int side) {
+  transport::Image image{side, side, {}};
+  const float radius = 0.47F * static_cast<float>(side);
+  const float centre = 0.5F * static_cast<float>(side);
+  for (int i = 0; i < side * side; ++i) {
+    Rgb sum(0);
+    for (std::uint32_t k = 0; k < SamplesOfAPixel; ++k) {
+      const Uniforms place = reflectance::even_point(k + 1);
+      const float x = (static_cast<float>(i % side) + place.direction.x - centre) / radius;
+      const float y = (centre - static_cast<float>(i / side) - place.direction.y) / radius;
+      const float z2 = 1 - x * x - y * y;
+      if (z2 <= 0) {
+        sum += Rgb(1);
+        continue;
+      }
+      const reflectance::Frame frame = frame_at(Vec3f(x, y, std::sqrt(z2)));
+      sum += reflected(reflector, frame, frame.to_local(Vec3f(0, 0, 1)),
+                       point_of_pixel(static_cast<std::uint32_t>(i), k));
+    }
+    image.pixels.push_back(sum / static_cast<float>(SamplesOfAPixel));
+  }
+  return image;
+}
+
+}  // namespace command

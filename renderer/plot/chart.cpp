@@ -1,0 +1,196 @@
+#include "renderer/plot/chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace plot {
+namespace {
+
+constexpr Stroke Grid = {"#ddd", 1};
+constexpr Stroke Frame = {"#888", 1};
+constexpr double LineWidth = 1.6;
+constexpr double SmallText = 11;
+
+/// An axis with its ends, which maps values to pixels.
+class Scale {
+ public:
+  Scale(const Axis& axis, const std::vector<Series>& series, double Point::*coordinate, double from,
+        double to)
+      : is_logarithmic_(axis.is_logarithmic), step_(axis.step), from_(from), to_(to) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Series& one : series) {
+      for (const Point& point : one.points) {
+        const double value = point.*coordinate;
+        if (!std::isfinite(value) || (is_logarithmic_ && value <= 0)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    }
+    if (!(low <= high)) low = high = 1;
+    low_ = on_axis(axis.minimum.value_or(is_logarithmic_ ? std::pow(10, std::floor(std::log10(low))) : low));
+    high_ =
+        on_axis(axis.maximum.value_or(is_logarithmic_ ? std::pow(10, std::ceil(std::log10(high))) : high));
+    if (!(high_ > low_)) high_ = low_ + 1;
+  }
+
+  bool has_place(double value) const { return std::isfinite(value) && (!is_logarithmic_ || value > 0); }
+  double place(double value) const {
+    const double share = std::clamp((on_axis(value) - low_) / (high_ - low_), 0.0, 1.0);
+    return from_ + share * (to_ - from_);
+  }
+
+  std::vector<double> ticks() const {
+    std::vector<double> values;
+    if (is_logarithmic_) {
+      const double step = std::max(1.0, std::ceil((high_ - low_) / 6));
+      for (double exponent = std::ceil(low_); exponent <= high_ + 1e-9; exponent += step) {
+        values.push_back(std::pow(10, exponent));
+      }
+      return values;
+    }
+    const double step = step_ > 0 ? step_ : round_step((high_ - low_) / 5);
+    for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ + 1e-9 * step; ++k)
+      values.push_back(k * step);
+    return values;
+  }
+
+ private:
+  double on_axis(double value) const { return is_logarithmic_ ? std::log10(value) : value; }
+
+  /// The next step that people count in.
+  static double round_step(double step) {
+    const double power = std::pow(10, std::floor(std::log10(step)));
+    for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0}) {
+      if (step <= factor * power * 1.0001) return factor * power;
+    }
+    return 10 * power;
+  }
+
+  bool is_logarithmic_;
+  double step_;
+  double from_, to_;
+  double low_ = 0;
+  double high_ = 1;
+};
+
+std::string label_of(double value) {
+  if (std::abs(value) < 1e-12) return "0";
+  return fmt::format("{:.3g}", value);
+}
+
+void draw_title(const std::string& title, const Place& place, Svg& svg) {
+  svg.text({place.corner.x, place.corner.y + 14}, title, {13, "#111", Anchor::Start, 0});
+}
+
+std::string_view colour_of(const std::vector<Series>& series, std::size_t index) {
+  return series[index].colour.empty() ? colour_of_series(index) : series[index].colour;
+}
+
+/// The names at the right, each at the end of a stroke of its colour.
+void draw_legend(const std::vector<Series>& series, const Point& corner, Svg& svg) {
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double y = corner.y + 16 * static_cast<double>(i);
+    svg.line({corner.x, y}, {corner.x + 16, y}, {colour_of(series, i), LineWidth + 1});
+    svg.text({corner.x + 21, y + 4}, series[i].name, {SmallText, "#333", Anchor::Start, 0});
+  }
+}
+
+double legend_width(const std::vector<Series>& series) {
+  std::size_t longest = 0;
+  for (const Series& one : series) longest = std::max(longest, one.name.size());
+  return 30 + 6.8 * static_cast<double>(longest);
+}
+
+void draw_axes(const Chart& chart, const Scale& x, const Scale& y, const Place& inside, Svg& svg) {
+  const double left = inside.corner.x;
+  const double top = inside.corner.y;
+  const double right = left + inside.width;
+  const double bottom = top + inside.height;
+  for (const double tick : x.ticks()) {
+    svg.line({x.place(tick), top}, {x.place(tick), bottom}, Grid);
+    svg.text({x.place(tick), bottom + 15}, label_of(tick), {SmallText, "#333", Anchor::Middle, 0});
+  }
+  for (const double tick : y.ticks()) {
+    svg.line({left, y.place(tick)}, {right, y.place(tick)}, Grid);
+    svg.text({left - 6, y.place(tick) + 4}, label_of(tick), {SmallText, "#333", Anchor::End, 0});
+  }
+  svg.line({left, bottom}, {right, bottom}, Frame);
+  svg.line({left, top}, {left, bottom}, Frame);
+  svg.text({(left + right) / 2, bottom + 32}, chart.x.label, {SmallText, "#333", Anchor::Middle, 0});
+  svg.text({left - 46, (top + bottom) / 2}, chart.y.label, {SmallText, "#333", Anchor::Middle, -90});
+}
+
+}  // namespace
+
+std::string_view colour_of_series(std::size_t index) {
+  constexpr std::array<std::string_view, 7> Colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                       "#56b4e9", "#e69f00", "#555555"};
+  return Colours[index % Colours.size()];
+}
+
+void draw(const Chart& chart, const Place& place, Svg& svg) {
+  const double legend = chart.series.size() > 1 ? legend_width(chart.series) : 10;
+  const Place inside = {
+      {place.corner.x + 62, place.corner.y + 26}, place.width - 62 - legend, place.height - 66};
+  const Scale x(chart.x, chart.series, &Point::x, inside.corner.x, inside.corner.x + inside.width);
+  const Scale y(chart.y, chart.series, &Point::y, inside.corner.y + inside.height, inside.corner.y);
+  draw_title(chart.title, place, svg);
+  draw_axes(chart, x, y, inside, svg);
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    std::vector<Point> line;
+    for (const Point& point : chart.series[i].points) {
+      if (x.has_place(point.x) && y.has_place(point.y)) line.emplace_back(x.place(point.x), y.place(point.y));
+    }
+    svg.polyline(line, {colour_of(chart.series, i), LineWidth});
+  }
+  if (chart.series.size() > 1) {
+    draw_legend(chart.series, {inside.corner.x + inside.width + 10, inside.corner.y + 8}, svg);
+  }
+}
+
+void draw(const PolarChart& chart, const Place& place, Svg& svg) {
+  const double legend = chart.series.size() > 1 ? legend_width(chart.series) : 10;
+  const double radius = std::min((place.width - legend) / 2 - 18, place.height - 66);
+  const Point centre(place.corner.x + 18 + radius, place.corner.y + 40 + radius);
+  double largest = 0;
+  for (const Series& one : chart.series) {
+    for (const Point& point : one.points) largest = std::max(largest, point.y);
+  }
+  if (!(largest > 0)) largest = 1;
+  const auto at = [&](double degrees, double distance) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return centre + Point(std::sin(angle), -std::cos(angle)) * (distance * radius);
+  };
+  draw_title(chart.title, place, svg);
+  for (const double share : {0.5, 1.0}) {
+    std::vector<Point> arc;
+    for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, share));
+    svg.polyline(arc, Grid);
+    svg.text(at(90, share) + Point(0, 14), label_of(share * largest), {SmallText, "#333", Anchor::Middle, 0});
+  }
+  for (int degrees = -90; degrees <= 90; degrees += 30) {
+    svg.line(centre, at(degrees, 1), Grid);
+    if (std::abs(degrees) < 90) {
+      svg.text(at(degrees, 1.06), fmt::format("{}\u00B0", std::abs(degrees)),
+               {SmallText, "#333", Anchor::Middle, 0});
+    }
+  }
+  svg.line(at(-90, 1), at(90, 1), Frame);
+  svg.text(centre + Point(0, 28), chart.unit, {SmallText, "#333", Anchor::Middle, 0});
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    std::vector<Point> line;
+    for (const Point& point : chart.series[i].points) line.push_back(at(point.x, point.y / largest));
+    svg.polyline(line, {colour_of(chart.series, i), LineWidth});
+  }
+  if (chart.series.size() > 1) {
+    draw_legend(chart.series, {place.corner.x + place.width - legend + 4, place.corner.y + 48}, svg);
+  }
+}
+
+}  // namespace plot

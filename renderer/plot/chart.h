@@ -1,0 +1,55 @@
+// Charts of lines, for documents.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/plot/svg.h"
+
+namespace plot {
+
+/// Colours that people who confuse red and green can tell apart (Okabe and Ito 2008).
+std::string_view colour_of_series(std::size_t index);
+
+struct Series {
+  std::string name;
+  std::vector<Point> points;
+  std::string_view colour = {};  ///< empty: `colour_of_series` of its place
+};
+
+struct Axis {
+  std::string label;
+  bool is_logarithmic = false;
+  std::optional<double> minimum;  ///< absent: that of the points
+  std::optional<double> maximum;
+  double step = 0;  ///< between ticks of a linear axis; 0: whatever suits
+};
+
+struct Place {
+  Point corner;  ///< upper left
+  double width = 0;
+  double height = 0;
+};
+
+struct Chart {
+  std::string title;
+  Axis x, y;
+  std::vector<Series> series;
+};
+
+/// Axes with their ticks, the lines, and their names at the right. Points without a place on a logarithmic
+/// axis are left out.
+void draw(const Chart& chart, const Place& place, Svg& svg);
+
+/// Distances from a centre over angles from the vertical, -90 to 90 degrees.
+struct PolarChart {
+  std::string title;
+  std::string unit;
+  std::vector<Series> series;  ///< points of angle in degrees and distance
+};
+
+void draw(const PolarChart& chart, const Place& place, Svg& svg);
+
+}  // namespace plot

@@ -1,0 +1,108 @@
+#include "renderer/reflectance/measured.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace reflectance {
+namespace {
+
+constexpr double HalfPi = Pi / 2;
+/// Rings beyond this angle of h are seen at grazing angles alone, where measurements are worst.
+constexpr std::size_t RingsOfTheMatte = 73;  // 60 degrees
+
+double edge(std::size_t ring) {
+  const double share = static_cast<double>(ring) / MerlTable::HalfCount;
+  return HalfPi * share * share;
+}
+
+/// The mean value of the table at an angle of h, over directions not too far from it.
+float mean_of_ring(const MerlTable& table, std::size_t ring) {
+  constexpr std::size_t Farthest = 45;  // degrees
+  float sum = 0;
+  int count = 0;
+  for (std::size_t difference = 0; difference < Farthest; difference += 3) {
+    for (std::size_t azimuth = 0; azimuth < MerlTable::AzimuthCount; azimuth += 20) {
+      sum += mean(table.linear(MerlTable::angles_of(ring, difference, azimuth)));
+      ++count;
+    }
+  }
+  return sum / static_cast<float>(count);
+}
+
+}  // namespace
+
+MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std::move(table)) {
+  std::array<float, MerlTable::HalfCount> values = {};
+  for (std::size_t ring = 0; ring < values.size(); ++ring) values[ring] = mean_of_ring(*table_, ring);
+  const float matte = *std::min_element(values.begin(), values.begin() + RingsOfTheMatte);
+  matte_albedo_ = std::min(1.0F, matte * Pi);
+  double sum = 0;
+  double albedo = 0;
+  for (std::size_t ring = 0; ring < values.size(); ++ring) {
+    const double inner = std::sin(edge(ring));
+    const double outer = std::sin(edge(ring + 1));
+    // The integral of (value - matte) cos(theta_h) over the ring; seen from the normal, light comes at twice the
+    // angle of h.
+    const double share = std::max(0.0F, values[ring] - matte) * Pi * (outer * outer - inner * inner);
+    sum += share;
+    albedo += 4 * share * std::max(0.05, 1 - 2 * outer * outer);
+    versines_[ring + 1] = static_cast<float>(2 * std::pow(std::sin(edge(ring + 1) / 2), 2));
+    cumulative_[ring + 1] = static_cast<float>(sum);
+  }
+  lobe_albedo_ = static_cast<float>(std::min(1.0, albedo));
+  if (sum > 0) {
+    for (float& share : cumulative_) share /= static_cast<float>(sum);
+  }
+  cumulative_.back() = 1;
+}
+
+Vec3f MeasuredData::lobe_direction(const Vec3f& u, const Vec2f& xi) const {
+  const auto above = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, xi.x);
+  const auto ring = static_cast<std::size_t>(above - cumulative_.begin()) - 1;
+  const float share = (xi.x - cumulative_[ring]) / (cumulative_[ring + 1] - cumulative_[ring]);
+  const float versine = versines_[ring] + share * (versines_[ring + 1] - versines_[ring]);
+  return reflected(u, from_angles(1 - versine, std::sqrt(versine * (2 - versine)), 2 * Pi * xi.y));
+}
+
+float MeasuredData::lobe_density(const Vec3f& u, const Vec3f& v) const {
+  const Vec3f h = u + v;
+  const float length = h.length();
+  const float versine = (h.x * h.x + h.y * h.y) / (length * (length + h.z));
+  const auto above = std::upper_bound(versines_.begin() + 1, versines_.end() - 1, versine);
+  const auto ring = static_cast<std::size_t>(above - versines_.begin()) - 1;
+  const float solid_angle = 2 * Pi * (versines_[ring + 1] - versines_[ring]);
+  return (cumulative_[ring + 1] - cumulative_[ring]) / (solid_angle * 4 * cosine_of_half(u, v));
+}
+
+Rgb Measured::value(const Vec3f& u, const Vec3f& v) const {
+  constexpr float Horizon = 1e-12F;
+  if (!data || !(u.z > Horizon && v.z > Horizon)) return Rgb(0);
+  const HalfAngles angles = half_angles(u, v);
+  return linear ? data->table().linear(angles) : data->table().nearest(angles);
+}
+
+// Never so small that what the lobe's rings leave out could weigh much.
+float Measured::cosine_probability() const {
+  const float total = data->matte_albedo() + data->lobe_albedo();
+  return total > 0 ? std::max(0.1F, data->matte_albedo() / total) : 1;
+}
+
+float Measured::density(const Vec3f& u, const Vec3f& v) const {
+  if (!data || u.z <= 0 || v.z <= 0) return 0;
+  const float cosine_part = cosine_probability();
+  const float lobe = cosine_part < 1 ? data->lobe_density(u, v) : 0;
+  return cosine_part * cosine_density(v) + (1 - cosine_part) * lobe;
+}
+
+std::optional<DirectionSample> Measured::sample(const Vec3f& u, const Uniforms& xi) const {
+  if (!data || u.z <= 0) return std::nullopt;
+  const Vec3f v = xi.choice < cosine_probability() ? cosine_direction(xi.direction)
+                                                   : data->lobe_direction(u, xi.direction);
+  if (!(v.z > 0)) return std::nullopt;
+  const float p = density(u, v);
+  if (!(p > 0) || !std::isfinite(p)) return std::nullopt;
+  return DirectionSample{v, value(u, v) * (v.z / p), p};
+}
+
+}  // namespace reflectance

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "renderer/reflectance/geometry.h"
+
+namespace reflectance {
+
+/// Angles about the vector h half-way between two directions (Rusinkiewicz 1998).
+struct HalfAngles {
+  double theta_half = 0;        ///< of h, from the normal, 0 to pi/2
+  double theta_difference = 0;  ///< of both directions, from h, 0 to pi/2
+  double phi_difference = 0;    ///< about h, 0 to pi: those of u are a half turn away
+};
+
+HalfAngles half_angles(const Vec3f& u, const Vec3f& v);
+
+/// A pair of directions that has these angles, h in the plane y = 0. They can be under the horizon.
+struct DirectionPair {
+  Imath::V3d u, v;
+};
+DirectionPair directions_of(const HalfAngles& angles);
+
+/// A measured isotropic BRDF in the format of the MERL data base (Matusik, Pfister, Brand and McMillan 2003): values
+/// at 90 x 90 x 180 angles of h and about it, finer towards h = n.
+class MerlTable {
+ public:
+  static constexpr std::size_t HalfCount = 90;
+  static constexpr std::size_t DifferenceCount = 90;
+  static constexpr std::size_t AzimuthCount = 180;
+  static constexpr std::size_t CellCount = HalfCount * DifferenceCount * AzimuthCount;
+
+  /// The table of a file, or nothing after an error: missing, of another size, of other dimensions. Negative cells
+  /// and those that are not finite are invalid.
+  static std::shared_ptr<const MerlTable> load(const std::string& path, grf::Diagnostics& diagnostics,
+                                               const grf::SourceLocation& asked_for_at = {});
+
+  /// A table of a function's values at the cells' centres; those with a direction under the horizon are invalid.
+  explicit MerlTable(const std::function<Rgb(const Vec3f& u, const Vec3f& v)>& brdf);
+
+  /// Replaces a file by the table, or leaves it as it was and says why.
+  bool write(const std::string& path, grf::Diagnostics& diagnostics) const;
+
+  /// The value of the cell, 0 if it is invalid: what the data base's own reader gives.
+  Rgb nearest(const HalfAngles& angles) const;
+
+  /// Between the centres of the eight cells around, the invalid ones left out; 0 if all are.
+  Rgb linear(const HalfAngles& angles) const;
+
+  /// The centre of a cell.
+  static HalfAngles angles_of(std::size_t half, std::size_t difference, std::size_t azimuth);
+
+ private:
+  MerlTable() = default;
+  const Rgb& cell(std::size_t half, std::size_t difference, std::size_t azimuth) const {
+    return cells_[azimuth + AzimuthCount * (difference + DifferenceCount * half)];
+  }
+
+  std::vector<Rgb> cells_;  ///< in 1/sr; a channel under 0: invalid
+};
+
+}  // namespace reflectance
