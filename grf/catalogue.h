@@ -38,6 +38,13 @@ struct ParameterInfo {
 };
 
 struct ModelInfo {
+  /// What may stand behind the keyword, besides parameters.
+  enum class Takes {
+    Parameters,
+    Terms,     ///< weights and names of defined BRDFs
+    DataFile,  ///< the name of a file
+  };
+
   std::string_view keyword;
   std::string_view title;
   std::string_view paper;
@@ -48,6 +55,7 @@ struct ModelInfo {
   std::string_view not_reciprocal;
   std::string_view not_conserving;
   std::string_view not_continuous;
+  Takes takes = Takes::Parameters;
   /// What is wrong with values that are each in range, or nothing; null if nothing can be.
   std::string (*wrong_together)(const Model&) = nullptr;
 

@@ -159,12 +159,25 @@ class Check {
   void check_model(const BrdfModel& brdf, const Kind<BrdfModel>& kind, const Scope& scope) {
     if (is_combine(brdf)) return check_combine(brdf, scope);
     check_known_model(brdf, kind, scope);
-    if (!brdf.data_file.empty() && find_model(kind.models, brdf.keyword) != nullptr) {
-      diagnostics_.error(brdf.location, fmt::format("'{}' reads no file", brdf.keyword));
-    }
+    if (const ModelInfo* info = find_model(kind.models, brdf.keyword)) check_data_file(brdf, *info);
   }
   void check_model(const PdfModel& pdf, const Kind<PdfModel>& kind, const Scope& scope) {
     check_known_model(pdf, kind, scope);
+  }
+
+  void check_data_file(const BrdfModel& brdf, const ModelInfo& info) {
+    const bool takes_file = info.takes == ModelInfo::Takes::DataFile;
+    std::string wrong;
+    if (takes_file && brdf.data_file.empty()) {
+      wrong = fmt::format("'{}' needs the name of a file with its data", info.keyword);
+    } else if (!takes_file && !brdf.data_file.empty()) {
+      wrong = fmt::format("'{}' reads no file", info.keyword);
+    } else if (takes_file) {
+      const std::string path = path_of(brdf.location, brdf.data_file);
+      std::error_code error;
+      if (!std::filesystem::is_regular_file(path, error)) wrong = fmt::format("there is no file '{}'", path);
+    }
+    if (!wrong.empty()) diagnostics_.error(brdf.location, wrong);
   }
 
   void check_combine(const BrdfModel& brdf, const Scope& scope) {
@@ -193,9 +206,7 @@ class Check {
       diagnostics_.error(model.location,
                          fmt::format("'{}' is the name of a {}, expected a model", model.keyword, kind.name));
     } else {
-      std::vector<std::string> words = scope.names_of<ModelOfKind>();
-      if (kind.name == "BRDF") words.emplace_back("combine");
-      report_unknown(model, kind.models, kind.name, words, diagnostics_);
+      report_unknown(model, kind.models, kind.name, scope.names_of<ModelOfKind>(), diagnostics_);
     }
   }
 

@@ -62,7 +62,8 @@ class FileToRead {
   /// Why it cannot be read, said at the place that asked for it or of the file itself.
   std::string problem(const SourceLocation& asked_for_at) const {
     const bool is_another_kind = is_open_ && !is_regular();
-    const std::string why = is_another_kind ? fmt::format("it is {}, expected a file", what_it_is(status_)) : reason();
+    const std::string why =
+        is_another_kind ? fmt::format("it is {}, expected a file", what_it_is(status_)) : reason();
     return asked_for_at.file ? fmt::format("cannot read '{}': {}", path_, why)
                              : fmt::format("cannot read the file: {}", why);
   }
@@ -114,7 +115,8 @@ std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostic
                                              const SourceLocation& asked_for_at) {
   const FileToRead file(path);
   auto bytes = file.is_regular() ? read_all(file.descriptor(), file.size()) : nullptr;
-  if (!bytes) diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
+  if (!bytes)
+    diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
   return bytes;
 }
 
@@ -122,7 +124,8 @@ std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagno
                                                  const SourceLocation& asked_for_at) {
   const FileToRead file(path);
   if (file.is_regular() && file.size() == 0) return std::make_shared<const std::string_view>();
-  void* bytes = file.is_regular() ? ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, file.descriptor(), 0) : MAP_FAILED;
+  void* bytes = file.is_regular() ? ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, file.descriptor(), 0)
+                                  : MAP_FAILED;
   if (bytes == MAP_FAILED) {
     diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
     return nullptr;

@@ -18,8 +18,8 @@ inline constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
                                              const SourceLocation& asked_for_at = {});
 
-/// The same, mapped into memory: what is not looked at is not read. A file that is made shorter meanwhile ends the
-/// program, so this is for large data that nobody edits.
+/// The same, mapped into memory: what is not looked at is not read. A file that is made shorter meanwhile
+/// ends the program, so this is for large data that nobody edits.
 std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagnostics& diagnostics,
                                                  const SourceLocation& asked_for_at = {});
 

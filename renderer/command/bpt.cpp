@@ -60,6 +60,8 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
   eval->add_option("--v", arguments.light, "direction to the light, in radians")->type_name("THETA,PHI");
   CLI::App* albedo = add_command("albedo", "The share of light that is reflected", true);
   albedo->add_option("--u", arguments.view, "direction, in radians")->type_name("THETA[,PHI]")->required();
+  CLI::App* table = add_command("export", "A table of its values, in the format of the MERL data base", true);
+  table->add_option("-o,--output", arguments.output, "file to write")->type_name("FILE.binary")->required();
   CLI::App* plot = add_command("plot", "A picture: lobes, albedo and a lit sphere", true);
   plot->add_option("-o,--output", arguments.output, "file to write")
       ->type_name("FILE.svg|FILE.png")
@@ -70,6 +72,7 @@ ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments)
   if (brdf.got_subcommand("list")) return command::list_brdfs(arguments);
   if (brdf.got_subcommand("eval")) return command::evaluate_brdf(arguments);
   if (brdf.got_subcommand("albedo")) return command::print_albedo(arguments);
+  if (brdf.got_subcommand("export")) return command::export_brdf(arguments);
   return command::plot_brdf(arguments);
 }
 

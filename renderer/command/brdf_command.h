@@ -29,4 +29,8 @@ grf::ExitCode print_albedo(const BrdfArguments& arguments);
 /// A picture of the BRDF: polar and cartesian in the plane of incidence, albedo, a lit sphere.
 grf::ExitCode plot_brdf(const BrdfArguments& arguments);
 
+/// A file of the MERL data base with the BRDF's values, and how far those between the cells are from the
+/// BRDF's own.
+grf::ExitCode export_brdf(const BrdfArguments& arguments);
+
 }  // namespace command

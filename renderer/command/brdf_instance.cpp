@@ -8,6 +8,7 @@
 
 #include "grf/read.h"
 #include "grf/text_file.h"
+#include "renderer/reflectance/brdf_maker.h"
 
 namespace command {
 namespace {
@@ -25,7 +26,9 @@ std::optional<reflectance::Reflector> reflector_of(const std::string& instance,
   }
   const auto model = grf::read_brdf(text, name, diagnostics);
   if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
-  return reflectance::Reflector(*reflectance::make_brdf(*model), reflectance::default_scheme());
+  const auto brdf = reflectance::BrdfMaker(diagnostics).make(*model, {});
+  if (!brdf) return std::nullopt;
+  return reflectance::Reflector(*brdf, reflectance::default_scheme());
 }
 
 }  // namespace

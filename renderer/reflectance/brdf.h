@@ -7,20 +7,22 @@
 #include "renderer/reflectance/ashikhmin.h"
 #include "renderer/reflectance/beardmaxwell.h"
 #include "renderer/reflectance/blinn.h"
+#include "renderer/reflectance/combine.h"
 #include "renderer/reflectance/coupled.h"
 #include "renderer/reflectance/diffuse.h"
-#include "renderer/reflectance/lafortune.h"
 #include "renderer/reflectance/granier.h"
 #include "renderer/reflectance/hanrahan.h"
 #include "renderer/reflectance/he.h"
 #include "renderer/reflectance/kajiya.h"
+#include "renderer/reflectance/lafortune.h"
 #include "renderer/reflectance/lewis.h"
+#include "renderer/reflectance/measured.h"
 #include "renderer/reflectance/minnaert.h"
 #include "renderer/reflectance/neumann.h"
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
-#include "renderer/reflectance/schlick.h"
 #include "renderer/reflectance/poulin.h"
+#include "renderer/reflectance/schlick.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/strauss.h"
 #include "renderer/reflectance/torrance.h"
@@ -32,10 +34,22 @@ namespace reflectance {
 /// All models: the one list that a new model is added to.
 using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
                           Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell, Kajiya, Hanrahan,
-                          Westin, Granier, Poulin, He>;
+                          Westin, Granier, Poulin, He, Measured, Combine>;
+
+/// One term of a sum.
+struct CombinedBrdf {
+  float weight = 0;
+  Brdf brdf;
+
+  float albedo_estimate(const Vec3f& u) const {
+    return weight * std::visit([&](const auto& model) { return model.albedo_estimate(u); }, brdf);
+  }
+};
+struct CombinedBrdfs : std::vector<CombinedBrdf> {};
 
 /// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
-/// have been checked against the catalogue.
+/// have been checked against the catalogue. What else a BRDF is made of, such as data, is BrdfMaker's
+/// business.
 std::optional<Brdf> make_brdf(const grf::Model& data);
 
 /// What a face without a BRDF has: diffuse with kd = 0.5.

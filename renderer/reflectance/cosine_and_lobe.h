@@ -50,8 +50,8 @@ struct CosineAndLobe {
     }
   }
 
-  // f cos(theta_v) / density; in closed form with the lobe as its ratio times its density, so that no large value
-  // is divided by another.
+  // f cos(theta_v) / density; in closed form with the lobe as its ratio times its density, so that no large
+  // value is divided by another.
   Rgb weight(const Vec3f& u, const Vec3f& v, float lobe_density, float density) const {
     if constexpr (requires { model().lobe_weight(u, v); }) {
       return model().matte_weight(u, v) * (cosine_density(v) / density) +

@@ -32,9 +32,7 @@ template <class Model>
 struct KirchhoffLobe : CosineAndLobe<Model> {
   bool has_glossy_part() const { return !is_black(model().ks) && model().sigma > 0; }
 
-  float matte_albedo(const Vec3f& u) const {
-    return mean(model().kd) + wide_share() * directional_albedo(u);
-  }
+  float matte_albedo(const Vec3f& u) const { return mean(model().kd) + wide_share() * directional_albedo(u); }
   float lobe_share(const Vec3f& u) const { return (1 - wide_share()) * directional_albedo(u); }
 
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {

@@ -42,8 +42,8 @@ MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std:
   for (std::size_t ring = 0; ring < values.size(); ++ring) {
     const double inner = std::sin(edge(ring));
     const double outer = std::sin(edge(ring + 1));
-    // The integral of (value - matte) cos(theta_h) over the ring; seen from the normal, light comes at twice the
-    // angle of h.
+    // The integral of (value - matte) cos(theta_h) over the ring; seen from the normal, light comes at twice
+    // the angle of h.
     const double share = std::max(0.0F, values[ring] - matte) * Pi * (outer * outer - inner * inner);
     sum += share;
     albedo += 4 * share * std::max(0.05, 1 - 2 * outer * outer);
@@ -75,8 +75,8 @@ float MeasuredData::lobe_density(const Vec3f& u, const Vec3f& v) const {
   return (cumulative_[ring + 1] - cumulative_[ring]) / (solid_angle * 4 * cosine_of_half(u, v));
 }
 
-Rgb Measured::value(const Vec3f& u, const Vec3f& v) const {
-  constexpr float Horizon = 1e-12F;
+Rgb Measured::value(const Imath::V3d& u, const Imath::V3d& v) const {
+  constexpr double Horizon = 1e-12;
   if (!data || !(u.z > Horizon && v.z > Horizon)) return Rgb(0);
   const HalfAngles angles = half_angles(u, v);
   return linear ? data->table().linear(angles) : data->table().nearest(angles);
@@ -102,7 +102,7 @@ std::optional<DirectionSample> Measured::sample(const Vec3f& u, const Uniforms& 
   if (!(v.z > 0)) return std::nullopt;
   const float p = density(u, v);
   if (!(p > 0) || !std::isfinite(p)) return std::nullopt;
-  return DirectionSample{v, value(u, v) * (v.z / p), p};
+  return DirectionSample{v, evaluate(u, v) * (v.z / p), p};
 }
 
 }  // namespace reflectance

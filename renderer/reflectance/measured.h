@@ -27,35 +27,45 @@ class MeasuredData {
   static constexpr std::size_t Edges = MerlTable::HalfCount + 1;
 
   std::shared_ptr<const MerlTable> table_;
-  // 1 - cos of the rings' edges about the normal, from 0 to 1: near the normal a cosine has no digits for them.
+  // 1 - cos of the rings' edges about the normal, from 0 to 1: near the normal a cosine has no digits for
+  // them.
   std::array<float, Edges> versines_ = {};
   std::array<float, Edges> cumulative_ = {};  // the share of the rings up to each edge, from 0 to 1
   float matte_albedo_ = 0;
   float lobe_albedo_ = 0;
 };
 
-/// A BRDF that was measured: a file of the MERL data base, shared by all that name it. Without data it is black.
+/// A BRDF that was measured: a file of the MERL data base, shared by all that name it. Without data it is
+/// black.
 struct Measured {
   bool linear = true;
   std::shared_ptr<const MeasuredData> data;
 
   static ModelTable<Measured> table() {
-    return {"measured", "Measured data", "Matusik, Pfister, Brand and McMillan 2003",
-            {boolean_parameter(&Measured::linear, "linear", "between cells, and not the nearest cell's value")}};
+    ModelTable<Measured> table{
+        "measured",
+        "Measured data",
+        "Matusik, Pfister, Brand and McMillan 2003",
+        {boolean_parameter(&Measured::linear, "linear", "between cells, and not the nearest cell's value")}};
+    table.not_conserving = "as it was measured: cells at grazing angles were extrapolated";
+    table.takes = grf::ModelInfo::Takes::DataFile;
+    return table;
   }
 
-  /// Whatever the type, with the digits of the table.
   template <class Real>
   Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
-    return Vec3<Real>(value(Vec3f(u), Vec3f(v)));
+    return Vec3<Real>(value(Imath::V3d(u), Imath::V3d(v)));
   }
+
+  bool has_diffuse_part() const { return data != nullptr; }
+  bool has_glossy_part() const { return data != nullptr; }
 
   float albedo_estimate(const Vec3f&) const { return data ? data->matte_albedo() + data->lobe_albedo() : 0; }
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const;
   float density(const Vec3f& u, const Vec3f& v) const;
 
  private:
-  Rgb value(const Vec3f& u, const Vec3f& v) const;
+  Rgb value(const Imath::V3d& u, const Imath::V3d& v) const;
   float cosine_probability() const;
 };
 

@@ -40,17 +40,16 @@ double difference_coordinate(double theta) { return 90 * theta / HalfPi; }
 double azimuth_coordinate(double phi) { return 180 * phi / std::numbers::pi; }
 
 std::size_t clamped(std::ptrdiff_t index, std::size_t count) {
-  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(count) - 1));
+  return static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(count) - 1));
 }
 
 }  // namespace
 
-HalfAngles half_angles(const Vec3f& u, const Vec3f& v) {
+HalfAngles half_angles(const Imath::V3d& u, const Imath::V3d& v) {
   using Imath::V3d;
-  const V3d a(u);
-  const V3d b(v);
-  const V3d sum = a + b;
-  const V3d difference = b - a;
+  const V3d sum = u + v;
+  const V3d difference = v - u;
   const double radius = std::hypot(sum.x, sum.y);
   HalfAngles angles;
   angles.theta_half = std::atan2(radius, sum.z);
@@ -76,7 +75,9 @@ DirectionPair directions_of(const HalfAngles& angles) {
   const Imath::V3d u(-v.x, -v.y, v.z);
   const double c = std::cos(angles.theta_half);
   const double s = std::sin(angles.theta_half);
-  const auto turned = [&](const Imath::V3d& d) { return Imath::V3d(c * d.x + s * d.z, d.y, c * d.z - s * d.x); };
+  const auto turned = [&](const Imath::V3d& d) {
+    return Imath::V3d(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+  };
   return {turned(u), turned(v)};
 }
 
@@ -99,10 +100,11 @@ std::shared_ptr<const MerlTable> MerlTable::load(const std::string& path, grf::D
   std::array<std::int32_t, 3> dimensions = {};
   std::memcpy(dimensions.data(), bytes->data(), HeaderSize);
   if (dimensions != Dimensions) {
-    return fail(fmt::format("its dimensions are {} x {} x {}, expected 90 x 90 x 180", dimensions[0], dimensions[1],
-                            dimensions[2]));
+    return fail(fmt::format("its dimensions are {} x {} x {}, expected 90 x 90 x 180", dimensions[0],
+                            dimensions[1], dimensions[2]));
   }
-  if (bytes->size() != FileSize) return fail(fmt::format("it has {} bytes, expected {}", bytes->size(), FileSize));
+  if (bytes->size() != FileSize)
+    return fail(fmt::format("it has {} bytes, expected {}", bytes->size(), FileSize));
   std::shared_ptr<MerlTable> table(new MerlTable());
   table->cells_.resize(CellCount);
   const char* position = bytes->data() + HeaderSize;
@@ -164,11 +166,13 @@ Rgb MerlTable::linear(const HalfAngles& angles) const {
     const int h = corner & 1;
     const int d = (corner >> 1) & 1;
     const int p = corner >> 2;
-    const float weight = (h == 1 ? half.share : 1 - half.share) * (d == 1 ? difference.share : 1 - difference.share) *
+    const float weight = (h == 1 ? half.share : 1 - half.share) *
+                         (d == 1 ? difference.share : 1 - difference.share) *
                          (p == 1 ? azimuth.share : 1 - azimuth.share);
-    const auto turned = static_cast<std::size_t>(azimuth.lower + p + static_cast<std::ptrdiff_t>(AzimuthCount));
-    const Rgb& value = cell(clamped(half.lower + h, HalfCount), clamped(difference.lower + d, DifferenceCount),
-                            turned % AzimuthCount);
+    const auto turned =
+        static_cast<std::size_t>(azimuth.lower + p + static_cast<std::ptrdiff_t>(AzimuthCount));
+    const Rgb& value = cell(clamped(half.lower + h, HalfCount),
+                            clamped(difference.lower + d, DifferenceCount), turned % AzimuthCount);
     for (int channel = 0; channel < 3; ++channel) {
       if (value[channel] < 0) continue;
       sum[channel] += weight * value[channel];

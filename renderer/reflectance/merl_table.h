@@ -20,7 +20,10 @@ struct HalfAngles {
   double phi_difference = 0;    ///< about h, 0 to pi: those of u are a half turn away
 };
 
-HalfAngles half_angles(const Vec3f& u, const Vec3f& v);
+HalfAngles half_angles(const Imath::V3d& u, const Imath::V3d& v);
+inline HalfAngles half_angles(const Vec3f& u, const Vec3f& v) {
+  return half_angles(Imath::V3d(u), Imath::V3d(v));
+}
 
 /// A pair of directions that has these angles, h in the plane y = 0. They can be under the horizon.
 struct DirectionPair {
@@ -28,8 +31,8 @@ struct DirectionPair {
 };
 DirectionPair directions_of(const HalfAngles& angles);
 
-/// A measured isotropic BRDF in the format of the MERL data base (Matusik, Pfister, Brand and McMillan 2003): values
-/// at 90 x 90 x 180 angles of h and about it, finer towards h = n.
+/// A measured isotropic BRDF in the format of the MERL data base (Matusik, Pfister, Brand and McMillan 2003):
+/// values at 90 x 90 x 180 angles of h and about it, finer towards h = n.
 class MerlTable {
  public:
   static constexpr std::size_t HalfCount = 90;
@@ -37,12 +40,13 @@ class MerlTable {
   static constexpr std::size_t AzimuthCount = 180;
   static constexpr std::size_t CellCount = HalfCount * DifferenceCount * AzimuthCount;
 
-  /// The table of a file, or nothing after an error: missing, of another size, of other dimensions. Negative cells
-  /// and those that are not finite are invalid.
+  /// The table of a file, or nothing after an error: missing, of another size, of other dimensions. Negative
+  /// cells and those that are not finite are invalid.
   static std::shared_ptr<const MerlTable> load(const std::string& path, grf::Diagnostics& diagnostics,
                                                const grf::SourceLocation& asked_for_at = {});
 
-  /// A table of a function's values at the cells' centres; those with a direction under the horizon are invalid.
+  /// A table of a function's values at the cells' centres; those with a direction under the horizon are
+  /// invalid.
   explicit MerlTable(const std::function<Rgb(const Vec3f& u, const Vec3f& v)>& brdf);
 
   /// Replaces a file by the table, or leaves it as it was and says why.

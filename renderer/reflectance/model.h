@@ -71,6 +71,7 @@ struct ModelTable {
   std::string_view not_reciprocal = {};
   std::string_view not_conserving = {};
   std::string_view not_continuous = {};
+  grf::ModelInfo::Takes takes = grf::ModelInfo::Takes::Parameters;
 };
 
 inline void describe(grf::ParameterInfo& entry, float default_value) {
@@ -126,8 +127,8 @@ template <class Model>
 grf::ModelInfo info_of() {
   const ModelTable<Model> table = Model::table();
   grf::ModelInfo info{
-      table.keyword,        table.title,          table.paper,          {},     table.not_isotropic,
-      table.not_reciprocal, table.not_conserving, table.not_continuous, nullptr};
+      table.keyword,        table.title,          table.paper,          {},          table.not_isotropic,
+      table.not_reciprocal, table.not_conserving, table.not_continuous, table.takes, nullptr};
   static const Model defaults;
   for (const Parameter<Model>& parameter : table.parameters) {
     info.parameters.push_back(parameter.info);

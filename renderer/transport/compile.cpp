@@ -7,6 +7,7 @@
 
 #include "grf/visit.h"
 #include "grf/write.h"
+#include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/compiled_scene.h"
 #include "renderer/transport/triangulation.h"
 
@@ -37,7 +38,7 @@ bool mirrors(const Matrix44d& to_world) { return to_world.determinant() < 0; }
 
 class Compiler {
  public:
-  explicit Compiler(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  explicit Compiler(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics), brdfs_(diagnostics) {}
 
   void add(const Mesh& mesh, const Placement& placement);
   void add(const grf::MeshLight& light, const Placement& placement);
@@ -70,6 +71,7 @@ class Compiler {
   std::uint32_t add_triangle_emitter(const std::array<std::uint32_t, 3>& corners, const Rgb& radiance);
 
   grf::Diagnostics& diagnostics_;
+  reflectance::BrdfMaker brdfs_;
   Geometry geometry_;
   std::vector<CompiledSurface> surfaces_;
   std::vector<Reflector> reflectors_;
@@ -161,8 +163,9 @@ std::vector<std::uint32_t> Compiler::add_light_surfaces(const Mesh& mesh, const 
 // An emitter without a BRDF reflects nothing; any other face without one is diffuse.
 std::uint32_t Compiler::reflector_of(const ResolvedSurface& surface) {
   if (surface.brdf == nullptr && surface.emission) return None;
-  const std::string text = (surface.brdf != nullptr ? to_text(*surface.brdf) : std::string()) + " / " +
-                           (surface.pdf != nullptr ? to_text(*surface.pdf) : std::string());
+  const std::string brdf =
+      surface.brdf != nullptr ? brdfs_.identity(*surface.brdf, surface.brdf_scope) : std::string();
+  const std::string text = brdf + " / " + (surface.pdf != nullptr ? to_text(*surface.pdf) : std::string());
   const auto known = reflector_by_text_.find(text);
   if (known != reflector_by_text_.end()) return known->second;
   const std::uint32_t index = add_reflector(surface);
@@ -171,15 +174,14 @@ std::uint32_t Compiler::reflector_of(const ResolvedSurface& surface) {
 }
 
 std::uint32_t Compiler::add_reflector(const ResolvedSurface& surface) {
-  const auto brdf =
-      surface.brdf != nullptr ? reflectance::make_brdf(*surface.brdf) : reflectance::default_brdf();
+  const auto brdf = surface.brdf != nullptr ? brdfs_.make(*surface.brdf, surface.brdf_scope)
+                                            : std::optional(reflectance::default_brdf());
   const auto scheme =
       surface.pdf != nullptr ? reflectance::make_scheme(*surface.pdf) : reflectance::default_scheme();
-  if (!brdf || !scheme) {
-    const grf::Model& unknown = !brdf ? static_cast<const grf::Model&>(*surface.brdf) : *surface.pdf;
-    diagnostics_.error(unknown.location, fmt::format("'{}' cannot be rendered", unknown.keyword));
-    return None;
+  if (!scheme) {
+    diagnostics_.error(surface.pdf->location, fmt::format("'{}' cannot be rendered", surface.pdf->keyword));
   }
+  if (!brdf || !scheme) return None;
   const std::string refusal = reflectance::refusal(*scheme, *brdf);
   if (!refusal.empty()) {
     diagnostics_.error(surface.pdf->location,

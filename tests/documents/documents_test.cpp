@@ -84,8 +84,15 @@ std::string model_sections() {
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
     text += fmt::format("### `{}`: {}\n\n", model.keyword, model.title);
     if (!model.paper.empty()) text += fmt::format("{}. ", model.paper);
-    text += fmt::format("Formula: [{0}.glsl](reflectance/{0}.glsl).\n\n", model.keyword);
-    text += parameter_rows(model) + "\n";
+    if (model.takes == grf::ModelInfo::Takes::Parameters) {
+      text += fmt::format("Formula: [{0}.glsl](reflectance/{0}.glsl).", model.keyword);
+    } else if (model.takes == grf::ModelInfo::Takes::DataFile) {
+      text += "Behind the keyword stands the name of its file of data.";
+    } else {
+      text += "Behind the keyword stand weights and names of defined BRDFs: `0.3 a, 0.7 b`.";
+    }
+    text += "\n\n";
+    if (!model.parameters.empty()) text += parameter_rows(model) + "\n";
     text += property("Isotropic", model.not_isotropic);
     text += property("Reciprocal", model.not_reciprocal);
     text += property("Conserves energy where its parts sum to at most 1", model.not_conserving);

@@ -1,6 +1,10 @@
 #include "tests/reflectance/brdf_cases.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -22,6 +26,36 @@ bool is_right(const std::string& text) {
   grf::Diagnostics diagnostics;
   const auto model = grf::read_brdf(text, "test", diagnostics);
   return model && grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics);
+}
+
+Brdf simple_brdf(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  const auto model = grf::read_brdf(text, "test", diagnostics);
+  if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) {
+    throw std::runtime_error(diagnostics.to_text());
+  }
+  return *reflectance::make_brdf(*model);
+}
+
+Brdf sum_of(const std::string& text) {
+  auto parts = std::make_shared<reflectance::CombinedBrdfs>();
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(" + ", begin), text.size());
+    const std::size_t space = text.find(' ', begin);
+    parts->push_back(
+        {std::stof(text.substr(begin, space - begin)), simple_brdf(text.substr(space, end - space))});
+    begin = end + 3;
+  }
+  return reflectance::Combine{parts};
+}
+
+Brdf table_of(const std::string& text) {
+  const Brdf brdf = simple_brdf(text);
+  const auto table = std::make_shared<const reflectance::MerlTable>(
+      [&](const Vec3f& u, const Vec3f& v) { return evaluate(brdf, u, v); });
+  reflectance::Measured measured;
+  measured.data = std::make_shared<const reflectance::MeasuredData>(table);
+  return measured;
 }
 
 class PairGenerator {
@@ -70,12 +104,19 @@ class PairGenerator {
 
 }  // namespace
 
+Brdf brdf_of(const std::string& text) {
+  constexpr std::string_view Table = "table of ";
+  if (text.starts_with(Table)) return table_of(text.substr(Table.size()));
+  return text.find(" + ") == std::string::npos ? simple_brdf(text) : sum_of(text);
+}
+
 std::vector<std::string> extreme_cases() {
   std::vector<std::string> cases;
   const auto add = [&](const std::string& text) {
     if (is_right(text)) cases.push_back(text);
   };
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;
     for (const bool maximum : {false, true}) {
       add(instance(model, "", maximum));
       for (const grf::ParameterInfo& parameter : model.parameters) {

@@ -12,15 +12,9 @@ namespace test {
 using reflectance::Brdf;
 using reflectance::Vec3f;
 
-/// The BRDF that a text such as `ward sx=0.1` describes.
-inline Brdf brdf_of(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  const auto model = grf::read_brdf(text, "test", diagnostics);
-  if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) {
-    throw std::runtime_error(diagnostics.to_text());
-  }
-  return *reflectance::make_brdf(*model);
-}
+/// The BRDF that a text such as `ward sx=0.1` describes; of `0.5 ward sx=0.1 + 0.2 specular` the weighted
+/// sum, and of `table of ward sx=0.1` measurements with its values.
+Brdf brdf_of(const std::string& text);
 
 inline grf::ModelInfo info_of(const Brdf& brdf) {
   return std::visit([](const auto& model) { return reflectance::info_of<std::decay_t<decltype(model)>>(); },
@@ -83,6 +77,8 @@ inline const std::vector<std::string>& plain_cases() {
       "he",
       "he sigma=0.05 tau=1 lambda=(700, 500, 400) nreal=0.617 nimag=2.63 kd=0.2",
       "he sigma=4 tau=4 lambda=400",
+      "0.5 diffuse kd=0.8 + 0.4 lewis n=60 ks=1 kd=0 + 0.1 specular",
+      "0.3 ward sx=0.3 sy=0.15 + 0 phong + 0.7 torrance rough=0.2",
   };
   return cases;
 }
@@ -95,6 +91,8 @@ inline const std::vector<std::string>& stepped_cases() {
       "neumann r=0.3 ry=1.5 ks=0.7 kd=(0.1, 0.2, 0.3)",
       "neumann r=0.5 retro=true",
       "neumann r=2 ks=0.8",
+      "table of blinn n=40 ks=0.3 kd=0.3",
+      "table of lewis n=400 ks=0.7 kd=(0.1, 0.2, 0.3)",
   };
   return cases;
 }

@@ -1,0 +1,95 @@
+#include "renderer/reflectance/brdf_maker.h"
+
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/text_file.h"
+#include "grf/write.h"
+
+namespace reflectance {
+namespace {
+
+std::string data_path(const grf::BrdfModel& data) {
+  const auto& file = data.location.file;
+  return file ? grf::path_beside(file->path, data.data_file) : data.data_file;
+}
+
+}  // namespace
+
+std::optional<Brdf> BrdfMaker::make(const grf::BrdfModel& data, const grf::Scope& scope) {
+  if (data.terms.empty()) return make_leaf(data);
+  auto parts = std::make_shared<CombinedBrdfs>();
+  for (const Leaf& leaf : leaves_of(data, scope)) {
+    auto brdf = make_leaf(*leaf.model);
+    if (!brdf) return std::nullopt;
+    if (!std::isfinite(leaf.weight)) {
+      diagnostics_.error(data.location, "the weights of BRDFs multiply to more than a float can hold");
+      return std::nullopt;
+    }
+    parts->push_back({leaf.weight, *std::move(brdf)});
+  }
+  return Combine{std::move(parts)};
+}
+
+std::string BrdfMaker::identity(const grf::BrdfModel& data, const grf::Scope& scope) {
+  std::string text;
+  for (const Leaf& leaf : leaves_of(data, scope)) {
+    grf::BrdfModel model = *leaf.model;
+    if (!model.data_file.empty()) model.data_file = grf::canonical_path(data_path(model));
+    text += fmt::format("{} {} ", leaf.weight, grf::to_text(model));
+  }
+  return text;
+}
+
+const BrdfMaker::Leaves& BrdfMaker::leaves_of(const grf::BrdfModel& data, const grf::Scope& scope) {
+  const auto [entry, is_new] = leaves_.try_emplace(&data);
+  Leaves& leaves = entry->second;
+  if (!is_new) return leaves;
+  if (data.terms.empty()) leaves.push_back({&data, 1});
+  std::unordered_map<const grf::BrdfModel*, std::size_t> places;
+  for (const grf::CombineTerm& term : data.terms) {
+    const auto* model = scope.find<grf::BrdfModel>(term.brdf.name);
+    if (model == nullptr) continue;  // `check` has said so
+    for (const Leaf& inner : leaves_of(*model, scope.around(term.brdf.name))) {
+      const auto [place, is_new_leaf] = places.emplace(inner.model, leaves.size());
+      if (is_new_leaf) leaves.push_back({inner.model, 0});
+      leaves[place->second].weight += term.weight * inner.weight;
+    }
+  }
+  return leaves;
+}
+
+std::optional<Brdf> BrdfMaker::make_leaf(const grf::BrdfModel& data) {
+  auto brdf = make_brdf(data);
+  if (!brdf) {
+    diagnostics_.error(data.location, fmt::format("'{}' cannot be rendered", data.keyword));
+    return std::nullopt;
+  }
+  auto* from_data = std::get_if<Measured>(&*brdf);
+  if ((from_data == nullptr) != data.data_file.empty()) {
+    diagnostics_.error(data.location, from_data == nullptr
+                                          ? fmt::format("'{}' reads no file", data.keyword)
+                                          : "'measured' needs the name of a file with its data");
+    return std::nullopt;
+  }
+  if (from_data == nullptr) return brdf;
+  from_data->data = measured(data);
+  return from_data->data ? brdf : std::nullopt;
+}
+
+std::shared_ptr<const MeasuredData> BrdfMaker::measured(const grf::BrdfModel& data) {
+  const std::string path = data_path(data);
+  const auto [entry, is_new] = measured_.try_emplace(grf::canonical_path(path));
+  if (is_new) {
+    if (auto table = MerlTable::load(path, diagnostics_, data.location)) {
+      entry->second = std::make_shared<MeasuredData>(std::move(table));
+    }
+  }
+  return entry->second;
+}
+
+}  // namespace reflectance

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/visit.h"
+#include "renderer/reflectance/brdf.h"
+
+namespace reflectance {
+
+/// Makes the BRDFs that a scene describes. Each file of measurements is loaded once.
+class BrdfMaker {
+ public:
+  explicit BrdfMaker(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// The BRDF, whose names mean what they mean in that scope, or nothing after an error.
+  std::optional<Brdf> make(const grf::BrdfModel& data, const grf::Scope& scope);
+
+  /// A text that is the same for the same BRDFs.
+  std::string identity(const grf::BrdfModel& data, const grf::Scope& scope);
+
+ private:
+  /// A model that is no sum, with its weight in one.
+  struct Leaf {
+    const grf::BrdfModel* model = nullptr;
+    float weight = 0;
+  };
+  using Leaves = std::vector<Leaf>;
+
+  const Leaves& leaves_of(const grf::BrdfModel& data, const grf::Scope& scope);
+  std::optional<Brdf> make_leaf(const grf::BrdfModel& data);
+  std::shared_ptr<const MeasuredData> measured(const grf::BrdfModel& data);
+
+  grf::Diagnostics& diagnostics_;
+  std::map<const grf::BrdfModel*, Leaves> leaves_;  // sums of sums can name the same one very often
+  std::map<std::string, std::shared_ptr<const MeasuredData>> measured_;  // by canonical path
+};
+
+}  // namespace reflectance

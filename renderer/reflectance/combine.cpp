@@ -1,0 +1,99 @@
+#include "renderer/reflectance/combine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "renderer/reflectance/brdf.h"
+
+namespace reflectance {
+namespace {
+
+float density_of(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& model) { return model.density(u, v); }, brdf);
+}
+
+template <class Condition>
+bool any_part(const std::shared_ptr<const CombinedBrdfs>& parts, Condition condition) {
+  return parts && std::any_of(parts->begin(), parts->end(), [&](const CombinedBrdf& part) {
+           return part.weight > 0 && condition(part.brdf);
+         });
+}
+
+}  // namespace
+
+template <class Real>
+Vec3<Real> Combine::evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
+  Vec3<Real> sum(0);
+  if (!parts) return sum;
+  for (const CombinedBrdf& part : *parts) {
+    sum += std::visit([&](const auto& model) { return model.evaluate(u, v); }, part.brdf) * Real(part.weight);
+  }
+  return sum;
+}
+
+template Vec3<float> Combine::evaluate(const Vec3<float>& u, const Vec3<float>& v) const;
+template Vec3<double> Combine::evaluate(const Vec3<double>& u, const Vec3<double>& v) const;
+
+Rgb Combine::mirror(const Vec3f& u) const {
+  Rgb sum(0);
+  if (!parts) return sum;
+  for (const CombinedBrdf& part : *parts) sum += reflectance::mirror(part.brdf, u) * part.weight;
+  return sum;
+}
+
+float Combine::albedo_estimate(const Vec3f& u) const {
+  float sum = 0;
+  if (!parts) return sum;
+  for (const CombinedBrdf& part : *parts) sum += part.albedo_estimate(u);
+  return sum;
+}
+
+float Combine::density(const Vec3f& u, const Vec3f& v) const {
+  const float total = albedo_estimate(u);
+  if (!(total > 0)) return 0;
+  float sum = 0;
+  for (const CombinedBrdf& part : *parts) {
+    const float share = part.albedo_estimate(u) / total;
+    if (share > 0) sum += share * density_of(part.brdf, u, v);
+  }
+  return sum;
+}
+
+std::optional<DirectionSample> Combine::sample(const Vec3f& u, const Uniforms& xi) const {
+  const float total = albedo_estimate(u);
+  if (!(total > 0)) return std::nullopt;
+  float before = 0;
+  for (const CombinedBrdf& part : *parts) {
+    const float share = part.albedo_estimate(u) / total;
+    const bool is_last = &part == &parts->back();
+    if (!(share > 0) || (xi.choice >= before + share && !is_last)) {
+      before += share;
+      continue;
+    }
+    Uniforms rest = xi;
+    rest.choice = std::clamp((xi.choice - before) / share, 0.0F, 0x1.fffffep-1F);
+    const auto drawn = std::visit([&](const auto& model) { return model.sample(u, rest); }, part.brdf);
+    if (!drawn) return std::nullopt;
+    const Vec3f& v = drawn->direction;
+    const float density = this->density(u, v);
+    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+    return DirectionSample{v, evaluate(u, v) * (v.z / density), density};
+  }
+  return std::nullopt;
+}
+
+bool Combine::has_mirror() const {
+  return any_part(parts, [](const Brdf& brdf) { return reflectance::has_mirror(brdf); });
+}
+bool Combine::has_diffuse_part() const {
+  return any_part(parts, [](const Brdf& brdf) { return reflectance::has_diffuse_part(brdf); });
+}
+bool Combine::has_glossy_part() const {
+  return any_part(parts, [](const Brdf& brdf) { return reflectance::has_glossy_part(brdf); });
+}
+bool Combine::is_anisotropic() const {
+  return any_part(parts, [](const Brdf& brdf) { return reflectance::is_anisotropic(brdf); });
+}
+
+}  // namespace reflectance
