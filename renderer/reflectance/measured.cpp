@@ -75,13 +75,6 @@ float MeasuredData::lobe_density(const Vec3f& u, const Vec3f& v) const {
   return (cumulative_[ring + 1] - cumulative_[ring]) / (solid_angle * 4 * cosine_of_half(u, v));
 }
 
-Rgb Measured::value(const Imath::V3d& u, const Imath::V3d& v) const {
-  constexpr double Horizon = 1e-12;
-  if (!data || !(u.z > Horizon && v.z > Horizon)) return Rgb(0);
-  const HalfAngles angles = half_angles(u, v);
-  return linear ? data->table().linear(angles) : data->table().nearest(angles);
-}
-
 // Never so small that what the lobe's rings leave out could weigh much.
 float Measured::cosine_probability() const {
   const float total = data->matte_albedo() + data->lobe_albedo();

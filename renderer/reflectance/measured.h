@@ -54,7 +54,10 @@ struct Measured {
 
   template <class Real>
   Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
-    return Vec3<Real>(value(Imath::V3d(u), Imath::V3d(v)));
+    constexpr Real Horizon = Real(1e-12);
+    if (!data || !(u.z > Horizon && v.z > Horizon)) return Vec3<Real>(0);
+    const HalfAngles angles = half_angles(u, v);
+    return Vec3<Real>(linear ? data->table().linear(angles) : data->table().nearest(angles));
   }
 
   bool has_diffuse_part() const { return data != nullptr; }
@@ -65,7 +68,6 @@ struct Measured {
   float density(const Vec3f& u, const Vec3f& v) const;
 
  private:
-  Rgb value(const Imath::V3d& u, const Imath::V3d& v) const;
   float cosine_probability() const;
 };
 

@@ -30,43 +30,32 @@ struct Position {
   std::ptrdiff_t lower = 0;
   float share = 0;
 };
-Position position_of(double coordinate) {
-  const double lower = std::floor(coordinate - 0.5);
-  return {static_cast<std::ptrdiff_t>(lower), static_cast<float>(coordinate - 0.5 - lower)};
+Position position_of(float coordinate) {
+  const float lower = std::floor(coordinate - 0.5F);
+  return {static_cast<std::ptrdiff_t>(lower), coordinate - 0.5F - lower};
 }
 
-double half_coordinate(double theta) { return 90 * std::sqrt(std::max(theta, 0.0) / HalfPi); }
-double difference_coordinate(double theta) { return 90 * theta / HalfPi; }
-double azimuth_coordinate(double phi) { return 180 * phi / std::numbers::pi; }
+float half_coordinate(double theta) {
+  return 90 * std::sqrt(std::max(0.0F, static_cast<float>(theta / HalfPi)));
+}
+float difference_coordinate(double theta) { return static_cast<float>(90 * theta / HalfPi); }
+float azimuth_coordinate(double phi) { return static_cast<float>(180 * phi / std::numbers::pi); }
 
 std::size_t clamped(std::ptrdiff_t index, std::size_t count) {
   return static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(count) - 1));
 }
 
-}  // namespace
-
-HalfAngles half_angles(const Imath::V3d& u, const Imath::V3d& v) {
-  using Imath::V3d;
-  const V3d sum = u + v;
-  const V3d difference = v - u;
-  const double radius = std::hypot(sum.x, sum.y);
-  HalfAngles angles;
-  angles.theta_half = std::atan2(radius, sum.z);
-  // From both lengths: the cosine has no digits left near h, and the sine none at a right angle.
-  angles.theta_difference = std::atan2(difference.length(), sum.length());
-  // In the frame of h: x down the meridian, y around the normal.
-  const double cosine = radius < 1e-12 * sum.length() ? 1 : sum.x / radius;
-  const double sine = radius < 1e-12 * sum.length() ? 0 : sum.y / radius;
-  const V3d h = sum.normalized();
-  const V3d around(-sine, cosine, 0);
-  const double y = difference.dot(around);
-  const double x = difference.dot(around.cross(h));
-  if (std::hypot(x, y) < 1e-12) return angles;
-  angles.phi_difference = std::atan2(y, x);
-  if (angles.phi_difference < 0) angles.phi_difference += std::numbers::pi;
-  return angles;
+/// Channels that are invalid have no weight.
+void add(const Rgb& cell, float weight, Rgb& sum, Rgb& weights) {
+  for (int channel = 0; channel < 3; ++channel) {
+    const float valid = cell[channel] >= 0 ? weight : 0;
+    sum[channel] += valid * cell[channel];
+    weights[channel] += valid;
+  }
 }
+
+}  // namespace
 
 DirectionPair directions_of(const HalfAngles& angles) {
   const double sine = std::sin(angles.theta_difference);
@@ -160,24 +149,19 @@ Rgb MerlTable::linear(const HalfAngles& angles) const {
   const Position half = position_of(half_coordinate(angles.theta_half));
   const Position difference = position_of(difference_coordinate(angles.theta_difference));
   const Position azimuth = position_of(azimuth_coordinate(angles.phi_difference));
+  const std::size_t first = (azimuth.lower + AzimuthCount) % AzimuthCount;
+  const std::array<std::size_t, 2> azimuths = {first, first + 1 == AzimuthCount ? 0 : first + 1};
   Rgb sum(0);
   Rgb weights(0);
-  for (int corner = 0; corner < 8; ++corner) {
+  for (int corner = 0; corner < 4; ++corner) {
     const int h = corner & 1;
-    const int d = (corner >> 1) & 1;
-    const int p = corner >> 2;
-    const float weight = (h == 1 ? half.share : 1 - half.share) *
-                         (d == 1 ? difference.share : 1 - difference.share) *
-                         (p == 1 ? azimuth.share : 1 - azimuth.share);
-    const auto turned =
-        static_cast<std::size_t>(azimuth.lower + p + static_cast<std::ptrdiff_t>(AzimuthCount));
-    const Rgb& value = cell(clamped(half.lower + h, HalfCount),
-                            clamped(difference.lower + d, DifferenceCount), turned % AzimuthCount);
-    for (int channel = 0; channel < 3; ++channel) {
-      if (value[channel] < 0) continue;
-      sum[channel] += weight * value[channel];
-      weights[channel] += weight;
-    }
+    const int d = corner >> 1;
+    const float weight =
+        (h == 1 ? half.share : 1 - half.share) * (d == 1 ? difference.share : 1 - difference.share);
+    const Rgb* row =
+        &cell(clamped(half.lower + h, HalfCount), clamped(difference.lower + d, DifferenceCount), 0);
+    add(row[azimuths[0]], weight * (1 - azimuth.share), sum, weights);
+    add(row[azimuths[1]], weight * azimuth.share, sum, weights);
   }
   const auto mean = [](float total, float weight) { return weight > 0 ? total / weight : 0.0F; };
   return {mean(sum.x, weights.x), mean(sum.y, weights.y), mean(sum.z, weights.z)};

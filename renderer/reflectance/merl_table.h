@@ -1,15 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "grf/diagnostics.h"
 #include "renderer/reflectance/geometry.h"
+#include "renderer/reflectance/glsl_functions.h"
 
 namespace reflectance {
 
@@ -20,9 +23,26 @@ struct HalfAngles {
   double phi_difference = 0;    ///< about h, 0 to pi: those of u are a half turn away
 };
 
-HalfAngles half_angles(const Imath::V3d& u, const Imath::V3d& v);
-inline HalfAngles half_angles(const Vec3f& u, const Vec3f& v) {
-  return half_angles(Imath::V3d(u), Imath::V3d(v));
+template <class Real>
+HalfAngles half_angles(const Imath::Vec3<Real>& u, const Imath::Vec3<Real>& v) {
+  const Imath::Vec3<Real> sum = u + v;
+  const Imath::Vec3<Real> difference = v - u;
+  const Real length = std::sqrt(sum.dot(sum));
+  const Real radius = std::sqrt(sum.x * sum.x + sum.y * sum.y);
+  HalfAngles angles;
+  angles.theta_half = glsl::atan2(radius, sum.z);
+  // From both lengths: the cosine has no digits left near h, and the sine none at a right angle.
+  angles.theta_difference = glsl::atan2(std::sqrt(difference.dot(difference)), length);
+  // In the frame of h: x down the meridian, y around the normal.
+  const bool is_upright = radius < Real(1e-12) * length;
+  const Real cosine = is_upright ? 1 : sum.x / radius;
+  const Real sine = is_upright ? 0 : sum.y / radius;
+  const Real x = ((cosine * difference.x + sine * difference.y) * sum.z - difference.z * radius) / length;
+  const Real y = cosine * difference.y - sine * difference.x;
+  if (x * x + y * y < Real(1e-24)) return angles;
+  angles.phi_difference = glsl::atan2(y, x);
+  if (angles.phi_difference < 0) angles.phi_difference += std::numbers::pi;
+  return angles;
 }
 
 /// A pair of directions that has these angles, h in the plane y = 0. They can be under the horizon.

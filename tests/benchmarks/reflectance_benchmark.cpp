@@ -4,10 +4,10 @@
 #include <benchmark/benchmark.h>
 
 #include "renderer/reflectance/reflector.h"
+#include "tests/reflectance/brdf_cases.h"
 
 namespace {
 
-using reflectance::Brdf;
 using reflectance::Reflector;
 using reflectance::Rgb;
 using reflectance::Uniforms;
@@ -33,14 +33,21 @@ Inputs random_inputs() {
   return inputs;
 }
 
-Brdf brdf_called(std::string_view keyword) {
-  grf::BrdfModel model;
-  model.keyword = keyword;
-  return *reflectance::make_brdf(model);
+/// A model with its default parameters; what is made of data or of others, of an example.
+std::string instance_of(const grf::ModelInfo& model) {
+  switch (model.takes) {
+    case grf::ModelInfo::Takes::DataFile:
+      return "table of torrance rough=0.3";
+    case grf::ModelInfo::Takes::Terms:
+      return "0.5 diffuse + 0.3 ward sx=0.1 + 0.2 phong";
+    case grf::ModelInfo::Takes::Parameters:
+      break;
+  }
+  return std::string(model.keyword);
 }
 
-void evaluate(benchmark::State& state, const std::string& keyword) {
-  const Reflector reflector(brdf_called(keyword), reflectance::AutoScheme());
+void evaluate(benchmark::State& state, const std::string& instance) {
+  const Reflector reflector(test::brdf_of(instance), reflectance::AutoScheme());
   const Inputs inputs = random_inputs();
   std::size_t i = 0;
   for (auto _ : state) {
@@ -49,8 +56,8 @@ void evaluate(benchmark::State& state, const std::string& keyword) {
   }
 }
 
-void sample(benchmark::State& state, const std::string& keyword) {
-  const Reflector reflector(brdf_called(keyword), reflectance::AutoScheme());
+void sample(benchmark::State& state, const std::string& instance) {
+  const Reflector reflector(test::brdf_of(instance), reflectance::AutoScheme());
   const Inputs inputs = random_inputs();
   std::size_t i = 0;
   for (auto _ : state) {
@@ -62,8 +69,8 @@ void sample(benchmark::State& state, const std::string& keyword) {
 const bool Registered = [] {
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
     const std::string keyword(model.keyword);
-    benchmark::RegisterBenchmark(("evaluate/" + keyword).c_str(), evaluate, keyword);
-    benchmark::RegisterBenchmark(("sample/" + keyword).c_str(), sample, keyword);
+    benchmark::RegisterBenchmark(("evaluate/" + keyword).c_str(), evaluate, instance_of(model));
+    benchmark::RegisterBenchmark(("sample/" + keyword).c_str(), sample, instance_of(model));
   }
   return true;
 }();
