@@ -84,11 +84,18 @@ Scope Scope::around(std::string_view name) const {
 
 std::vector<std::string> Scope::names() const {
   std::vector<std::string> names;
-  if (stack_ == nullptr) return names;
-  for (const auto& [name, places] : stack_->places_of_name_) {
-    if (places.front() < depth_) names.emplace_back(name);
-  }
+  for (const Definition* definition : definitions()) names.push_back(definition->name);
   return names;
+}
+
+std::vector<const Definition*> Scope::definitions() const {
+  std::vector<const Definition*> definitions;
+  if (stack_ == nullptr) return definitions;
+  for (const auto& [name, places] : stack_->places_of_name_) {
+    const auto first_after = std::lower_bound(places.begin(), places.end(), depth_);
+    if (first_after != places.begin()) definitions.push_back(stack_->definitions_[*(first_after - 1)]);
+  }
+  return definitions;
 }
 
 ScopeStack::ScopeStack(const Scope& outside) {

@@ -39,13 +39,17 @@ class Scope {
   /// Those that mean a definition of this kind.
   template <class Body>
   std::vector<std::string> names_of() const {
-    std::vector<std::string> all = names();
-    std::erase_if(all, [this](const std::string& name) { return find<Body>(name) == nullptr; });
-    return all;
+    std::vector<std::string> names;
+    for (const Definition* definition : definitions()) {
+      if (std::holds_alternative<Body>(definition->body)) names.push_back(definition->name);
+    }
+    return names;
   }
 
  private:
   friend class ScopeStack;
+  /// What each name means.
+  std::vector<const Definition*> definitions() const;
   Scope(const ScopeStack& stack, std::size_t depth) : stack_(&stack), depth_(depth) {}
 
   const ScopeStack* stack_ = nullptr;
