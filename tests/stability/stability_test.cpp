@@ -52,11 +52,18 @@ std::string text_of(double error) {
   return std::isinf(error) ? "not finite" : fmt::format("{:.0e}", error);
 }
 
+/// Text in a cell of a table, where a bar has to be escaped.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
+
 std::string rows() {
   std::string text = "| case | naive code | its error | here | bound | error |\n|---|---|---|---|---|---|\n";
   for (const HardCase& hard_case : all_cases()) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", hard_case.name, hard_case.naive_code,
-                        text_of(hard_case.naive_error), hard_case.our_code, text_of(hard_case.bound),
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", cell(hard_case.name), cell(hard_case.naive_code),
+                        text_of(hard_case.naive_error), cell(hard_case.our_code), text_of(hard_case.bound),
                         text_of(hard_case.error));
   }
   return text;
