@@ -23,7 +23,7 @@ real first_surface(vec3 u, vec3 v, real omega, real tau, real nreal, real nimag,
   vec3 s = u + v;
   real c = cosine_at_half(u, v);
   real facets = cauchy_scale(sigma) * 2 * c * s.z / (sigma * sigma * s.z * s.z + s.x * s.x + s.y * s.y);
-  return fresnel(c, nreal, nimag) * facets * shadowing(s, u - v, omega, tau) / (4 * u.z * v.z);
+  return fresnel_at_half(u, v, nreal, nimag) * facets * shadowing(s, u - v, omega, tau) / (4 * u.z * v.z);
 }
 
 vec3 beardmaxwell(vec3 u, vec3 v, real omega, real tau, real nreal, real nimag, vec3 rs, vec3 rd, vec3 rv,

@@ -31,10 +31,20 @@
 
 namespace reflectance {
 
-/// All models: the one list that a new model is added to.
-using Brdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance,
-                          Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell, Kajiya, Hanrahan,
-                          Westin, Granier, Poulin, He, Measured, Combine>;
+/// The models that are a formula: the one list that a new model is added to.
+using FormulaBrdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren,
+                                 Torrance, Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell,
+                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He>;
+
+template <class Variant, class... More>
+struct Extended;
+template <class... Types, class... More>
+struct Extended<std::variant<Types...>, More...> {
+  using Type = std::variant<Types..., More...>;
+};
+
+/// All models: data and sums besides.
+using Brdf = Extended<FormulaBrdf, Measured, Combine>::Type;
 
 /// One term of a sum.
 struct CombinedBrdf {

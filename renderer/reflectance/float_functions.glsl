@@ -54,3 +54,26 @@ real atan2_of(real y, real x) {
   if (x < 0) angle = 3.14159265359f - angle;
   return y < 0 ? -angle : angle;
 }
+
+// sin and cos of an angle up to pi/4 by their series.
+real sin_series(real x) {
+  real s = x * x;
+  return x + x * s * (-0.16666666667f + s * (0.0083333333333f + s * (-0.00019841269841f + s * 2.7557319224e-6f)));
+}
+real cos_series(real x) {
+  real s = x * x;
+  real p = -0.0013888888889f + s * (0.000024801587302f - s * 2.7557319224e-7f);
+  return 1.0f - s * (0.5f - s * (0.041666666667f + s * p));
+}
+
+// sin(x + turns pi/2), within 1e-7 of 1 for angles of some turns. pi/2 is in three parts, the first two of few
+// digits, so that their products are exact.
+real sin_of_parts(real x, int turns) {
+  real k = floor(x * 0.63661977237f + 0.5f);
+  real r = x - k * 1.5703125f - k * 4.83751296997e-4f - k * 7.54978995489e-8f;
+  int quadrant = (int(k) + turns) & 3;
+  real size = (quadrant & 1) == 0 ? sin_series(r) : cos_series(r);
+  return quadrant < 2 ? size : -size;
+}
+real sin_of(real x) { return sin_of_parts(x, 0); }
+real cos_of(real x) { return sin_of_parts(x, 1); }

@@ -1,12 +1,12 @@
 // The reflectance of unpolarised light that comes from air upon n + ik; k = 0 is a dielectric, n = 0 a perfect
-// conductor. c is the cosine of incidence. With a + ib = sqrt((n + ik)^2 - s2), every term is a sum of squares;
-// a - c comes from a^2 - c^2 = m + b^2, since the difference has lost its digits where n is near 1.
-real fresnel(real c, real n, real k) {
+// conductor. c is the cosine of incidence and s2 the sine's square. With a + ib = sqrt((n + ik)^2 - s2), every term
+// is a sum of squares; a - c comes from a^2 - c^2 = m + b^2, since the difference has lost its digits where n is
+// near 1. For the same reason t = n^2 - k^2 - s2 is m + c^2 there.
+real fresnel(real c, real s2, real n, real k) {
   if (n == 1 && k == 0) return real(0);
   if (n <= 0 || c <= 0) return real(1);
-  real s2 = (1 - c) * (1 + c);
   real m = (n - 1) * (n + 1) - k * k;
-  real t = m + c * c;
+  real t = n < real(0.5) ? n * n - (k * k + s2) : m + c * c;
   real nk = n * k;
   real q = sqrt(t * t + 4 * nk * nk);
   real a = sqrt((q + t) / 2);
@@ -21,8 +21,16 @@ real fresnel(real c, real n, real k) {
   real perpendicular = (difference * difference + b2) / (sum * sum + b2);
   real below = a * c - s2;
   real above = a * c + s2;
-  real parallel = perpendicular * (below * below + b2 * c * c) / (above * above + b2 * c * c);
-  return min(real(1), (perpendicular + parallel) / 2);
+  real outer = b2 * c * c;
+  real parallel = above + outer > 0 ? (below * below + outer) / (above * above + outer) : real(1);
+  return min(real(1), perpendicular * (1 + parallel) / 2);
+}
+real fresnel(real c, real n, real k) { return fresnel(c, (1 - c) * (1 + c), n, k); }
+
+// At the facet that reflects v to u. Where the two are near, their difference has the digits of the sine.
+real fresnel_at_half(vec3 u, vec3 v, real n, real k) {
+  vec3 e = u - v;
+  return fresnel(cosine_at_half(u, v), min(real(1), (e.x * e.x + e.y * e.y + e.z * e.z) / 4), n, k);
 }
 
 // Schlick's approximation, from the reflectance at normal incidence and 1 - c.

@@ -7,4 +7,6 @@
 #define log1p log1p_of
 #define expm1 expm1_of
 #define erfc erfc_of
+#define sin sin_of
+#define cos cos_of
 #define atan2 atan2_of

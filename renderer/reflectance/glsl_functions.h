@@ -18,10 +18,8 @@ inline float intBitsToFloat(int x) { return std::bit_cast<float>(x); }
 // NOLINTEND(readability-identifier-naming)
 
 using std::abs;
-using std::cos;
 using std::exp;
 using std::floor;
-using std::sin;
 using std::sqrt;
 
 template <class Real>
@@ -52,6 +50,10 @@ inline float expm1(float x) { return FloatFunctions().expm1_of(x); }
 inline double expm1(double x) { return std::expm1(x); }
 inline float erfc(float x) { return FloatFunctions().erfc_of(x); }
 inline double erfc(double x) { return std::erfc(x); }
+inline float sin(float x) { return FloatFunctions().sin_of(x); }
+inline double sin(double x) { return std::sin(x); }
+inline float cos(float x) { return FloatFunctions().cos_of(x); }
+inline double cos(double x) { return std::cos(x); }
 inline float atan2(float y, float x) { return FloatFunctions().atan2_of(y, x); }
 inline double atan2(double y, double x) { return std::atan2(y, x); }
 

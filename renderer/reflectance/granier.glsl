@@ -1,14 +1,17 @@
-// (normal . h)^n, the normal being (normal.x, 0, normal.y) and h along u + v; from the tangent, as
-// half_power.
-real tilted_power(vec3 u, vec3 v, real n, vec2 normal) {
+// Along the half vector of both directions inside. What is along the surface is summed outside, where no rounding
+// is between the two.
+vec3 half_inside(vec3 u, vec3 v, real nreal) {
   vec3 h = u + v;
+  real m = (nreal - 1) * (nreal + 1);
+  return vec3(h.x, h.y, sqrt(m + u.z * u.z) + sqrt(m + v.z * v.z));
+}
+
+// (normal . h)^n, the normal being (normal.x, 0, normal.y) and h of any length; from the tangent, as half_power.
+real tilted_power(vec3 h, real n, vec2 normal) {
   real x = h.x * normal.y - h.z * normal.x;
   real z = h.x * normal.x + h.z * normal.y;
   return z > 0 ? exp(-n / 2 * log1p((x * x + h.y * h.y) / (z * z))) : real(0);
 }
-
-// 1 - (1 - c)^5
-real below_schlick(real c) { return c * (5 + c * (-10 + c * (10 + c * (-5 + c)))); }
 
 // |sqrt(r) + exp(i 2 pi order) sqrt(t)|^2, as a sum that cannot cancel. Fringes of an order over 20 fade, and
 // are averaged from 100 on: three wavelengths cannot show them, and a float has no phase left.
@@ -37,7 +40,7 @@ real film_channel(Film film, vec3 u, vec3 v, real nreal, real lambda, real ks, r
   real next = nreal + 1;
   real f0 = (nreal - 1) * (nreal - 1) / (next * next);
   real entering = 4 / (next * next);  // (1 - f0) / nreal
-  real inner = tilted_power(refracted(u, nreal), refracted(v, nreal), film.m, film.inner_normal);
+  real inner = tilted_power(half_inside(u, v, nreal), film.m, film.inner_normal);
   real reflected = ks * schlick_fresnel(f0, film.below_one) * film.outer;
   return two_beams(reflected, kt * entering * entering * film.inner * inner, nreal / lambda * film.path);
 }
@@ -50,7 +53,7 @@ vec3 granier(vec3 u, vec3 v, vec3 nreal, real d, real n, real m, real tilt, vec3
   film.m = m;
   film.inner_normal = vec2(sin(tilt), cos(tilt));
   film.outer = half_power_scale(n) * half_power(u, v, n);
-  film.inner = half_power_scale(m) * below_schlick(u.z) * below_schlick(v.z);
+  film.inner = half_power_scale(m) * one_minus_fifth_power(u.z) * one_minus_fifth_power(v.z);
   film.below_one = (e.x * e.x + e.y * e.y + e.z * e.z) / (4 * (1 + c));
   film.path = 2 * d * min(real(1), (u.z + v.z) / (2 * c));
   return bounded(kd / PI + vec3(film_channel(film, u, v, nreal.x, real(645), ks.x, kt.x),

@@ -100,14 +100,14 @@ struct Granier : CosineAndLobe<Granier> {
     const Vec3f a = Formula().refracted(u, index);
     const Vec3f b = Formula().refracted(v, index);
     return (m + 1) / (8 * Pi * cosine_of_half(a, b)) *
-           Formula().tilted_power(a, b, m, {std::sin(tilt), std::cos(tilt)}) *
+           Formula().tilted_power(Formula().half_inside(u, v, index), m, {std::sin(tilt), std::cos(tilt)}) *
            inside_per_outside(v, b, index);
   }
 
   // From Schlick's reflectance at u, as if the facets were flat.
   float outer_reflectance(const Vec3f& u) const {
     const float index = mean(nreal);
-    return 1 - 4 * index / ((index + 1) * (index + 1)) * Formula().below_schlick(u.z);
+    return 1 - 4 * index / ((index + 1) * (index + 1)) * Formula().one_minus_fifth_power(u.z);
   }
   float outer_albedo(const Vec3f& u) const { return mean(ks) * outer_reflectance(u); }
   float inner_albedo(const Vec3f& u) const { return mean(kt) * (1 - outer_reflectance(u)); }

@@ -20,6 +20,6 @@ real scattered_once(vec3 u, vec3 v, real nreal, real g, real depth) {
 vec3 hanrahan(vec3 u, vec3 v, real nreal, real g, vec3 albedo, real depth, real rough, vec3 ks, vec3 kd) {
   if (below_horizon(u, v)) return vec3(0);
   real transmitted = transmittance(u.z, nreal) * transmittance(v.z, nreal);
-  real surface = fresnel(cosine_at_half(u, v), nreal, real(0)) * beckmann(u, v, rough, rough);
+  real surface = fresnel_at_half(u, v, nreal, real(0)) * beckmann(u, v, rough, rough);
   return bounded(ks * surface + (albedo * scattered_once(u, v, nreal, g, depth) + kd / PI) * transmitted);
 }

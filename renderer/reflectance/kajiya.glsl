@@ -4,5 +4,5 @@ vec3 kajiya(vec3 u, vec3 v, real sigma, real taux, real tauy, real nreal, real n
   if (below_horizon(u, v)) return vec3(0);
   real ax = max(real(1e-4), 2 * sigma / taux);
   real ay = max(real(1e-4), 2 * sigma / tauy);
-  return bounded(kd / PI + ks * (fresnel(cosine_at_half(u, v), nreal, nimag) * beckmann(u, v, ax, ay)));
+  return bounded(kd / PI + ks * (fresnel_at_half(u, v, nreal, nimag) * beckmann(u, v, ax, ay)));
 }

@@ -67,7 +67,7 @@ struct Kajiya : DiffuseAndLobe<Kajiya> {
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     glsl::KajiyaFormula<float> formula;
     const float c = cosine_of_half(u, v);
-    return formula.fresnel(c, nreal, nimag) * formula.smith_over_cosine(u, ax(), ay()) *
+    return formula.fresnel_at_half(u, v, nreal, nimag) * formula.smith_over_cosine(u, ax(), ay()) *
            formula.smith_over_cosine(v, ax(), ay()) * v.z * (2 * c * c / (u.z + v.z));
   }
   float lobe_share(const Vec3f& u) const { return glsl::KajiyaFormula<float>().fresnel(u.z, nreal, nimag); }

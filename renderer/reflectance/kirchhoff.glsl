@@ -118,7 +118,7 @@ vec3 kirchhoff(vec3 u, vec3 v, real sigma, real effective_sigma, real tau, vec3 
   real geometry = (s.x * s.x + s.y * s.y + s.z * s.z) / s.z;
   real to_u = kirchhoff_shadowing_over_cosine(u, sigma, tau) * geometry;
   real to_v = kirchhoff_shadowing_over_cosine(v, sigma, tau) * geometry;
-  lobe *= fresnel(cosine_at_half(u, v), nreal, nimag) * max(to_u, to_v);
+  lobe *= fresnel_at_half(u, v, nreal, nimag) * max(to_u, to_v);
   return bounded(ks * (lobe * min(to_u, to_v)) + kd / PI);
 }
 

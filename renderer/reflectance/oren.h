@@ -30,13 +30,16 @@ struct Oren {
     Parameter<Oren> slope =
         number_parameter(&Oren::s, "s", 0, 1, "standard deviation of the facets' slope angle: 0 is Lambert");
     slope.info.unit = "rad";
-    return {"oren",
-            "Oren-Nayar",
-            "Oren and Nayar 1994",
-            {slope, reflectance_parameter(&Oren::r, "r", "albedo of the facets")},
-            {},
-            {},
-            "the fit reflects up to 1.05 for r = 1, towards grazing"};
+    return {
+        "oren",
+        "Oren-Nayar",
+        "Oren and Nayar 1994",
+        {slope, reflectance_parameter(&Oren::r, "r", "albedo of the facets")},
+        {},
+        {},
+        "the fit reflects up to 1.05 for r = 1, towards grazing",
+        "where light grazes from the far side the fit falls under 0 and is cut; near that its terms cancel, "
+        "and differ by 1e-7 of the peak"};
   }
 
   template <class Real>

@@ -11,8 +11,8 @@ struct Seen {
 // Half a cylinder's width above the floor, the steepest angle of its arc, and the floor's width.
 real cylinder_width(real h) { return sqrt((1 - h) * (1 + h)); }
 real steepest(real d, real h) {
-  real sine = min(cylinder_width(h), d / 2);
-  return atan2(sine, sqrt((1 - sine) * (1 + sine)));
+  real width = cylinder_width(h);
+  return width < d / 2 ? atan2(width, h) : atan2(d / 2, sqrt((1 - d / 2) * (1 + d / 2)));
 }
 real floor_width(real d, real h) { return max(real(0), d - 2 * cylinder_width(h)); }
 bool is_plane(real d, real h) { return d < real(1e-6) || cylinder_width(h) < real(1e-6); }
@@ -75,11 +75,12 @@ real arc_projected(vec3 u, vec3 v, real low, real high) {
 }
 
 // An integrand over an arc, (u.m)(v.m)(m.h)^n, with the angle x from one of its points: u.m is u.x cos(x) +
-// u.y sin(x) and v.m that of v plus v.z. The half vector is at an angle from that point whose half has the
-// tangent -offset.
+// u.y sin(x) and v.m that of v plus v.z. m.h is that of h, and where it is near 1 it comes from the half vector's
+// angle from that point, whose half has the tangent -offset.
 struct ArcLobe {
   vec2 u;
   vec3 v;
+  vec2 h;
   real n;
   real offset;
   real centre;
@@ -95,7 +96,9 @@ real arc_lobe_at(ArcLobe arc, real t) {
   real below_one = 2 * from_half * from_half * q / (1 + arc.offset * arc.offset);
   real projected =
       max(real(0), arc.u.x * c + arc.u.y * s) * max(real(0), arc.v.x * c + arc.v.y * s + arc.v.z);
-  return projected * exp(arc.n * log1p(-min(below_one, real(0.9999999)))) * 2 * q;
+  real log_lobe =
+      below_one < real(0.5) ? log1p(-below_one) : log(max(real(1e-30f), arc.h.x * c + arc.h.y * s));
+  return projected * exp(arc.n * log_lobe) * 2 * q;
 }
 real arc_lobe_pair(ArcLobe arc, real place, real weight) {
   real x = arc.extent * place;
@@ -143,6 +146,7 @@ real arc_lobe(vec3 u, vec3 v, real low, real high, real n, bool once) {
   ArcLobe arc;
   arc.u = vec2(u.y * s + u.z * c, u.y * c - u.z * s);
   arc.v = once ? vec3(0, 0, 1) : vec3(v.y * s + v.z * c, v.y * c - v.z * s, 0);
+  arc.h = vec2(h.y * s + h.z * c, h.y * c - h.z * s) / sqrt(radius2);
   arc.n = n;
   arc.offset = half_tangent(near - psi);
   arc.centre = (first + last) / 2;

@@ -14,5 +14,5 @@ vec3 torrance(vec3 u, vec3 v, real rough, real nreal, real nimag, vec3 ks, vec3 
   if (below_horizon(u, v)) return vec3(0);
   real c = cosine_at_half(u, v);
   real facets = torrance_beckmann(u, v, rough) * torrance_grooves(u, v, c) / (4 * PI);
-  return bounded(kd / PI + ks * (facets * fresnel(c, nreal, nimag)));
+  return bounded(kd / PI + ks * (facets * fresnel_at_half(u, v, nreal, nimag)));
 }

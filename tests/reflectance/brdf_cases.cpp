@@ -83,15 +83,22 @@ class PairGenerator {
  private:
   float uniform() { return std::uniform_real_distribution<float>(0, 1)(random_); }
 
-  // One in four is grazing, to within 1e-6 of the horizon, and some are under it.
+  // One in four is grazing, to within 1e-6 of the horizon, and some are under it or in the planes of x and y.
   Vec3f any_direction() {
     float z = uniform();
     const unsigned kind = random_() % 16;
     if (kind < 4) z = std::pow(10.0F, -1 - 6 * uniform());
     if (kind == 4) z = -z;
     if (kind == 5) z = 1 - std::pow(10.0F, -1 - 6 * uniform());
+    if (kind == 6) return along_an_axis(z);
     const float phi = 2 * reflectance::Pi * uniform();
     return reflectance::from_angles(z, std::sqrt((1 - z) * (1 + z)), phi);
+  }
+
+  Vec3f along_an_axis(float z) {
+    const unsigned axis = random_() % 4;
+    const float sine = (axis < 2 ? 1.0F : -1.0F) * std::sqrt((1 - z) * (1 + z));
+    return axis % 2 == 0 ? Vec3f(sine, 0, z) : Vec3f(0, sine, z);
   }
 
   Vec3f near(const Vec3f& v) {

@@ -50,29 +50,39 @@ GLuint link(const std::string& fragment_source) {
   return program;
 }
 
-GLuint texture_of(GLenum unit, int height, const std::vector<Vec3f>* values) {
+GLuint texture_of(GLenum unit, GLint format, int width, int height, const Vec3f* values) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glActiveTexture(unit);
   glBindTexture(GL_TEXTURE_2D, texture);
-  std::vector<Vec3f> padded;
-  if (values != nullptr) padded = *values;
-  padded.resize(static_cast<std::size_t>(Width) * static_cast<std::size_t>(height));
-  // Targets that can be drawn to have four channels.
-  const GLint format = values != nullptr ? GL_RGB32F : GL_RGBA32F;
-  glTexImage2D(GL_TEXTURE_2D, 0, format, Width, height, 0, GL_RGB, GL_FLOAT, padded.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGB, GL_FLOAT, values);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return texture;
+}
+
+/// A texture of three floats a texel, as high as the values ask for.
+GLuint input_texture(GLenum unit, int width, std::vector<Vec3f> values) {
+  const auto columns = static_cast<std::size_t>(width);
+  const std::size_t height = (values.size() + columns - 1) / columns;
+  values.resize(columns * height);
+  return texture_of(unit, GL_RGB32F, width, static_cast<int>(height), values.data());
 }
 
 std::string fragment_shader(const std::string& functions, const std::string& expression) {
   return "#version 330 core\n" + functions +
          "uniform sampler2D u_directions;\n"
          "uniform sampler2D v_directions;\n"
+         "uniform sampler2D parameters;\n"
+         "uniform int pairs_each;\n"
          "out vec4 result;\n"
+         "int row;\n"
+         "vec3 parameter(int k) { return texelFetch(parameters, ivec2(k, row), 0).xyz; }\n"
          "void main() {\n"
          "  ivec2 place = ivec2(gl_FragCoord.xy);\n"
+         "  row = (place.x + " +
+         std::to_string(Width) +
+         " * place.y) / pairs_each;\n"
          "  vec3 u = texelFetch(u_directions, place, 0).xyz;\n"
          "  vec3 v = texelFetch(v_directions, place, 0).xyz;\n"
          "  result = vec4(" +
@@ -114,16 +124,19 @@ GlslContext::~GlslContext() {
 std::string GlslContext::renderer() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
 
 std::vector<Rgb> GlslContext::run(const std::string& functions, const std::string& expression,
-                                  const std::vector<Vec3f>& u, const std::vector<Vec3f>& v) {
+                                  const std::vector<Vec3f>& u, const std::vector<Vec3f>& v,
+                                  const ShaderParameters& parameters) {
   const int height = static_cast<int>((u.size() + Width - 1) / Width);
   const GLuint program = link(fragment_shader(functions, expression));
-  const GLuint textures[3] = {texture_of(GL_TEXTURE0, height, &u), texture_of(GL_TEXTURE1, height, &v),
-                              texture_of(GL_TEXTURE2, height, nullptr)};
+  // Targets that can be drawn to have four channels.
+  const GLuint target = texture_of(GL_TEXTURE3, GL_RGBA32F, Width, height, nullptr);
+  const GLuint textures[] = {input_texture(GL_TEXTURE0, Width, u), input_texture(GL_TEXTURE1, Width, v),
+                             input_texture(GL_TEXTURE2, parameters.width, parameters.values), target};
   GLuint framebuffer = 0;
   GLuint vertices = 0;
   glGenFramebuffers(1, &framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[2], 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
   require(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "no float framebuffer");
   glGenVertexArrays(1, &vertices);
   glBindVertexArray(vertices);
@@ -131,13 +144,15 @@ std::vector<Rgb> GlslContext::run(const std::string& functions, const std::strin
   glUseProgram(program);
   glUniform1i(glGetUniformLocation(program, "u_directions"), 0);
   glUniform1i(glGetUniformLocation(program, "v_directions"), 1);
+  glUniform1i(glGetUniformLocation(program, "parameters"), 2);
+  glUniform1i(glGetUniformLocation(program, "pairs_each"), parameters.pairs_each);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   std::vector<Rgb> result(static_cast<std::size_t>(Width) * static_cast<std::size_t>(height));
   glReadPixels(0, 0, Width, height, GL_RGB, GL_FLOAT, result.data());
   require(glGetError() == GL_NO_ERROR, "drawing failed");
   glDeleteVertexArrays(1, &vertices);
   glDeleteFramebuffers(1, &framebuffer);
-  glDeleteTextures(3, textures);
+  glDeleteTextures(4, textures);
   glDeleteProgram(program);
   result.resize(u.size());
   return result;

@@ -1,4 +1,4 @@
-// The formulas are one text for two languages: here both run it over the same directions.
+// The formulas are one text for two languages: here both run it over the same directions and parameters.
 #include <fstream>
 #include <iterator>
 
@@ -7,11 +7,13 @@
 
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/glsl_context.h"
+#include "tests/reflectance/random_models.h"
 
 namespace {
 
 using reflectance::Rgb;
 using reflectance::Vec3f;
+using test::Pair;
 
 std::string text_of(const std::string& name) {
   std::ifstream file(std::string(GRANADA_SOURCE_DIR "/renderer/reflectance/") + name + ".glsl");
@@ -31,26 +33,25 @@ std::string functions_of(std::string_view keyword) {
 constexpr float Unseen = 1e-7F;
 
 template <class Model>
-std::string argument(const Model& model, float Model::*field) {
-  return fmt::format("float({})", model.*field);
+std::string argument(std::size_t k, float Model::*) {
+  return fmt::format("parameter({}).x", k);
 }
 template <class Model>
-std::string argument(const Model& model, Rgb Model::*field) {
-  const Rgb& rgb = model.*field;
-  return fmt::format("vec3({}, {}, {})", rgb.x, rgb.y, rgb.z);
+std::string argument(std::size_t k, Rgb Model::*) {
+  return fmt::format("parameter({})", k);
 }
 template <class Model>
-std::string argument(const Model& model, bool Model::*field) {
-  return model.*field ? "true" : "false";
+std::string argument(std::size_t k, bool Model::*) {
+  return fmt::format("(parameter({}).x != 0)", k);
 }
 
 /// The call of a model's GLSL function: its arguments are its parameters in the order of its table.
 template <class Model>
-std::string call_of(const Model& model) {
+std::string call_of() {
   const auto table = Model::table();
   std::string call = fmt::format("{}(u, v", table.keyword);
-  for (const auto& parameter : table.parameters) {
-    call += ", " + std::visit([&](auto field) { return argument(model, field); }, parameter.field);
+  for (std::size_t k = 0; k < table.parameters.size(); ++k) {
+    call += ", " + std::visit([&](auto field) { return argument(k, field); }, table.parameters[k].field);
   }
   return call + ")";
 }
@@ -58,67 +59,119 @@ std::string call_of(const Model& model) {
 /// The call of the function for a model's Dirac part, for those whose formula is no constant: as `call_of`,
 /// without v and without the diffuse part, which is the last parameter.
 template <class Model>
-std::string mirror_call_of(const Model& model) {
-  std::string call = call_of(model);
+std::string mirror_call_of() {
+  std::string call = call_of<Model>();
   const std::string keyword(Model::table().keyword);
-  call.resize(call.rfind(", vec3"));
+  call.resize(call.rfind(", parameter"));
   return keyword + "_mirror(u" + call.substr(keyword.size() + 5) + ")";
 }
 
+Rgb shader_value(float value) { return Rgb(value); }
+Rgb shader_value(bool value) { return Rgb(value ? 1.0F : 0.0F); }
+Rgb shader_value(const Rgb& value) { return value; }
+
+/// What a model's shader is run over, and the models, for messages.
+template <class Model>
+struct Triples {
+  std::vector<Vec3f> u;
+  std::vector<Vec3f> v;
+  std::vector<Model> models;
+  test::ShaderParameters parameters;
+
+  void add(const Model& model, std::span<const Pair> pairs) {
+    const auto table = Model::table();
+    models.push_back(model);
+    parameters.width = static_cast<int>(table.parameters.size());
+    parameters.pairs_each = static_cast<int>(pairs.size());
+    for (const auto& parameter : table.parameters) {
+      parameters.values.push_back(
+          std::visit([&](auto field) { return shader_value(model.*field); }, parameter.field));
+    }
+    for (const Pair& pair : pairs) {
+      u.push_back(pair.u);
+      v.push_back(pair.v);
+    }
+  }
+
+  const Model& model_of(std::size_t i) const {
+    return models[i / static_cast<std::size_t>(parameters.pairs_each)];
+  }
+};
+
 /// Long sums and integrals differ a little more.
-float tolerance(const std::string& keyword) {
+float tolerance(std::string_view keyword) {
   return keyword == "he" || keyword == "westin" || keyword == "poulin" ? 1e-3F : 1e-4F;
 }
 
-TEST(Glsl, IsWhatCppIs) {
-  test::GlslContext context;
-  std::vector<Vec3f> u;
-  std::vector<Vec3f> v;
-  for (const test::Pair& pair : test::direction_pairs(65536, 5)) {
-    u.push_back(pair.u);
-    v.push_back(pair.v);
-  }
-  std::vector<std::string> cases = test::extreme_cases();
-  cases.insert(cases.end(), test::plain_cases().begin(), test::plain_cases().end());
-  cases.insert(cases.end(), test::stepped_cases().begin(), test::stepped_cases().end());
-  cases.insert(cases.end(), test::hard_cases().begin(), test::hard_cases().end());
-  for (const std::string& text : cases) {
-    const reflectance::Brdf brdf = test::brdf_of(text);
-    const auto [keyword, call] = std::visit(
-        [](const auto& model) { return std::pair(std::string(model.table().keyword), call_of(model)); },
-        brdf);
-    if (test::info_of(brdf).takes != grf::ModelInfo::Takes::Parameters)
-      continue;  // no formula, but data or others'
-    const std::vector<Rgb> shader = context.run(functions_of(keyword), call, u, v);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const Rgb expected = evaluate(brdf, u[i], v[i]);
-      for (int k = 0; k < 3; ++k) {
-        ASSERT_NEAR(shader[i][k], expected[k], tolerance(keyword) * expected[k] + Unseen)
-            << text << " on " << context.renderer() << " u " << u[i] << " v " << v[i];
-      }
+template <class Model>
+void expect_same(const Triples<Model>& triples) {
+  const std::string_view keyword = Model::table().keyword;
+  const std::vector<Rgb> shader = test::GlslContext().run(functions_of(keyword), call_of<Model>(), triples.u,
+                                                          triples.v, triples.parameters);
+  test::Failures failures;
+  for (std::size_t i = 0; i < shader.size(); ++i) {
+    const Model& model = triples.model_of(i);
+    const Pair pair = {triples.u[i], triples.v[i]};
+    const Rgb expected = model.evaluate(pair.u, pair.v);
+    for (int k = 0; k < 3; ++k) {
+      const float difference = std::abs(shader[i][k] - expected[k]);
+      if (difference <= tolerance(keyword) * expected[k] + Unseen) continue;
+      if (test::is_taken_nearby(model, pair, k, shader[i][k])) continue;
+      failures.add(difference / expected[k], model, pair, shader[i][k], expected[k]);
     }
   }
+  failures.expect_none();
 }
 
 template <class Model>
-void expect_mirror_is_what_cpp_is(const std::string& text) {
-  test::GlslContext context;
-  const auto model = std::get<Model>(test::brdf_of(text));
-  std::vector<Vec3f> u;
-  for (const test::Pair& pair : test::direction_pairs(4096, 6)) u.push_back(pair.u);
-  const std::vector<Rgb> shader =
-      context.run(functions_of(Model::table().keyword), mirror_call_of(model), u, u);
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const Rgb expected = model.mirror(u[i]);
-    for (int k = 0; k < 3; ++k)
-      ASSERT_NEAR(shader[i][k], expected[k], 1e-3F * expected[k] + 1e-12F) << text << u[i];
+class Glsl : public testing::Test {};
+
+TYPED_TEST_SUITE(Glsl, test::TypesOf<reflectance::FormulaBrdf>::Types, test::KeywordOf);
+
+TYPED_TEST(Glsl, IsWhatCppIsInKnownCases) {
+  const std::vector<Pair> pairs = test::direction_pairs(8192, 5);
+  Triples<TypeParam> triples;
+  for (const auto& cases :
+       {test::extreme_cases(), test::plain_cases(), test::stepped_cases(), test::hard_cases()}) {
+    for (const std::string& text : cases) {
+      const reflectance::Brdf brdf = test::brdf_of(text);
+      if (const auto* model = std::get_if<TypeParam>(&brdf)) triples.add(*model, pairs);
+    }
   }
+  expect_same(triples);
 }
 
-TEST(Glsl, MirrorPartsAreWhatCppsAre) {
-  expect_mirror_is_what_cpp_is<reflectance::He>("he sigma=0.1 nreal=1.5");
-  expect_mirror_is_what_cpp_is<reflectance::He>("he sigma=2 tau=1");
-  expect_mirror_is_what_cpp_is<reflectance::Westin>("westin sigma=0.1 nreal=0.2 nimag=3");
+TYPED_TEST(Glsl, IsWhatCppIsForRandomParameters) {
+  Triples<TypeParam> triples;
+  test::for_each_set<TypeParam>(
+      [&](const TypeParam& model, std::span<const Pair> pairs) { triples.add(model, pairs); });
+  expect_same(triples);
+}
+
+template <class Model>
+void expect_mirror_is_what_cpp_is() {
+  Triples<Model> triples;
+  test::for_each_set<Model>(
+      [&](const Model& model, std::span<const Pair> pairs) { triples.add(model, pairs.first(4)); });
+  const std::vector<Rgb> shader =
+      test::GlslContext().run(functions_of(Model::table().keyword), mirror_call_of<Model>(), triples.u,
+                              triples.u, triples.parameters);
+  test::Failures failures;
+  for (std::size_t i = 0; i < shader.size(); ++i) {
+    const Rgb expected = triples.model_of(i).mirror(triples.u[i]);
+    for (int k = 0; k < 3; ++k) {
+      const float difference = std::abs(shader[i][k] - expected[k]);
+      if (difference <= 1e-3F * expected[k] + 1e-12F) continue;
+      failures.add(difference / expected[k], triples.model_of(i), {triples.u[i], triples.u[i]}, shader[i][k],
+                   expected[k]);
+    }
+  }
+  failures.expect_none();
+}
+
+TEST(GlslMirror, IsWhatCppsIs) {
+  expect_mirror_is_what_cpp_is<reflectance::He>();
+  expect_mirror_is_what_cpp_is<reflectance::Westin>();
 }
 
 }  // namespace

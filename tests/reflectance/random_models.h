@@ -1,0 +1,174 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/reflectance/brdf_cases.h"
+
+namespace test {
+
+/// The arguments of gtest's typed tests that make one of each type of a variant.
+template <class Variant>
+struct TypesOf;
+template <class... Models>
+struct TypesOf<std::variant<Models...>> {
+  using Types = testing::Types<Models...>;
+};
+struct KeywordOf {
+  template <class Model>
+  static std::string GetName(int /*index*/) {  // NOLINT(readability-identifier-naming): gtest's name
+    return std::string(Model::table().keyword);
+  }
+};
+
+/// Models with random parameters, from all of the ranges of their table: of nine values one is the least and
+/// one the greatest, two are near those, two are within ten times the default, one has any order of
+/// magnitude.
+class ModelGenerator {
+ public:
+  explicit ModelGenerator(std::uint32_t seed) : random_(seed) {}
+
+  template <class Model>
+  Model next() {
+    Model model;
+    do {
+      model = Model();
+      for (const auto& parameter : Model::table().parameters) {
+        std::visit([&](auto field) { draw(parameter.info, model.*field); }, parameter.field);
+      }
+    } while (is_wrong(model));
+    return model;
+  }
+
+ private:
+  template <class Model>
+  static bool is_wrong(const Model& model) {
+    if constexpr (requires { model.wrong_together(); }) return !model.wrong_together().empty();
+    return false;
+  }
+
+  float uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
+
+  void draw(const grf::ParameterInfo& info, float& field) { field = number(info, field); }
+  void draw(const grf::ParameterInfo&, bool& field) { field = random_() % 2 == 0; }
+  void draw(const grf::ParameterInfo& info, Imath::V3f& field) {
+    const Imath::V3f usual = field;
+    field = Imath::V3f(number(info, usual.x));
+    if (random_() % 2 == 0) return;
+    field.y = number(info, usual.y);
+    field.z = number(info, usual.z);
+  }
+
+  float number(const grf::ParameterInfo& info, float usual) {
+    const float range = info.maximum - info.minimum;
+    const float from_end = range * std::pow(10.0F, uniform(-8, -1));
+    switch (random_() % 9) {
+      case 0:
+        return info.minimum;
+      case 1:
+        return info.maximum;
+      case 2:
+        return info.minimum + from_end;
+      case 3:
+        return info.maximum - from_end;
+      case 4:
+        return of_any_magnitude(info);
+      case 5:
+      case 6:
+        return std::clamp(usual * std::pow(10.0F, uniform(-1, 1)), info.minimum, info.maximum);
+      default:
+        return info.scale == grf::ParameterScale::Logarithmic ? of_any_magnitude(info)
+                                                              : uniform(info.minimum, info.maximum);
+    }
+  }
+
+  float of_any_magnitude(const grf::ParameterInfo& info) {
+    if (info.minimum < 0) return uniform(info.minimum, info.maximum);
+    const float least = std::max(info.minimum, info.maximum * 1e-9F);
+    return std::min(info.maximum, std::exp(uniform(std::log(least), std::log(info.maximum))));
+  }
+
+  std::mt19937 random_;
+};
+
+/// The instance that a model is in a scene, as in `ward sx=0.1 sy=0.2`.
+template <class Model>
+std::string instance_of(const Model& model) {
+  const auto value = [](auto field) {
+    if constexpr (std::is_same_v<decltype(field), Imath::V3f>) {
+      return fmt::format("({}, {}, {})", field.x, field.y, field.z);
+    } else {
+      return fmt::format("{}", field);
+    }
+  };
+  std::string text(Model::table().keyword);
+  for (const auto& parameter : Model::table().parameters) {
+    text += fmt::format(" {}=", parameter.info.name) +
+            std::visit([&](auto field) { return value(model.*field); }, parameter.field);
+  }
+  return text;
+}
+
+constexpr int SetCount = 15625;
+constexpr int PairsPerSet = 64;
+
+inline const std::vector<Pair>& million_pairs() {
+  static const std::vector<Pair> pairs = direction_pairs(SetCount * PairsPerSet, 1);
+  return pairs;
+}
+
+/// Calls a function with each random model and the pairs that it is to be tried with.
+template <class Model, class Function>
+void for_each_set(Function function) {
+  ModelGenerator generator(2);
+  for (std::size_t set = 0; set < SetCount; ++set) {
+    const Model model = generator.next<Model>();
+    function(model, std::span(million_pairs()).subspan(set * PairsPerSet, PairsPerSet));
+  }
+}
+
+/// How many triples fail, and the one that fails the most.
+class Failures {
+ public:
+  template <class Model>
+  void add(double error, const Model& model, const Pair& pair, double got, double expected) {
+    ++count_;
+    if (!(error > worst_)) return;
+    worst_ = error;
+    text_ = fmt::format("{} u ({}, {}, {}) v ({}, {}, {}): {} and not {}", instance_of(model), pair.u.x,
+                        pair.u.y, pair.u.z, pair.v.x, pair.v.y, pair.v.z, got, expected);
+  }
+  void expect_none() const { EXPECT_EQ(count_, 0) << "the worst by " << worst_ << ": " << text_; }
+
+ private:
+  int count_ = 0;
+  double worst_ = -1;
+  std::string text_;
+};
+
+/// Where the table says that the model is not continuous: whether the value is one that the formula takes
+/// within 1e-6 of v.
+template <class Model>
+bool is_taken_nearby(const Model& model, const Pair& pair, int channel, double value) {
+  if (Model::table().not_continuous.empty()) return false;
+  double least = INFINITY;
+  double greatest = 0;
+  for (int i = 0; i < 27; ++i) {
+    const Imath::V3d step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const Imath::V3d near = Imath::V3d(pair.v) + 1e-6 * step;
+    const double f = model.evaluate(Imath::V3d(pair.u), near)[channel];
+    least = std::min(least, f);
+    greatest = std::max(greatest, f);
+  }
+  return value >= least * (1 - 1e-3) && value <= greatest * (1 + 1e-3);
+}
+
+}  // namespace test

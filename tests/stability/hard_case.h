@@ -1,0 +1,154 @@
+// A catalogue of cases in which formulas lose their digits, each measured with our code and with the code
+// that one writes first. renderer/STABILITY.md is made from it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "renderer/reflectance/geometry.h"
+
+namespace test {
+
+/// The worst relative errors of a case, in float, against our formula in double; infinite if a result is
+/// infinite or not a number.
+struct Errors {
+  double ours = 0;
+  double naive = 0;
+  /// Of the naive formula in double: the formula is right, and it is floats that it fails in.
+  double naive_in_double = 0;
+
+  void include(const Errors& more) {
+    ours = std::max(ours, more.ours);
+    naive = std::max(naive, more.naive);
+    naive_in_double = std::max(naive_in_double, more.naive_in_double);
+  }
+};
+
+struct HardCase {
+  std::string_view name;
+  std::string_view naive_code;
+  std::string_view our_code;
+  double naive_error;  ///< as the document has it, within a factor of 2 of what is measured
+  double bound;        ///< that our error keeps
+  double error;        ///< as the document has it
+  Errors (*measure)();
+};
+
+inline void PrintTo(const HardCase& hard_case, std::ostream* out) {  // NOLINT(readability-identifier-naming)
+  *out << hard_case.name;
+}
+
+// The table in its parts, in the order of the document.
+std::vector<HardCase> direction_cases();
+std::vector<HardCase> fresnel_cases();
+std::vector<HardCase> lobe_cases();
+std::vector<HardCase> model_cases();
+
+// What measures are made with.
+
+template <class Real>
+struct RealOf {
+  using Type = Real;
+};
+template <class Real>
+struct RealOf<Imath::Vec3<Real>> {
+  using Type = Real;
+};
+/// The number type of a formula's argument, a number or a direction.
+template <class Argument>
+using Real = typename RealOf<Argument>::Type;
+
+inline double relative_error(double value, double exact) {
+  if (!std::isfinite(value)) return INFINITY;
+  return value == exact ? 0 : std::abs(value - exact) / std::abs(exact);
+}
+
+/// Two directions, or one where a formula takes one.
+struct Directions {
+  reflectance::Vec3f u, v;
+};
+
+/// Our formula and the naive one, both generic lambdas, over directions. What is under `least` is left out.
+template <class Ours, class Naive>
+Errors compare(const std::vector<Directions>& inputs, Ours ours, Naive naive, double least = 0) {
+  using Vec3d = Imath::V3d;
+  Errors errors;
+  for (const auto& [u, v] : inputs) {
+    const double exact = ours(Vec3d(u), Vec3d(v));
+    if (exact < least) continue;
+    // For the naive formula in double, unit in double too.
+    const Vec3d a = Vec3d(u).normalized();
+    const Vec3d b = Vec3d(v).normalized();
+    errors.include({relative_error(ours(u, v), exact), relative_error(naive(u, v), exact),
+                    relative_error(naive(a, b), ours(a, b))});
+  }
+  return errors;
+}
+
+/// The same over numbers.
+template <class Ours, class Naive>
+Errors compare(const std::vector<float>& inputs, Ours ours, Naive naive) {
+  Errors errors;
+  for (const float x : inputs) {
+    const double in_double = x;
+    const double exact = ours(in_double);
+    errors.include({relative_error(ours(x), exact), relative_error(naive(x), exact),
+                    relative_error(naive(in_double), exact)});
+  }
+  return errors;
+}
+
+class Random {
+ public:
+  float uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
+  float log_uniform(float low, float high) {
+    return std::min(high, std::exp(uniform(std::log(low), std::log(high))));
+  }
+
+  reflectance::Vec3f direction(float z) {
+    return reflectance::from_angles(z, std::sqrt((1 - z) * (1 + z)), 2 * reflectance::Pi * uniform(0, 1));
+  }
+  /// A direction that is at most about this far from another.
+  reflectance::Vec3f near(const reflectance::Vec3f& v, float distance) {
+    const reflectance::Vec3f step(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    return (v + distance * step).normalized();
+  }
+
+ private:
+  std::mt19937 random_{7};
+};
+
+inline std::vector<float> numbers(float low, float high, int count = 10000) {
+  Random random;
+  std::vector<float> values;
+  for (int i = 0; i < count; ++i) values.push_back(random.log_uniform(low, high));
+  return values;
+}
+
+/// v about the mirror direction of u, for a lobe of this width.
+inline std::vector<Directions> about_the_mirror(float width, int count = 10000) {
+  Random random;
+  std::vector<Directions> pairs;
+  for (int i = 0; i < count; ++i) {
+    const reflectance::Vec3f u = random.direction(random.uniform(0.2F, 1));
+    pairs.push_back({u, random.near(reflectance::mirrored(u), width)});
+  }
+  return pairs;
+}
+
+/// Both directions over the horizon by these cosines.
+inline std::vector<Directions> grazing(float low, float high, int count = 10000) {
+  Random random;
+  std::vector<Directions> pairs;
+  for (int i = 0; i < count; ++i) {
+    pairs.push_back(
+        {random.direction(random.log_uniform(low, high)), random.direction(random.log_uniform(low, high))});
+  }
+  return pairs;
+}
+
+}  // namespace test

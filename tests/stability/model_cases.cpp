@@ -1,0 +1,175 @@
+// Series, arcs and phases of single models.
+#include "renderer/reflectance/beardmaxwell.h"
+#include "renderer/reflectance/granier.h"
+#include "renderer/reflectance/he.h"
+#include "renderer/reflectance/poulin.h"
+#include "renderer/reflectance/strauss.h"
+#include "tests/stability/hard_case.h"
+
+namespace test {
+namespace {
+
+namespace glsl = reflectance::glsl;
+using reflectance::Vec3f;
+
+/// sum over m of g^m e^-g/(m! m) e^(-b/m), term by term.
+template <class R>
+R naive_series(R g, R b) {
+  R power = 1;
+  R sum = 0;
+  for (int m = 1; m < 2000000; ++m) {
+    power *= g / R(m);
+    sum += power / R(m) * std::exp(-b / R(m));
+    if (R(m) > g && !(power > 1e-9F * sum)) break;
+  }
+  return std::exp(-g) * sum;
+}
+
+Errors he_series() {
+  return compare(
+      numbers(1e-6F, 1e6F, 300), [](auto g) { return glsl::HeFormula<decltype(g)>().kirchhoff_sum(g, g); },
+      [](auto g) { return naive_series(g, g); });
+}
+
+/// log of the greatest term by Stirling, the exponent a sum of large terms.
+Errors he_one_term() {
+  return compare(
+      numbers(100, 1e6F, 1000),
+      [](auto g) {
+        using R = decltype(g);
+        return glsl::HeFormula<R>().kirchhoff_term(std::floor(g), g, R(0), g - std::floor(g));
+      },
+      [](auto g) {
+        using R = decltype(g);
+        const R m = std::floor(g);
+        return std::exp(m * std::log(g) - g - std::lgamma(m + 1)) / m;
+      });
+}
+
+Errors cauchy_scale() {
+  std::vector<float> widths = numbers(0.99F, 1.01F);
+  widths.push_back(1);
+  return compare(
+      widths, [](auto sigma) { return glsl::BeardMaxwellFormula<decltype(sigma)>().cauchy_scale(sigma); },
+      [](auto sigma) {
+        using R = decltype(sigma);
+        const R a2 = 1 - sigma * sigma;
+        const R a = std::sqrt(std::abs(a2));
+        const R integral = a2 > 0 ? std::log((1 + a) / sigma) / a - 1 : std::atan(a) / a - 1;
+        return a2 / (2 * glsl::Pi<R> * integral);
+      });
+}
+
+Errors strauss_grazing() {
+  return compare(
+      numbers(1e-6F, 1e-2F), [](auto y) { return glsl::StraussFormula<decltype(y)>().strauss_shadowing(y); },
+      [](auto y) {
+        using R = decltype(y);
+        const R kg = R(1.01);
+        const R x = 1 - y;
+        const R at_grazing = 1 / ((1 - kg) * (1 - kg));
+        return (at_grazing - 1 / ((x - kg) * (x - kg))) / (at_grazing - 1 / (kg * kg));
+      });
+}
+
+/// The last angle of an arc that its neighbour does not hide, with the direction's elevation.
+Errors poulin_grazing() {
+  return compare(
+      numbers(1e-6F, 1e-2F),
+      [](auto elevation) {
+        using R = decltype(elevation);
+        return glsl::PoulinFormula<R>()
+            .seen_from_right(std::cos(elevation), std::sin(elevation), R(2), R(0))
+            .high;
+      },
+      [](auto elevation) {
+        using R = decltype(elevation);
+        const R psi = std::acos(std::sin(elevation));
+        return psi - std::asin(1 - 2 * std::cos(psi));
+      });
+}
+
+Errors poulin_at_limits() {
+  Errors errors = compare(
+      numbers(1e-6F, 1e-3F),
+      [](auto d) {
+        return glsl::PoulinFormula<decltype(d)>().arc_projected({0, 0, 1}, {0, 0, 1}, -d / 2, d / 2);
+      },
+      [](auto d) {
+        // The integral of cos^2 from -d/2 to d/2, and so by its antiderivative from an end of the cylinder.
+        using R = decltype(d);
+        const R start = glsl::Pi<R> / 2 - d / 2;
+        const R end = glsl::Pi<R> / 2 + d / 2;
+        return (end - start - (std::sin(2 * end) - std::sin(2 * start)) / 2) / 2;
+      });
+  Random random;
+  errors.ours = 0;
+  for (const float d : {0.0F, 1e-7F, 1.1e-6F, 1e-4F, 0.01F, 1.0F, 1.9999999F, 2.0F, 2.0000002F, 1e3F, 1e6F}) {
+    for (const float h : {0.0F, 1e-8F, 1e-4F, 0.5F, 0.9999F, 0.9999999F, 1.0F}) {
+      for (const float n : {0.0F, 1e3F, 1e6F}) {
+        reflectance::Poulin poulin;
+        poulin.d = d;
+        poulin.h = h;
+        poulin.n = n;
+        double peak = 0;
+        for (const bool is_first : {true, false}) {
+          for (int i = 0; i < 50; ++i) {
+            const Vec3f u = random.direction(random.log_uniform(1e-6F, 1));
+            const Vec3f v = i % 2 == 0 ? random.direction(random.log_uniform(1e-6F, 1))
+                                       : random.near(reflectance::mirrored(u), 0.01F);
+            if (!(v.z > 0)) continue;
+            const double exact = poulin.evaluate(Imath::V3d(u), Imath::V3d(v)).x;
+            if (is_first) peak = std::max(peak, exact);
+            if (is_first || exact < 1e-6 * peak) continue;
+            errors.ours = std::max(errors.ours, relative_error(poulin.evaluate(u, v).x, exact));
+          }
+        }
+      }
+    }
+  }
+  return errors;
+}
+
+/// Two beams of nearly the same strength. In naive code the phase of a film of d nanometres loses its digits
+/// as d grows; here orders over 20 fade, and the naive value is compared with itself in double.
+Errors granier_phase() {
+  const auto order = [](auto d) { return 2 * decltype(d)(1.5) * d / 525; };
+  const auto naive = [&](auto d) {
+    using R = decltype(d);
+    return R(0.9) + 2 * std::sqrt(R(0.45) * R(0.45)) * std::cos(2 * glsl::Pi<R> * order(d));
+  };
+  Errors errors = compare(
+      numbers(1e3F, 1e6F),
+      [&](auto d) {
+        return glsl::GranierFormula<decltype(d)>().two_beams(decltype(d)(0.5), decltype(d)(0.4), order(d));
+      },
+      [](auto) { return 0; });
+  errors.naive = 0;
+  errors.naive_in_double = 0;
+  for (const float d : numbers(1e3F, 1e6F))
+    errors.naive = std::max(errors.naive, relative_error(naive(d), naive(static_cast<double>(d))));
+  return errors;
+}
+
+}  // namespace
+
+std::vector<HardCase> model_cases() {
+  return {
+      {"He's series, g from 1e-6 to 1e6", "g^m overflows, and exp(-g) is 0",
+       "from the largest term both ways, in steps that its width allows", INFINITY, 1e-5, 2e-6, he_series},
+      {"He's largest term, g from 100 to 1e6", "m log(g) - g - lgamma(m + 1)",
+       "Loader's deviance and Stirling's error", 4, 1e-5, 1e-7, he_one_term},
+      {"Beard and Maxwell's facets, sigma near 1", "a^2/(atanh(a)/a - 1) is 0/0", "its series about 1",
+       INFINITY, 1e-5, 2e-7, cauchy_scale},
+      {"Strauss' shadowing, to 1e-6 of grazing", "1/(1 - kg)^2 - 1/(x - kg)^2",
+       "the difference of squares as a product", 0.03, 1e-5, 1e-6, strauss_grazing},
+      {"Poulin's cylinders, to 1e-6 of grazing", "psi - asin(1 - d cos(psi)), both near pi/2",
+       "the elevation pi/2 - psi, by atan2", 0.03, 1e-5, 3e-7, poulin_grazing},
+      {"Poulin's cylinders, d to 0 and 1e6, h to 0 and 1", "an arc's integral as a difference of sines",
+       "sin(x) - x by its series", 0.1, 1e-4, 2e-6, poulin_at_limits},
+      {"Granier's film, to a millimetre", "cos of a phase of 4 pi n d/lambda",
+       "the fraction of the order; from 20 on fringes fade", 0.9, 1e-3, 9e-5, granier_phase},
+  };
+}
+
+}  // namespace test
