@@ -59,7 +59,7 @@ struct Poulin : CosineAndLobe<Poulin> {
         .formula = R"(
 f = 1/(d cu cv) (the integral over the arc of g(a) [u.a]+ [v.a]+ + L cu cv g(z))
 a: a normal of the cylinder, seen and lit;  L: the length of the floor that is seen and lit;  z: its normal
-g(a) = kd/pi + ks C(n) max(0, a.h)^n, C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
+g(a) = kd/pi + ks C(n) max(0, a.h)^n with the half vector h;  C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
         .example = "poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2",
     };
   }

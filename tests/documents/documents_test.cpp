@@ -85,7 +85,8 @@ std::string parameter_rows(const grf::ModelInfo& model) {
     const std::string value = default_of(parameter);
     const std::string range = parameter.kind == grf::ParameterKind::Boolean
                                   ? "true or false"
-                                  : fmt::format("{} to {}", parameter.minimum, parameter.maximum);
+                                  : fmt::format("{} to {}{}{}", parameter.minimum, parameter.maximum,
+                                                parameter.unit.empty() ? "" : " ", parameter.unit);
     rows += fmt::format("| {} | {}{} | {} | {} |\n", names_of(parameter), range, is_rgb ? ", RGB" : "", value,
                         parameter.help);
   }
