@@ -37,6 +37,12 @@ struct ParameterInfo {
   bool is_called(std::string_view word) const;
 };
 
+/// The most that a surface reflects of light from some direction, as a share of it, and at what angle.
+struct LargestAlbedo {
+  float albedo = 0;
+  float degrees = 0;  ///< from the normal
+};
+
 struct ModelInfo {
   /// What may stand behind the keyword, besides parameters.
   enum class Takes {
@@ -48,6 +54,9 @@ struct ModelInfo {
   std::string_view keyword;
   std::string_view title;
   std::string_view paper;
+  std::string_view about;    ///< some sentences: what it is for, and what its parameters do to its looks
+  std::string_view formula;  ///< lines as a reader would write them; directions are in the local frame
+  std::string_view example;  ///< an instance that shows it well, for pictures
   std::vector<ParameterInfo> parameters;
   // The reason why a model lacks a property, or, of a property that holds for some parameters only, when.
   // Empty: it has the property.
@@ -58,6 +67,8 @@ struct ModelInfo {
   Takes takes = Takes::Parameters;
   /// What is wrong with values that are each in range, or nothing; null if nothing can be.
   std::string (*wrong_together)(const Model&) = nullptr;
+  /// What values that `check` found right reflect at most; null if nobody knows.
+  LargestAlbedo (*largest_albedo)(const Model&) = nullptr;
 
   const ParameterInfo* find(std::string_view word) const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
+#include "grf/write.h"
 
 namespace grf {
 namespace {
@@ -158,9 +160,26 @@ class Check {
 
   void check_model(const BrdfModel& brdf, const Kind<BrdfModel>& kind, const Scope& scope) {
     if (is_combine(brdf)) return check_combine(brdf, scope);
+    const std::size_t errors_before = diagnostics_.error_count();
     check_known_model(brdf, kind, scope);
     if (const ModelInfo* info = find_model(kind.models, brdf.keyword)) check_data_file(brdf, *info);
+    if (diagnostics_.error_count() == errors_before) warn_of_gain(brdf);
   }
+  // Some models gain energy as published, and parts may sum to more than 1: right, if it is meant. A colour
+  // of faces under 1 may take it back.
+  void warn_of_gain(const BrdfModel& brdf) {
+    constexpr float ClearlyOver = 1.02F;
+    const ModelInfo* info = find_model(brdfs_.models, brdf.keyword);
+    if (info == nullptr || info->largest_albedo == nullptr) return;
+    const auto [known, is_new] = largest_albedos_.try_emplace(to_text(brdf));
+    if (is_new) known->second = info->largest_albedo(brdf);
+    const auto [albedo, degrees] = known->second;
+    if (albedo < ClearlyOver) return;
+    diagnostics_.warning(brdf.location,
+                         fmt::format("'{}' reflects up to {:.3g} times the light it receives (at {} degrees)",
+                                     info->keyword, albedo, degrees));
+  }
+
   void check_model(const PdfModel& pdf, const Kind<PdfModel>& kind, const Scope& scope) {
     check_known_model(pdf, kind, scope);
   }
@@ -300,6 +319,7 @@ class Check {
   const Kind<PdfModel> pdfs_;
   Diagnostics& diagnostics_;
   LightCheck lights_;
+  std::map<std::string, LargestAlbedo> largest_albedos_;  ///< of the texts of BRDFs
   std::set<std::string> files_with_default_;
   std::set<std::string> missing_images_;
   std::vector<const Definition*> definitions_;

@@ -136,14 +136,39 @@ nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
   }
   return {{"keyword", model.keyword},
           {"title", model.title},
+          {"paper", model.paper},
+          {"about", model.about},
+          {"formula", model.formula},
+          {"example", model.example},
           {"parameters", parameters},
           {"isotropic", model.not_isotropic.empty()},
           {"reciprocal", model.not_reciprocal.empty()},
-          {"conserves_energy", model.not_conserving.empty()}};
+          {"conserves_energy", model.not_conserving.empty()},
+          {"not_isotropic", model.not_isotropic},
+          {"not_reciprocal", model.not_reciprocal},
+          {"not_conserving", model.not_conserving},
+          {"not_continuous", model.not_continuous}};
+}
+
+/// The words on lines that a terminal shows unbroken.
+std::string wrapped(std::string_view words, std::string_view indent) {
+  constexpr std::size_t Width = 100;
+  std::string text;
+  std::size_t column = Width;
+  while (!words.empty()) {
+    const std::size_t length = std::min(words.find(' '), words.size());
+    const bool fits = column + 1 + length <= Width;
+    if (!fits && !text.empty()) text += '\n';
+    text.append(fits ? " " : indent).append(words.substr(0, length));
+    column = (fits ? column + 1 : indent.size()) + length;
+    words.remove_prefix(std::min(words.size(), length + 1));
+  }
+  return text;
 }
 
 void print_model(const grf::ModelInfo& model) {
   fmt::print("{:<14} {}{}{}\n", model.keyword, model.title, model.paper.empty() ? "" : ". ", model.paper);
+  if (!model.about.empty()) fmt::print("{}\n", wrapped(model.about, "    "));
   for (const grf::ParameterInfo& parameter : model.parameters) {
     fmt::print("    {:<8} {} to {}, {} by default: {}\n", parameter.name, parameter.minimum,
                parameter.maximum,
@@ -151,12 +176,13 @@ void print_model(const grf::ModelInfo& model) {
                                               : std::string(parameter.default_from),
                parameter.help);
   }
-  const auto print_reason = [](const char* property, std::string_view reason) {
-    if (!reason.empty()) fmt::print("    {}: {}\n", property, reason);
+  const auto print_line = [](const char* property, std::string_view words) {
+    if (!words.empty()) fmt::print("    {}: {}\n", property, words);
   };
-  print_reason("not always isotropic", model.not_isotropic);
-  print_reason("not reciprocal", model.not_reciprocal);
-  print_reason("energy", model.not_conserving);
+  print_line("not always isotropic", model.not_isotropic);
+  print_line("not reciprocal", model.not_reciprocal);
+  print_line("energy", model.not_conserving);
+  print_line("example", model.example);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "renderer/command/brdf_plot.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,22 +24,40 @@ using reflectance::Vec3f;
 
 constexpr double Width = 980;
 constexpr double Height = 660;
-constexpr int SphereSide = 180;
+constexpr int SphereSide = 200;
 constexpr std::array<int, 4> ViewAngles = {0, 30, 60, 80};
 
-Vec3f direction_at(double degrees) {
+Vec3f direction_at(double degrees, double azimuth = 0) {
   const double theta = degrees * std::numbers::pi / 180;
-  return Vec3f(static_cast<float>(std::sin(theta)), 0, static_cast<float>(std::cos(theta)));
+  const double phi = azimuth * std::numbers::pi / 180;
+  return Vec3f(static_cast<float>(std::sin(theta) * std::cos(phi)),
+               static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
 }
 
 std::string name_of_view(int degrees) { return fmt::format("view {}\u00B0", degrees); }
 
+/// Where a lobe is looked at: everywhere, and closer and closer to the mirror direction and to the view's
+/// own, where a narrow lobe has its peak.
+std::vector<double> light_angles(int view) {
+  constexpr double Step = 0.1;
+  std::vector<double> angles;
+  for (double degrees = -90 + Step / 2; degrees < 90; degrees += Step) angles.push_back(degrees);
+  for (const int peak : {view, -view}) {
+    angles.push_back(peak);
+    for (double distance = Step; distance > 1e-4; distance /= 1.5) {
+      angles.push_back(peak - distance);
+      angles.push_back(peak + distance);
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
 /// The value over the light's angle. The mirror direction is at the view's own angle on the other side.
 plot::Series curve(const Reflector& reflector, int view, bool with_cosine) {
-  constexpr double Step = 0.1;
-  plot::Series series{name_of_view(view), {}, {}};
+  plot::Series series{name_of_view(view), {}, {}, {}};
   const Vec3f u = direction_at(-view);
-  for (double degrees = -90 + Step / 2; degrees < 90; degrees += Step) {
+  for (const double degrees : light_angles(view)) {
     const Vec3f v = direction_at(degrees);
     const double value = reflectance::mean(reflector.evaluate(u, v));
     series.points.emplace_back(degrees, with_cosine ? value * v.z : value);
@@ -44,45 +65,97 @@ plot::Series curve(const Reflector& reflector, int view, bool with_cosine) {
   return series;
 }
 
+double peak_of(const plot::Series& series) {
+  double peak = 0;
+  for (const Point& point : series.points) peak = std::max(peak, point.y);
+  return peak;
+}
+
 plot::Chart cartesian(const Reflector& reflector) {
+  constexpr double Shown = 1e-6;  // of the peak
   plot::Chart chart{"BRDF in the plane of incidence",
                     {"light angle in degrees; the view is on the left", false, -90, 90, 30},
                     {"f in 1/sr", true, {}, {}, 0},
                     {}};
-  for (const int view : ViewAngles) chart.series.push_back(curve(reflector, view, false));
+  double peak = 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const int view : ViewAngles) {
+    chart.series.push_back(curve(reflector, view, false));
+    peak = std::max(peak, peak_of(chart.series.back()));
+    for (const Point& point : chart.series.back().points) {
+      if (point.y > 0) lowest = std::min(lowest, point.y);
+    }
+  }
+  if (!(peak > 0)) chart.title += ": 0, but for the mirror direction";
+  if (peak > 0 && lowest < Shown * peak) chart.y.minimum = std::pow(10, std::floor(std::log10(Shown * peak)));
   return chart;
 }
 
+/// The Dirac part of a view, as a line that is as long as its weight.
+plot::Series mirror_line(const Reflector& reflector, std::size_t index) {
+  const int view = ViewAngles[index];
+  const double weight = reflectance::mean(reflectance::mirror(reflector.brdf(), direction_at(-view)));
+  return {{}, {Point(view, 0), Point(view, weight)}, plot::colour_of_series(index), "5 3"};
+}
+
+/// Lobes that are far longer than another are cut, so that all can be seen.
 plot::PolarChart polar(const Reflector& reflector) {
-  plot::PolarChart chart{"BRDF times cosine of the light", "f cos in 1/sr", {}};
-  for (const int view : ViewAngles) chart.series.push_back(curve(reflector, view, true));
+  constexpr double TooLong = 8;  // times the shortest
+  constexpr double Longest = 4;
+  plot::PolarChart chart{"BRDF times cosine of the light", "f cos in 1/sr", {}, {}, {}, {}};
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0;
+  for (const int view : ViewAngles) {
+    chart.series.push_back(curve(reflector, view, true));
+    shortest = std::min(shortest, peak_of(chart.series.back()));
+    longest = std::max(longest, peak_of(chart.series.back()));
+  }
+  if (shortest > 0 && longest > TooLong * shortest) chart.maximum = Longest * shortest;
+  for (std::size_t i = 0; i < ViewAngles.size(); ++i) {
+    constexpr double Seen = 0.005;
+    const plot::Series line = mirror_line(reflector, i);
+    if (peak_of(line) > Seen) chart.shares.push_back(line);
+  }
+  if (!chart.shares.empty()) chart.note = "dashed: the mirror part, all of the light at the outermost ring";
   return chart;
+}
+
+/// Of each channel, or of all in one where they are equal.
+std::vector<plot::Series> albedo_curves(const Reflector& reflector, double azimuth) {
+  constexpr int Samples = 4096;
+  constexpr std::array<const char*, 3> Names = {"red", "green", "blue"};
+  constexpr std::array<std::string_view, 3> Colours = {"#d55e00", "#009e73", "#0072b2"};
+  std::vector<plot::Series> channels;
+  for (std::size_t i = 0; i < 3; ++i) channels.push_back({Names[i], {}, Colours[i], {}});
+  bool is_grey = true;
+  for (double degrees = 0; degrees < 90; degrees += degrees < 70 ? 2 : 1) {
+    const Rgb value = reflectance::albedo(reflector, direction_at(degrees, azimuth), Samples);
+    is_grey = is_grey && value.x == value.y && value.y == value.z;
+    for (std::size_t i = 0; i < 3; ++i) channels[i].points.emplace_back(degrees, value[static_cast<int>(i)]);
+  }
+  if (is_grey) return {{"albedo", channels[0].points, plot::colour_of_series(0), {}}};
+  return channels;
 }
 
 plot::Chart albedo_chart(const Reflector& reflector) {
-  constexpr int Samples = 4096;
+  constexpr double Highest = 2;  // that is drawn
   plot::Chart chart{
       "Albedo", {"view angle in degrees", false, 0, 90, 15}, {"share reflected", false, 0, {}, 0}, {}};
-  constexpr std::array<const char*, 3> Names = {"red", "green", "blue"};
-  constexpr std::array<std::string_view, 3> Colours = {"#d55e00", "#009e73", "#0072b2"};
-  std::array<plot::Series, 3> channels;
-  bool is_grey = true;
-  double largest = 1;
-  for (int degrees = 0; degrees <= 89; ++degrees) {
-    const Rgb value = reflectance::albedo(reflector, direction_at(degrees), Samples);
-    is_grey = is_grey && value.x == value.y && value.y == value.z;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      channels[i].name = Names[i];
-      channels[i].colour = Colours[i];
-      channels[i].points.emplace_back(degrees, value[static_cast<int>(i)]);
-      largest = std::max<double>(largest, value[static_cast<int>(i)]);
+  chart.series = albedo_curves(reflector, 0);
+  if (reflectance::is_anisotropic(reflector.brdf())) {
+    for (plot::Series& series : chart.series) series.name += ", along x";
+    for (plot::Series& series : albedo_curves(reflector, 90)) {
+      series.name += ", along y";
+      series.dashes = "5 3";
+      chart.series.push_back(series);
     }
   }
-  chart.y.maximum = largest;
-  if (is_grey) {
-    chart.series = {{{}, channels[0].points, {}}};
-  } else {
-    chart.series.assign(channels.begin(), channels.end());
+  double largest = 0;
+  for (const plot::Series& series : chart.series) largest = std::max(largest, peak_of(series));
+  chart.y.maximum = std::clamp(largest, 1.0, Highest);
+  if (largest > 1.002) {
+    chart.title += fmt::format(": up to {:.3g}, more than is received", largest);
+    chart.series.push_back({{}, {Point(0, 1), Point(90, 1)}, "#111", "2 3"});
   }
   return chart;
 }
@@ -98,7 +171,8 @@ std::string png_of(const transport::Image& image) {
 
 plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
   plot::Svg svg(Width, Height);
-  svg.text({20, 30}, title, {17, "#111", plot::Anchor::Start, 0});
+  const double fitting = (Width - 40) / (0.62 * static_cast<double>(std::max<std::size_t>(1, title.size())));
+  svg.text({20, 30}, title, {std::min(17.0, fitting), "#111", plot::Anchor::Start, 0});
   draw(polar(reflector), {{20, 50}, 460, 280}, svg);
   draw(cartesian(reflector), {{500, 50}, 460, 280}, svg);
   draw(albedo_chart(reflector), {{20, 350}, 460, 290}, svg);

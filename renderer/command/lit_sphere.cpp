@@ -13,7 +13,8 @@ using reflectance::Rgb;
 using reflectance::Uniforms;
 using reflectance::Vec3f;
 
-constexpr int SamplesOfAPixel = 96;
+constexpr int Subpixels = 2;  // along each side of a pixel
+constexpr int SamplesOfASubpixel = 24;
 constexpr float WindowRadiance = 12;
 constexpr float HalfWindow = 0.28F;  // of its sides, at distance 1
 
@@ -95,28 +96,47 @@ reflectance::Frame frame_at(const Vec3f& normal) {
   return frame;
 }
 
+/// What is shown of a radiance: all of it where it is dim, and less the brighter it is, as on film.
+Rgb toned(const Rgb& radiance) {
+  constexpr float Exposure = 1.3F;
+  return Rgb(-std::expm1(-Exposure * radiance.x), -std::expm1(-Exposure * radiance.y),
+             -std::expm1(-Exposure * radiance.z));
+}
+
+/// One of side x side squares of the picture; the background is white.
+Rgb subpixel(const Reflector& reflector, int column, int row, int side) {
+  const float radius = 0.47F * static_cast<float>(side);
+  const float centre = 0.5F * static_cast<float>(side);
+  Rgb sum(0);
+  float covered = 0;
+  for (std::uint32_t k = 0; k < SamplesOfASubpixel; ++k) {
+    const Uniforms place = reflectance::even_point(k + 1);
+    const float x = (static_cast<float>(column) + place.direction.x - centre) / radius;
+    const float y = (centre - static_cast<float>(row) - place.direction.y) / radius;
+    const float z2 = 1 - x * x - y * y;
+    if (z2 <= 0) continue;
+    const reflectance::Frame frame = frame_at(Vec3f(x, y, std::sqrt(z2)));
+    sum += reflected(reflector, frame, frame.to_local(Vec3f(0, 0, 1)),
+                     point_of_pixel(static_cast<std::uint32_t>(row * side + column), k));
+    covered += 1;
+  }
+  const float share = covered / static_cast<float>(SamplesOfASubpixel);
+  return covered > 0 ? toned(sum / covered) * share + Rgb(1 - share) : Rgb(1);
+}
+
 }  // namespace
 
 transport::Image lit_sphere(const Reflector& reflector, int side) {
   transport::Image image{side, side, {}};
-  const float radius = 0.47F * static_cast<float>(side);
-  const float centre = 0.5F * static_cast<float>(side);
+  const int fine_side = Subpixels * side;
   for (int i = 0; i < side * side; ++i) {
     Rgb sum(0);
-    for (std::uint32_t k = 0; k < SamplesOfAPixel; ++k) {
-      const Uniforms place = reflectance::even_point(k + 1);
-      const float x = (static_cast<float>(i % side) + place.direction.x - centre) / radius;
-      const float y = (centre - static_cast<float>(i / side) - place.direction.y) / radius;
-      const float z2 = 1 - x * x - y * y;
-      if (z2 <= 0) {
-        sum += Rgb(1);
-        continue;
-      }
-      const reflectance::Frame frame = frame_at(Vec3f(x, y, std::sqrt(z2)));
-      sum += reflected(reflector, frame, frame.to_local(Vec3f(0, 0, 1)),
-                       point_of_pixel(static_cast<std::uint32_t>(i), k));
+    for (int k = 0; k < Subpixels * Subpixels; ++k) {
+      const int x = Subpixels * (i % side) + k % Subpixels;
+      const int y = Subpixels * (i / side) + k / Subpixels;
+      sum += subpixel(reflector, x, y, fine_side);
     }
-    image.pixels.push_back(sum / static_cast<float>(SamplesOfAPixel));
+    image.pixels.push_back(sum / static_cast<float>(Subpixels * Subpixels));
   }
   return image;
 }

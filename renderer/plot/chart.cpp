@@ -16,6 +16,15 @@ constexpr Stroke Frame = {"#888", 1};
 constexpr double LineWidth = 1.6;
 constexpr double SmallText = 11;
 
+/// The next step that people count in.
+double round_step(double step) {
+  const double power = std::pow(10, std::floor(std::log10(step)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
+    if (step <= factor * power * 1.0001) return factor * power;
+  }
+  return 10 * power;
+}
+
 /// An axis with its ends, which maps values to pixels.
 class Scale {
  public:
@@ -39,9 +48,10 @@ class Scale {
     if (!(high_ > low_)) high_ = low_ + 1;
   }
 
-  bool has_place(double value) const { return std::isfinite(value) && (!is_logarithmic_ || value > 0); }
+  bool has_place(double value) const { return std::isfinite(value); }
   double place(double value) const {
-    const double share = std::clamp((on_axis(value) - low_) / (high_ - low_), 0.0, 1.0);
+    // Far outside, where a logarithmic axis has 0, is as good as anywhere outside.
+    const double share = std::clamp((on_axis(value) - low_) / (high_ - low_), -10.0, 10.0);
     return from_ + share * (to_ - from_);
   }
 
@@ -61,16 +71,7 @@ class Scale {
   }
 
  private:
-  double on_axis(double value) const { return is_logarithmic_ ? std::log10(value) : value; }
-
-  /// The next step that people count in.
-  static double round_step(double step) {
-    const double power = std::pow(10, std::floor(std::log10(step)));
-    for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0}) {
-      if (step <= factor * power * 1.0001) return factor * power;
-    }
-    return 10 * power;
-  }
+  double on_axis(double value) const { return is_logarithmic_ ? std::log10(std::max(value, 1e-300)) : value; }
 
   bool is_logarithmic_;
   double step_;
@@ -80,8 +81,11 @@ class Scale {
 };
 
 std::string label_of(double value) {
-  if (std::abs(value) < 1e-12) return "0";
-  return fmt::format("{:.3g}", value);
+  const double size = std::abs(value);
+  if (size == 0) return "0";  // and not -0
+  if (size >= 1e-3 && size < 9999.5) return fmt::format("{:.4g}", value);
+  const double exponent = std::floor(std::log10(size) + 1e-9);
+  return fmt::format("{:.3g}e{}", value / std::pow(10, exponent), exponent);
 }
 
 void draw_title(const std::string& title, const Place& place, Svg& svg) {
@@ -92,19 +96,37 @@ std::string_view colour_of(const std::vector<Series>& series, std::size_t index)
   return series[index].colour.empty() ? colour_of_series(index) : series[index].colour;
 }
 
+bool has_legend(const std::vector<Series>& series) {
+  return std::count_if(series.begin(), series.end(), [](const Series& one) { return !one.name.empty(); }) > 1;
+}
+
 /// The names at the right, each at the end of a stroke of its colour.
 void draw_legend(const std::vector<Series>& series, const Point& corner, Svg& svg) {
+  if (!has_legend(series)) return;
+  double y = corner.y;
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const double y = corner.y + 16 * static_cast<double>(i);
-    svg.line({corner.x, y}, {corner.x + 16, y}, {colour_of(series, i), LineWidth + 1});
+    if (series[i].name.empty()) continue;
+    svg.line({corner.x, y}, {corner.x + 16, y}, {colour_of(series, i), LineWidth + 1, series[i].dashes});
     svg.text({corner.x + 21, y + 4}, series[i].name, {SmallText, "#333", Anchor::Start, 0});
+    y += 16;
   }
 }
 
 double legend_width(const std::vector<Series>& series) {
+  if (!has_legend(series)) return 10;
   std::size_t longest = 0;
   for (const Series& one : series) longest = std::max(longest, one.name.size());
   return 30 + 6.8 * static_cast<double>(longest);
+}
+
+void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    std::vector<Point> line;
+    for (const Point& point : chart.series[i].points) {
+      if (x.has_place(point.x) && y.has_place(point.y)) line.emplace_back(x.place(point.x), y.place(point.y));
+    }
+    svg.polyline(line, {colour_of(chart.series, i), LineWidth, chart.series[i].dashes});
+  }
 }
 
 void draw_axes(const Chart& chart, const Scale& x, const Scale& y, const Place& inside, Svg& svg) {
@@ -135,62 +157,109 @@ std::string_view colour_of_series(std::size_t index) {
 }
 
 void draw(const Chart& chart, const Place& place, Svg& svg) {
-  const double legend = chart.series.size() > 1 ? legend_width(chart.series) : 10;
-  const Place inside = {
-      {place.corner.x + 62, place.corner.y + 26}, place.width - 62 - legend, place.height - 66};
+  const Place inside = {{place.corner.x + 62, place.corner.y + 26},
+                        place.width - 62 - legend_width(chart.series),
+                        place.height - 66};
   const Scale x(chart.x, chart.series, &Point::x, inside.corner.x, inside.corner.x + inside.width);
   const Scale y(chart.y, chart.series, &Point::y, inside.corner.y + inside.height, inside.corner.y);
   draw_title(chart.title, place, svg);
   draw_axes(chart, x, y, inside, svg);
-  for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    std::vector<Point> line;
-    for (const Point& point : chart.series[i].points) {
-      if (x.has_place(point.x) && y.has_place(point.y)) line.emplace_back(x.place(point.x), y.place(point.y));
-    }
-    svg.polyline(line, {colour_of(chart.series, i), LineWidth});
+  svg.begin_clip(inside.corner - Point(0, 1), inside.width, inside.height + 2);
+  draw_lines(chart, x, y, svg);
+  svg.end_clip();
+  draw_legend(chart.series, {inside.corner.x + inside.width + 10, inside.corner.y + 8}, svg);
+}
+
+namespace {
+
+/// A half circle in which distances from the centre are values.
+class Fan {
+ public:
+  /// With some rings at round values, the last of them at or over `largest`.
+  Fan(const Point& centre, double radius, double largest)
+      : centre_(centre), radius_(radius), step_(round_step(largest / 3)), ring_count_(rings_up_to(largest)) {}
+
+  const Point& centre() const { return centre_; }
+  Point at(double degrees, double value) const {
+    const double angle = degrees * std::numbers::pi / 180;
+    return centre_ + Point(std::sin(angle), -std::cos(angle)) * (value / outermost() * radius_);
   }
-  if (chart.series.size() > 1) {
-    draw_legend(chart.series, {inside.corner.x + inside.width + 10, inside.corner.y + 8}, svg);
+
+  double outermost() const { return ring_count_ * step_; }
+
+  void draw_rings(Svg& svg) const {
+    for (int k = 1; k <= ring_count_; ++k) {
+      std::vector<Point> arc;
+      for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, k * step_));
+      svg.polyline(arc, Grid);
+      svg.text(at(90, k * step_) + Point(0, 14), label_of(k * step_), {SmallText, "#333", Anchor::Middle, 0});
+    }
+    svg.text(centre_ + Point(0, 14), "0", {SmallText, "#333", Anchor::Middle, 0});
+  }
+
+  void draw_spokes(Svg& svg) const {
+    for (int degrees = -90; degrees <= 90; degrees += 30) {
+      svg.line(centre_, at(degrees, outermost()), Grid);
+      if (std::abs(degrees) == 90) continue;
+      svg.text(at(degrees, 1.06 * outermost()), fmt::format("{}\u00B0", std::abs(degrees)),
+               {SmallText, "#333", Anchor::Middle, 0});
+    }
+    svg.line(at(-90, outermost()), at(90, outermost()), Frame);
+  }
+
+ private:
+  int rings_up_to(double largest) const { return static_cast<int>(std::ceil(largest / step_ - 1e-9)); }
+
+  Point centre_;
+  double radius_;
+  double step_;
+  int ring_count_;
+};
+
+double largest_distance(const Series& series) {
+  double largest = 0;
+  for (const Point& point : series.points) largest = std::max(largest, point.y);
+  return largest;
+}
+
+/// Of which the rings have to take account.
+double largest_distance(const PolarChart& chart) {
+  double largest = 0;
+  for (const Series& one : chart.series) largest = std::max(largest, largest_distance(one));
+  if (chart.maximum) largest = std::min(largest, *chart.maximum);
+  return largest > 0 ? largest : 1;
+}
+
+void draw_lines(const std::vector<Series>& series, const Fan& fan, double unit, Svg& svg) {
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    std::vector<Point> line;
+    for (const Point& point : series[i].points) {
+      line.push_back(fan.at(point.x, std::min(point.y * unit, fan.outermost())));
+    }
+    svg.polyline(line, {colour_of(series, i), LineWidth, series[i].dashes});
   }
 }
 
+}  // namespace
+
 void draw(const PolarChart& chart, const Place& place, Svg& svg) {
-  const double legend = chart.series.size() > 1 ? legend_width(chart.series) : 10;
-  const double radius = std::min((place.width - legend) / 2 - 18, place.height - 66);
-  const Point centre(place.corner.x + 18 + radius, place.corner.y + 40 + radius);
-  double largest = 0;
-  for (const Series& one : chart.series) {
-    for (const Point& point : one.points) largest = std::max(largest, point.y);
-  }
-  if (!(largest > 0)) largest = 1;
-  const auto at = [&](double degrees, double distance) {
-    const double angle = degrees * std::numbers::pi / 180;
-    return centre + Point(std::sin(angle), -std::cos(angle)) * (distance * radius);
-  };
+  const double width = std::min(place.width - 130, place.width - legend_width(chart.series));
+  const double radius = std::min(width / 2 - 18, place.height - 86);
+  const Fan fan({place.corner.x + 18 + radius, place.corner.y + 40 + radius}, radius,
+                largest_distance(chart));
   draw_title(chart.title, place, svg);
-  for (const double share : {0.5, 1.0}) {
-    std::vector<Point> arc;
-    for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, share));
-    svg.polyline(arc, Grid);
-    svg.text(at(90, share) + Point(0, 14), label_of(share * largest), {SmallText, "#333", Anchor::Middle, 0});
+  fan.draw_rings(svg);
+  fan.draw_spokes(svg);
+  svg.text(fan.centre() + Point(0, 32), chart.unit, {SmallText, "#333", Anchor::Middle, 0});
+  svg.text(fan.centre() + Point(0, 48), chart.note, {SmallText, "#333", Anchor::Middle, 0});
+  draw_lines(chart.series, fan, 1, svg);
+  draw_lines(chart.shares, fan, fan.outermost(), svg);
+  std::vector<Series> named = chart.series;
+  for (Series& one : named) {
+    const double reach = largest_distance(one);
+    if (reach > fan.outermost()) one.name += fmt::format(", to {:.3g}", reach);
   }
-  for (int degrees = -90; degrees <= 90; degrees += 30) {
-    svg.line(centre, at(degrees, 1), Grid);
-    if (std::abs(degrees) < 90) {
-      svg.text(at(degrees, 1.06), fmt::format("{}\u00B0", std::abs(degrees)),
-               {SmallText, "#333", Anchor::Middle, 0});
-    }
-  }
-  svg.line(at(-90, 1), at(90, 1), Frame);
-  svg.text(centre + Point(0, 28), chart.unit, {SmallText, "#333", Anchor::Middle, 0});
-  for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    std::vector<Point> line;
-    for (const Point& point : chart.series[i].points) line.push_back(at(point.x, point.y / largest));
-    svg.polyline(line, {colour_of(chart.series, i), LineWidth});
-  }
-  if (chart.series.size() > 1) {
-    draw_legend(chart.series, {place.corner.x + place.width - legend + 4, place.corner.y + 48}, svg);
-  }
+  draw_legend(named, {place.corner.x + width + 4, place.corner.y + 48}, svg);
 }
 
 }  // namespace plot

@@ -14,9 +14,10 @@ namespace plot {
 std::string_view colour_of_series(std::size_t index);
 
 struct Series {
-  std::string name;
+  std::string name;  ///< empty: it is not among the names at the right
   std::vector<Point> points;
   std::string_view colour = {};  ///< empty: `colour_of_series` of its place
+  std::string_view dashes = {};  ///< see `Stroke`
 };
 
 struct Axis {
@@ -39,15 +40,19 @@ struct Chart {
   std::vector<Series> series;
 };
 
-/// Axes with their ticks, the lines, and their names at the right. Points without a place on a logarithmic
-/// axis are left out.
+/// Axes with their ticks, the lines as far as they are between the ends, and their names at the right, where
+/// there are several. On a logarithmic axis 0 and less are far under its end.
 void draw(const Chart& chart, const Place& place, Svg& svg);
 
 /// Distances from a centre over angles from the vertical, -90 to 90 degrees.
 struct PolarChart {
   std::string title;
   std::string unit;
+  std::string note;            ///< a line under it
   std::vector<Series> series;  ///< points of angle in degrees and distance
+  std::vector<Series> shares;  ///< the same, with shares of the outermost ring as distances
+  /// As far as there are rings; longer ones are cut, and say so. Absent: all have place.
+  std::optional<double> maximum;
 };
 
 void draw(const PolarChart& chart, const Place& place, Svg& svg);

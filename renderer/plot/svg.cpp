@@ -26,6 +26,8 @@ std::string escaped(std::string_view words) {
       text += "&gt;";
     } else if (c == '&') {
       text += "&amp;";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      text += ' ';  // XML has no place for most of them
     } else {
       text += c;
     }
@@ -63,11 +65,12 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned size) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-double distance_to_line(const Point& point, const Point& from, const Point& to) {
+/// To what is between the ends, as a line may go past them and come back.
+double distance_to_segment(const Point& point, const Point& from, const Point& to) {
   const Point along = to - from;
-  const double length = along.length();
-  if (length == 0) return (point - from).length();
-  return std::abs(along.cross(point - from)) / length;
+  const double length2 = along.length2();
+  const double place = length2 > 0 ? std::clamp(along.dot(point - from) / length2, 0.0, 1.0) : 0;
+  return (from + along * place - point).length();
 }
 
 /// Keeps the points without which the line would be seen to run elsewhere (Douglas and Peucker 1973).
@@ -76,10 +79,10 @@ void keep_needed(std::span<const Point> points, std::vector<Point>& kept) {
   if (points.size() < 3) return;
   const auto farthest =
       std::max_element(points.begin() + 1, points.end() - 1, [&](const Point& a, const Point& b) {
-        return distance_to_line(a, points.front(), points.back()) <
-               distance_to_line(b, points.front(), points.back());
+        return distance_to_segment(a, points.front(), points.back()) <
+               distance_to_segment(b, points.front(), points.back());
       });
-  if (distance_to_line(*farthest, points.front(), points.back()) < Unseen) return;
+  if (distance_to_segment(*farthest, points.front(), points.back()) < Unseen) return;
   const auto middle = static_cast<std::size_t>(farthest - points.begin());
   keep_needed(points.first(middle + 1), kept);
   kept.push_back(*farthest);
@@ -140,6 +143,16 @@ void Svg::image(const Point& corner, double width, double height, std::string_vi
       "xlink:href=\"data:image/png;base64,{}\"/>\n",
       corner.x, corner.y, width, height, base64(png));
 }
+
+void Svg::begin_clip(const Point& corner, double width, double height) {
+  ++clips_;
+  text_ += fmt::format(
+      "<clipPath id=\"clip{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" height=\"{4:.2f}\"/>"
+      "</clipPath>\n<g clip-path=\"url(#clip{0})\">\n",
+      clips_, corner.x, corner.y, width, height);
+}
+
+void Svg::end_clip() { text_ += "</g>\n"; }
 
 std::optional<std::string> to_png(const std::string& svg, double scale) {
   const auto* bytes = reinterpret_cast<const guint8*>(svg.data());

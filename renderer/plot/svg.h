@@ -39,11 +39,16 @@ class Svg {
   void text(const Point& at, std::string_view words, const Lettering& lettering);
   void image(const Point& corner, double width, double height, std::string_view png);
 
+  // What is drawn between the two calls shows inside the rectangle alone.
+  void begin_clip(const Point& corner, double width, double height);
+  void end_clip();
+
   /// The whole document.
   std::string str() const { return text_ + "</svg>\n"; }
 
  private:
   std::string text_;
+  int clips_ = 0;
 };
 
 /// A PNG file's bytes, so many pixels to one of the picture; nothing if it cannot be drawn.

@@ -1,17 +1,24 @@
 #include "renderer/reflectance/albedo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace reflectance {
+namespace {
+
+/// The digits of the index, mirrored at the point.
+float mirrored_digits(std::uint32_t index, std::uint32_t base) {
+  double value = 0;
+  for (double place = 1.0 / base; index > 0; place /= base, index /= base) value += place * (index % base);
+  return std::min(static_cast<float>(value), 0x1.fffffep-1F);
+}
+
+}  // namespace
 
 Uniforms even_point(std::uint32_t index) {
-  constexpr double Root = 1.2207440846057594754;
-  const auto coordinate = [&](double step) {
-    const double sum = 0.5 + step * index;
-    return std::min(static_cast<float>(sum - std::floor(sum)), 0x1.fffffep-1F);
-  };
-  return {{coordinate(1 / Root), coordinate(1 / (Root * Root))}, coordinate(1 / (Root * Root * Root))};
+  ++index;  // the first is 0 in all coordinates
+  return {{mirrored_digits(index, 2), mirrored_digits(index, 3)}, mirrored_digits(index, 5)};
 }
 
 Rgb albedo(const Reflector& reflector, const Vec3f& u, int count) {
@@ -21,6 +28,25 @@ Rgb albedo(const Reflector& reflector, const Vec3f& u, int count) {
     if (drawn) sum += Imath::V3d(drawn->weight);
   }
   return Rgb(sum / count);
+}
+
+grf::LargestAlbedo largest_albedo(const Brdf& brdf) {
+  constexpr int Rough = 512;
+  constexpr int Fine = 8192;
+  const Reflector reflector(brdf, default_scheme());
+  const std::array<float, 3> azimuths = {0, Pi / 2, Pi};
+  const std::size_t azimuth_count = is_anisotropic(brdf) ? azimuths.size() : 1;
+  grf::LargestAlbedo most;
+  for (const float degrees : {0.0F, 30.0F, 60.0F, 80.0F, 85.0F}) {
+    const float theta = degrees * Pi / 180;
+    for (std::size_t i = 0; i < azimuth_count; ++i) {
+      const Vec3f u = from_angles(std::cos(theta), std::sin(theta), azimuths[i]);
+      float value = largest(albedo(reflector, u, Rough));
+      if (value > 1) value = largest(albedo(reflector, u, Fine));
+      if (value > most.albedo) most = {value, degrees};
+    }
+  }
+  return most;
 }
 
 }  // namespace reflectance

@@ -7,12 +7,15 @@ namespace reflectance {
 /// The share of light from u that is reflected (or, as models are reciprocal or not, of uniform light that is
 /// reflected towards u): the integral of f cos(theta_v), Dirac part included. By points that fill space
 /// evenly, through the reflector's own sampling, so that narrow lobes cost no more than wide ones. The error
-/// is about 1 / count where weights are smooth.
-Rgb albedo(const Reflector& reflector, const Vec3f& u, int count = 8192);
+/// falls nearly as 1 / count; by default it is within 0.002.
+Rgb albedo(const Reflector& reflector, const Vec3f& u, int count = 16384);
 
-/// The `index`-th of the points that fill the unit cube evenly: an additive recurrence by powers of the
-/// inverse of the root of x^4 = x + 1 (Roberts 2018, "The unreasonable effectiveness of quasirandom
-/// sequences").
+/// What a BRDF reflects at most, over its channels and some angles up to 85 degrees: cheap, and right within
+/// a hundredth where it is over 1.
+grf::LargestAlbedo largest_albedo(const Brdf& brdf);
+
+/// The `index`-th of the points that fill the unit cube evenly (Halton 1960). Additive recurrences are
+/// simpler, but that of Roberts 2018 stays off by up to a thousandth.
 Uniforms even_point(std::uint32_t index);
 
 }  // namespace reflectance

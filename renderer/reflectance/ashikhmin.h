@@ -35,14 +35,27 @@ struct Ashikhmin : CosineAndLobe<Ashikhmin> {
                                               ParameterScale::Logarithmic, {"nv"});
     y.info.default_from = "ex";
     return {
-        "ashikhmin",
-        "Ashikhmin-Shirley",
-        "Ashikhmin and Shirley 2000",
-        {number_parameter(&Ashikhmin::ex, "ex", 0, 1e6F, "exponent of the lobe along x",
-                          ParameterScale::Logarithmic, {"nu"}),
-         y, reflectance_parameter(&Ashikhmin::rs, "Rs", "reflectance of a facet at normal incidence", {"ks"}),
-         reflectance_parameter(&Ashikhmin::rd, "Rd", "reflectance of the matte part", {"kd"})},
-        "isotropic where ex = ey"};
+        .keyword = "ashikhmin",
+        .title = "Ashikhmin-Shirley",
+        .paper = "Ashikhmin and Shirley 2000",
+        .parameters = {number_parameter(&Ashikhmin::ex, "ex", 0, 1e6F, "exponent of the lobe along x",
+                                        ParameterScale::Logarithmic, {"nu"}),
+                       y,
+                       reflectance_parameter(&Ashikhmin::rs, "Rs",
+                                             "reflectance of a facet at normal incidence", {"ks"}),
+                       reflectance_parameter(&Ashikhmin::rd, "Rd", "reflectance of the matte part", {"kd"})},
+        .not_isotropic = "isotropic where ex = ey",
+        .about =
+            "Brushed metal and polished plastic from few, plain parameters: an anisotropic Phong lobe that "
+            "strengthens towards grazing after Fresnel, over a matte part that fades by as much. ex and ey "
+            "are the exponents along and across the tangent (10 is dull, 1000 polished), Rs the lobe's "
+            "reflectance at the normal, Rd that of the matte part.",
+        .formula = R"(
+f = sqrt((ex+1)(ey+1))/(8 pi) cos(delta)^e F/((u.h) max(cu, cv))
+    + 28 Rd (1-Rs)/(23 pi) (1 - (1-cu/2)^5) (1 - (1-cv/2)^5)
+e = ex cos(phi)^2 + ey sin(phi)^2, phi: the azimuth of h;  F = Rs + (1-Rs) (1-u.h)^5)",
+        .example = "ashikhmin ex=25 ey=25 Rs=0.39 Rd=0.6",
+    };
   }
 
   template <class Real>

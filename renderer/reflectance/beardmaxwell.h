@@ -38,24 +38,37 @@ struct BeardMaxwell : CosineAndLobe<BeardMaxwell> {
     using Self = BeardMaxwell;
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
     return {
-        "beardmaxwell",
-        "Beard-Maxwell",
-        "Maxwell, Beard, Weiner, Ladd and Ward 1973; Westlund and Meyer 2002",
-        {number_parameter(&Self::omega, "omega", 1e-6F, 1e6F, "angle of shadowing, in radians", Logarithmic),
-         number_parameter(&Self::tau, "tau", 0, 1e6F, "angle of obscuration, in radians", Logarithmic),
-         number_parameter(&Self::nreal, "nreal", 0, 100, "index of refraction of the first surface"),
-         number_parameter(&Self::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
-         reflectance_parameter(&Self::rs, "Rs", "weight of the first surface"),
-         reflectance_parameter(&Self::rd, "Rd", "albedo of the diffuse part"),
-         reflectance_parameter(&Self::rv, "Rv",
-                               "reflectance factor of the volume at normal incidence and view"),
-         number_parameter(&Self::sigma, "sigma", 1e-3F, 10,
-                          "width of the facets' law: the tangent at which D cos has fallen to half",
-                          Logarithmic)},
-        {},
-        {},
-        "the first surface grows as 1/(cos cos) towards grazing, as published, and the volume reflects "
-        "1.227 Rv at normal and up to 4 Rv at grazing incidence"};
+        .keyword = "beardmaxwell",
+        .title = "Beard-Maxwell",
+        .paper = "Maxwell, Beard, Weiner, Ladd and Ward 1973; Westlund and Meyer 2002",
+        .parameters =
+            {number_parameter(&Self::omega, "omega", 1e-6F, 1e6F, "angle of shadowing, in radians",
+                              Logarithmic),
+             number_parameter(&Self::tau, "tau", 0, 1e6F, "angle of obscuration, in radians", Logarithmic),
+             number_parameter(&Self::nreal, "nreal", 0, 100, "index of refraction of the first surface"),
+             number_parameter(&Self::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
+             reflectance_parameter(&Self::rs, "Rs", "weight of the first surface"),
+             reflectance_parameter(&Self::rd, "Rd", "albedo of the diffuse part"),
+             reflectance_parameter(&Self::rv, "Rv",
+                                   "reflectance factor of the volume at normal incidence and view"),
+             number_parameter(&Self::sigma, "sigma", 1e-3F, 10,
+                              "width of the facets' law: the tangent at which D cos has fallen to half",
+                              Logarithmic)},
+        .not_conserving =
+            "the first surface grows as 1/(cos cos) towards grazing, as published, and the volume reflects "
+            "1.227 Rv at normal and up to 4 Rv at grazing incidence",
+        .about =
+            "Painted surfaces, as those of the NEF data base: a rough first surface, light that the paint's "
+            "volume scatters, and a Lambertian rest. Rs, Rv and Rd are their weights and sigma the width of "
+            "the highlight, whose tails are long. omega and tau say how much facets shadow each other away "
+            "from the mirror direction. It has no shadowing in the mirror direction, so it outshines the "
+            "light towards grazing.",
+        .formula = R"(
+f = Rs F(u.h) D S/(4 cu cv) + Rd/pi + Rv/pi 2/(cu + cv)        F = Fresnel(u.h) of nreal + i nimag
+D = B/(cos(delta) (sigma^2 + tan(delta)^2)), B such that the integral of D cos(delta) over h is 1
+S = (1 + delta/omega exp(-2 beta/tau))/(1 + delta/omega), beta: the angle of u and h; tau = 0: 1/(1 + delta/omega))",
+        .example = "beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5",
+    };
   }
 
   template <class Real>

@@ -27,16 +27,25 @@ struct Blinn : DiffuseAndLobe<Blinn> {
 
   static ModelTable<Blinn> table() {
     return {
-        "blinn",
-        "Blinn-Phong",
-        "Blinn 1977",
-        {number_parameter(&Blinn::n, "n", 0, 1e6F, "exponent of the lobe", grf::ParameterScale::Logarithmic),
-         reflectance_parameter(&Blinn::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
-         reflectance_parameter(&Blinn::kd, "kd", "albedo of the diffuse part")},
-        {},
-        {},
-        "reflects more than it receives where kd + 8 pi ks (n+2^(-n/2))/((n+2)(n+4)) > 1: the lobe is not "
-        "normalised"};
+        .keyword = "blinn",
+        .title = "Blinn-Phong",
+        .paper = "Blinn 1977",
+        .parameters = {number_parameter(&Blinn::n, "n", 0, 1e6F, "exponent of the lobe",
+                                        grf::ParameterScale::Logarithmic),
+                       reflectance_parameter(&Blinn::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
+                       reflectance_parameter(&Blinn::kd, "kd", "albedo of the diffuse part")},
+        .not_conserving =
+            "reflects more than it receives where kd + 8 pi ks (n+2^(-n/2))/((n+2)(n+4)) > 1: the lobe is "
+            "not "
+            "normalised",
+        .about =
+            "Phong's lobe, measured by the half vector: its highlights grow longer towards grazing, as those "
+            "of real surfaces do. For the same n it is twice as wide as `phong` and reflects four times as "
+            "much; ks is again the height of the lobe. Blinn's own model of 1977, with facets and Fresnel, "
+            "is `torrance`.",
+        .formula = "f = kd/pi + ks cos(delta)^n",
+        .example = "blinn n=100 ks=1 kd=0.67",
+    };
   }
 
   template <class Real>

@@ -1,5 +1,6 @@
 #include "renderer/reflectance/brdf.h"
 
+#include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/each_type.h"
 
 namespace reflectance {
@@ -55,6 +56,12 @@ bool is_anisotropic(const Brdf& brdf) {
       brdf);
 }
 
-std::vector<grf::ModelInfo> brdf_infos() { return infos_of<Brdf>(); }
+std::vector<grf::ModelInfo> brdf_infos() {
+  std::vector<grf::ModelInfo> infos = infos_of<Brdf>();
+  for (grf::ModelInfo& info : infos) {
+    info.largest_albedo = [](const grf::Model& data) { return largest_albedo(*make_brdf(data)); };
+  }
+  return infos;
+}
 
 }  // namespace reflectance

@@ -15,10 +15,19 @@ struct Combine {
   std::shared_ptr<const CombinedBrdfs> parts;
 
   static ModelTable<Combine> table() {
-    ModelTable<Combine> table{"combine", "Weighted sum", "", {}};
-    table.takes = grf::ModelInfo::Takes::Terms;
-    table.not_conserving = "reflects the sum of its weights times each BRDF's albedo";
-    return table;
+    return {
+        .keyword = "combine",
+        .title = "Weighted sum",
+        .not_isotropic = "isotropic where all of its BRDFs are",
+        .not_reciprocal = "reciprocal where all of its BRDFs are",
+        .not_conserving = "reflects the sum of its weights times each BRDF's albedo",
+        .takes = grf::ModelInfo::Takes::Terms,
+        .about =
+            "Any number of BRDFs in one: behind the keyword stand weights of 0 or more and names of BRDFs "
+            "that "
+            "are defined before, `combine 0.3 clay, 0.7 varnish`. Sums of sums are one sum. Sampling picks a "
+            "term in proportion to its weight times its albedo.",
+    };
   }
 
   template <class Real>

@@ -27,12 +27,24 @@ struct Coupled {
   Rgb r0 = Rgb(0.05F);
 
   static ModelTable<Coupled> table() {
-    return {"coupled",
-            "Polished matte",
-            "Shirley, Hu, Smits and Lafortune 1997",
-            {reflectance_parameter(&Coupled::rm, "Rm", "reflectance of the matte part"),
-             rgb_parameter(&Coupled::r0, "R0", 0, 0.999F, "reflectance of the polish at normal incidence",
-                           grf::ParameterScale::Linear, {"Ro"})}};
+    return {
+        .keyword = "coupled",
+        .title = "Polished matte",
+        .paper = "Shirley, Hu, Smits and Lafortune 1997",
+        .parameters = {reflectance_parameter(&Coupled::rm, "Rm", "reflectance of the matte part"),
+                       rgb_parameter(&Coupled::r0, "R0", 0, 0.999F,
+                                     "reflectance of the polish at normal incidence",
+                                     grf::ParameterScale::Linear, {"Ro"})},
+        .about =
+            "Glossy paint, glazed ceramics and varnished wood: a clear mirror over a matte part. Towards "
+            "grazing the mirror strengthens and the matte part fades by as much, so that with Rm = 1 both "
+            "reflect exactly 1 at every angle. Rm is the matte part's colour, R0 the mirror's strength at "
+            "the normal (0.03 to 0.06 for what is not metal).",
+        .formula = R"(
+f = 21 (1-R0)/(20 pi) Rm (1 - (1-cu)^5) (1 - (1-cv)^5)
+mirror(u) = R0 + (1-R0) (1-cu)^5)",
+        .example = "coupled Rm=1 R0=0.05",
+    };
   }
 
   template <class Real>

@@ -22,7 +22,17 @@ struct Diffuse {
   Rgb kd = Rgb(0.5F);
 
   static ModelTable<Diffuse> table() {
-    return {"diffuse", "Lambert", "Lambert 1760", {reflectance_parameter(&Diffuse::kd, "kd", "albedo")}};
+    return {
+        .keyword = "diffuse",
+        .title = "Lambert",
+        .paper = "Lambert 1760",
+        .parameters = {reflectance_parameter(&Diffuse::kd, "kd", "albedo")},
+        .about =
+            "The ideal matte surface: it looks equally bright from everywhere, whatever the light's "
+            "direction. kd is its albedo. Faces without a BRDF have it, with kd = 0.5.",
+        .formula = "f = kd/pi",
+        .example = "diffuse kd=0.5",
+    };
   }
 
   template <class Real>

@@ -45,21 +45,35 @@ struct Granier : CosineAndLobe<Granier> {
   static ModelTable<Granier> table() {
     using Self = Granier;
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
-    return {"granier",
-            "Granier-Heidrich",
-            "Granier and Heidrich 2003",
-            {rgb_parameter(&Self::nreal, "nreal", 1, 100, "index of refraction of the film"),
-             number_parameter(&Self::d, "d", 0, 1e6F, "thickness of the film, in nanometres", Logarithmic),
-             number_parameter(&Self::n, "n", 0, 1e6F, "exponent of the outer lobe", Logarithmic),
-             number_parameter(&Self::m, "m", 0, 1e6F, "exponent of the inner lobe", Logarithmic),
-             number_parameter(&Self::tilt, "tilt", 0, Pi / 4,
-                              "angle of the inner normal to the outer, towards x"),
-             reflectance_parameter(&Self::ks, "ks", "weight of the film's surface"),
-             reflectance_parameter(&Self::kt, "kt", "reflectance of the base"),
-             reflectance_parameter(&Self::kd, "kd", "albedo of the diffuse part")},
-            "isotropic where tilt = 0",
-            {},
-            "where the beams are in phase they reflect up to twice their sum, as published"};
+    return {
+        .keyword = "granier",
+        .title = "Granier-Heidrich",
+        .paper = "Granier and Heidrich 2003",
+        .parameters = {rgb_parameter(&Self::nreal, "nreal", 1, 100, "index of refraction of the film"),
+                       number_parameter(&Self::d, "d", 0, 1e6F, "thickness of the film, in nanometres",
+                                        Logarithmic),
+                       number_parameter(&Self::n, "n", 0, 1e6F, "exponent of the outer lobe", Logarithmic),
+                       number_parameter(&Self::m, "m", 0, 1e6F, "exponent of the inner lobe", Logarithmic),
+                       number_parameter(&Self::tilt, "tilt", 0, Pi / 4,
+                                        "angle of the inner normal to the outer, towards x"),
+                       reflectance_parameter(&Self::ks, "ks", "weight of the film's surface"),
+                       reflectance_parameter(&Self::kt, "kt", "reflectance of the base"),
+                       reflectance_parameter(&Self::kd, "kd", "albedo of the diffuse part")},
+        .not_isotropic = "isotropic where tilt = 0",
+        .not_conserving = "where the beams are in phase they reflect up to twice their sum, as published",
+        .about =
+            "Old metal, lacquer and dirt under a film of oil: the beams from the film's surface and from its "
+            "base interfere, so that colours change with the angle. d is the film's thickness, from the "
+            "first colours (100 nm) to a pale rainbow (over 1000), n and m the exponents of the two lobes, "
+            "kt the base's reflectance. tilt turns the base against the surface, and an index that differs "
+            "from channel to channel then spreads its highlight.",
+        .formula = R"(
+f = kd/pi + R + T + 2 cos(4 pi nreal d cos(delta)/lambda) sqrt(R T)        lambda = 645, 525, 445 nm
+R = ks F(u.h) C(n) cos(delta)^n;  T = kt (1-F(cu)) (1-F(cv)) C(m) max(0, b.h')^m/nreal^2
+h': half of u and v refracted;  b: the base's normal, turned by tilt;  F(c) = F0 + (1-F0) (1-c)^5, F0 = ((nreal-1)/(nreal+1))^2
+C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
+        .example = "granier nreal=(1.5, 1.51, 1.52) d=250 n=100 m=20 tilt=0 ks=1 kt=0.9 kd=0",
+    };
   }
 
   template <class Real>

@@ -41,20 +41,34 @@ struct Hanrahan : CosineAndLobe<Hanrahan> {
     using Self = Hanrahan;
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
     return {
-        "hanrahan",
-        "Hanrahan-Krueger",
-        "Hanrahan and Krueger 1993",
-        {number_parameter(&Self::nreal, "nreal", 1, 100, "index of refraction of the layer"),
-         number_parameter(&Self::g, "g", -0.99F, 0.99F, "mean cosine of scattering, positive is forward"),
-         reflectance_parameter(&Self::albedo, "albedo", "single-scattering albedo"),
-         number_parameter(&Self::depth, "depth", 0, 1e6F, "optical thickness; 10 is as good as infinite",
-                          Logarithmic),
-         number_parameter(&Self::rough, "rough", 1e-3F, 10, "Beckmann roughness of the surface", Logarithmic),
-         reflectance_parameter(&Self::ks, "ks", "weight of the surface reflection"),
-         reflectance_parameter(&Self::kd, "kd", "reflectance of the light scattered many times")},
-        {},
-        {},
-        {}};
+        .keyword = "hanrahan",
+        .title = "Hanrahan-Krueger",
+        .paper = "Hanrahan and Krueger 1993",
+        .parameters = {number_parameter(&Self::nreal, "nreal", 1, 100, "index of refraction of the layer"),
+                       number_parameter(&Self::g, "g", -0.99F, 0.99F,
+                                        "mean cosine of scattering, positive is forward"),
+                       reflectance_parameter(&Self::albedo, "albedo", "single-scattering albedo"),
+                       number_parameter(&Self::depth, "depth", 0, 1e6F,
+                                        "optical thickness; 10 is as good as infinite", Logarithmic),
+                       number_parameter(&Self::rough, "rough", 1e-3F, 10, "Beckmann roughness of the surface",
+                                        Logarithmic),
+                       reflectance_parameter(&Self::ks, "ks", "weight of the surface reflection"),
+                       reflectance_parameter(&Self::kd, "kd",
+                                             "reflectance of the light scattered many times")},
+        .about =
+            "Skin, leaves and other matter that light enters: a rough, clear surface over a layer that "
+            "scatters. albedo is what one scattering keeps, g whether it goes on forwards (over 0) or back, "
+            "depth how thick the layer is for light, and kd the colour of what was scattered many times; "
+            "rough and nreal make the sheen. It is flatter than Lambert, and brighter towards grazing where "
+            "g is over 0.",
+        .formula = R"(
+f = ks F B + albedo T p (1 - exp(-depth (1/u'z + 1/v'z)))/(nreal^2 (u'z + v'z)) + kd T/pi
+u', v': refracted into the layer;  F = Fresnel(u.h);  T = (1 - Fresnel(cu)) (1 - Fresnel(cv))
+p = (1-g^2)/(4 pi (1 + g^2 + 2 g u'.v')^1.5)
+B: the facets of `kajiya`, of roughness rough)",
+        .example =
+            "hanrahan nreal=1.4 g=0.25 albedo=(0.95, 0.85, 0.75) depth=10 rough=0.3 ks=1 kd=(0.4, 0.2, 0.12)",
+    };
   }
 
   template <class Real>

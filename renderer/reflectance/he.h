@@ -36,13 +36,25 @@ struct He : KirchhoffLobe<He> {
   Rgb kd = Rgb(0);
 
   static ModelTable<He> table() {
-    return {"he",
-            "He-Torrance-Sillion-Greenberg",
-            "He, Torrance, Sillion and Greenberg 1991",
-            kirchhoff_parameters<He>(),
-            {},
-            {},
-            {}};
+    return {
+        .keyword = "he",
+        .title = "He-Torrance-Sillion-Greenberg",
+        .paper = "He, Torrance, Sillion and Greenberg 1991",
+        .parameters = kirchhoff_parameters<He>(),
+        .about =
+            "Metals, glass and plastics by wave optics, the most complete of the models here: a mirror, a "
+            "lobe of diffraction and a Lambertian part, whose shares follow from the heights (sigma) and "
+            "widths (tau) of the surface's bumps and from the wavelength. Smooth against the wavelength it "
+            "is a mirror, rough the facets of Beckmann with slope 2 sigma/tau; in between it turns from one "
+            "to the other with angle and colour.",
+        .formula = R"(
+f = ks F(u.h) S(u) S(v)/(cu cv) 4 ((u.h)/cos(delta))^2 D/pi + kd/pi;  mirror(u) = ks F(cu) S(u)^2 exp(-g)
+D = (pi tau/(2 lambda))^2 sum over m >= 1 of g^m e^-g/(m! m) exp(-b/m)
+g = (2 pi s/lambda (cu + cv))^2;  b = (pi tau/lambda)^2 ((ux+vx)^2 + (uy+vy)^2)
+s = sigma/sqrt(1 + W(2 ln K)), K = sum over u and v of tan(theta) erfc(tau/(2 sigma) cot(theta))/(2 sqrt(2 pi))
+W(x) + ln W(x) = x;  S: shadowing by the surface itself)",
+        .example = "he sigma=0.5 tau=3 lambda=800",
+    };
   }
 
   template <class Real>

@@ -36,20 +36,32 @@ struct Kajiya : DiffuseAndLobe<Kajiya> {
   static ModelTable<Kajiya> table() {
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
     return {
-        "kajiya",
-        "Kajiya",
-        "Kajiya 1985",
-        {number_parameter(&Kajiya::sigma, "sigma", 0, 1e3F,
-                          "rms height; only its ratio to taux and tauy matters", Logarithmic),
-         number_parameter(&Kajiya::taux, "taux", 1e-3F, 1e6F, "correlation length along x", Logarithmic),
-         number_parameter(&Kajiya::tauy, "tauy", 1e-3F, 1e6F, "correlation length along y", Logarithmic),
-         number_parameter(&Kajiya::nreal, "nreal", 0, 100, "index of refraction; 0 is a perfect conductor"),
-         number_parameter(&Kajiya::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
-         reflectance_parameter(&Kajiya::ks, "ks", "weight of the lobe"),
-         reflectance_parameter(&Kajiya::kd, "kd", "albedo of the diffuse part")},
-        "isotropic where taux = tauy",
-        {},
-        {}};
+        .keyword = "kajiya",
+        .title = "Kajiya",
+        .paper = "Kajiya 1985",
+        .parameters = {number_parameter(&Kajiya::sigma, "sigma", 0, 1e3F,
+                                        "rms height; only its ratio to taux and tauy matters", Logarithmic),
+                       number_parameter(&Kajiya::taux, "taux", 1e-3F, 1e6F, "correlation length along x",
+                                        Logarithmic),
+                       number_parameter(&Kajiya::tauy, "tauy", 1e-3F, 1e6F, "correlation length along y",
+                                        Logarithmic),
+                       number_parameter(&Kajiya::nreal, "nreal", 0, 100,
+                                        "index of refraction; 0 is a perfect conductor"),
+                       number_parameter(&Kajiya::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
+                       reflectance_parameter(&Kajiya::ks, "ks", "weight of the lobe"),
+                       reflectance_parameter(&Kajiya::kd, "kd", "albedo of the diffuse part")},
+        .not_isotropic = "isotropic where taux = tauy",
+        .about =
+            "Brushed and rolled metal by wave theory where the roughness is large against the wavelength: "
+            "the facets of a Gaussian surface that is longer in one direction than in the other. sigma/taux "
+            "and sigma/tauy are the roughness along x and y: the highlight is long where it is larger. The "
+            "index of refraction is as for `torrance`; nreal = 0 reflects all.",
+        .formula = R"(
+f = ks F D S(u) S(v)/(4 cu cv) + kd/pi        F = Fresnel(u.h)
+D = exp(-tan(delta)^2 (cos(phi)^2/ax^2 + sin(phi)^2/ay^2))/(pi ax ay cos(delta)^4), phi: the azimuth of h
+ax = max(1e-4, 2 sigma/taux);  ay the same of tauy;  S: Smith's shadowing of such a surface)",
+        .example = "kajiya sigma=0.2 taux=1 tauy=4 nreal=2.485 nimag=3.433",
+    };
   }
 
   template <class Real>

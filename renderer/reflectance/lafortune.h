@@ -33,20 +33,30 @@ struct Lafortune : CosineAndLobe<Lafortune> {
   float cz = 1;
 
   static ModelTable<Lafortune> table() {
-    return {"lafortune",
-            "Generalised cosine lobe",
-            "Lafortune, Foo, Torrance and Greenberg 1997",
+    return {
+        .keyword = "lafortune",
+        .title = "Generalised cosine lobe",
+        .paper = "Lafortune, Foo, Torrance and Greenberg 1997",
+        .parameters =
             {number_parameter(&Lafortune::n, "n", 0, 1e6F, "exponent of the lobe",
                               grf::ParameterScale::Logarithmic),
              reflectance_parameter(&Lafortune::kp, "kp", "albedo of the diffuse part", {"kd"}),
              number_parameter(&Lafortune::cx, "Cx", -10, 10, "factor of the lobe's direction along x"),
              number_parameter(&Lafortune::cy, "Cy", -10, 10, "factor of the lobe's direction along y"),
              number_parameter(&Lafortune::cz, "Cz", -10, 10, "factor of the lobe's direction along z")},
-            "isotropic where Cx = Cy",
-            {},
-            "the lobe is not normalised: its albedo at normal incidence is 2 pi Cz^n/(n+2)",
+        .not_isotropic = "isotropic where Cx = Cy",
+        .not_conserving = "the lobe is not normalised: its albedo at normal incidence is 2 pi Cz^n/(n+2)",
+        .not_continuous =
             "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
-            "differ within 1e-6 of it"};
+            "differ within 1e-6 of it",
+        .about =
+            "A cosine lobe that may point anywhere, over a matte part. (Cx, Cy, Cz) = (-1, -1, 1) is Phong's "
+            "mirror lobe, (1, 1, 1) reflects back to the light, |Cz| < |Cx| moves the peak towards the "
+            "horizon, and Cx != Cy makes it anisotropic. The C's carry the lobe's strength too. What is "
+            "fitted to measurements has several lobes: add them by `combine`.",
+        .formula = "f = kp/pi + max(0, Cx ux vx + Cy uy vy + Cz uz vz)^n",
+        .example = "lafortune n=100 kp=0.96 Cx=-1 Cy=-1 Cz=1",
+    };
   }
 
   /// The lobe's peak is at most 1e30.

@@ -28,17 +28,25 @@ struct Lewis : DiffuseAndLobe<Lewis> {
 
   static ModelTable<Lewis> table() {
     return {
-        "lewis",
-        "Normalised Phong lobe",
-        "Lewis 1993",
-        {number_parameter(&Lewis::n, "n", 0, 1e6F, "exponent of the lobe", grf::ParameterScale::Logarithmic),
-         reflectance_parameter(&Lewis::ks, "ks", "albedo of the lobe at normal incidence"),
-         reflectance_parameter(&Lewis::kd, "kd", "albedo of the diffuse part")},
-        {},
-        {},
-        {},
-        "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL differ "
-        "within 1e-6 of it"};
+        .keyword = "lewis",
+        .title = "Normalised Phong lobe",
+        .paper = "Lewis 1993",
+        .parameters = {number_parameter(&Lewis::n, "n", 0, 1e6F, "exponent of the lobe",
+                                        grf::ParameterScale::Logarithmic),
+                       reflectance_parameter(&Lewis::ks, "ks", "albedo of the lobe at normal incidence"),
+                       reflectance_parameter(&Lewis::kd, "kd", "albedo of the diffuse part")},
+        .not_continuous =
+            "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
+            "differ "
+            "within 1e-6 of it",
+        .about =
+            "Phong's lobe, normalised: ks is the share of the light that it reflects at the normal, whatever "
+            "n is, so n sharpens the highlight and brightens it at once. It never reflects more than kd + "
+            "ks. For a sharp lobe the share falls as the cosine of the view, so that objects darken towards "
+            "their outline, where real ones brighten.",
+        .formula = "f = kd/pi + ks (n+2)/(2 pi) max(0, u.r)^n        r: the mirror direction of v",
+        .example = "lewis n=100 ks=1 kd=0",
+    };
   }
 
   template <class Real>

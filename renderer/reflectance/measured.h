@@ -42,14 +42,23 @@ struct Measured {
   std::shared_ptr<const MeasuredData> data;
 
   static ModelTable<Measured> table() {
-    ModelTable<Measured> table{
-        "measured",
-        "Measured data",
-        "Matusik, Pfister, Brand and McMillan 2003",
-        {boolean_parameter(&Measured::linear, "linear", "between cells, and not the nearest cell's value")}};
-    table.not_conserving = "as it was measured: cells at grazing angles were extrapolated";
-    table.takes = grf::ModelInfo::Takes::DataFile;
-    return table;
+    return {
+        .keyword = "measured",
+        .title = "Measured data",
+        .paper = "Matusik, Pfister, Brand and McMillan 2003; coordinates of Rusinkiewicz 1998",
+        .parameters = {boolean_parameter(&Measured::linear, "linear",
+                                         "between cells, and not the nearest cell's value")},
+        .not_conserving = "as it was measured: cells at grazing angles were extrapolated",
+        .takes = grf::ModelInfo::Takes::DataFile,
+        .about =
+            "A real material, as the gonioreflectometer of the MERL data base saw it: behind the keyword "
+            "stands "
+            "the name of a file of that format, `measured \"gold-paint.binary\"`. Cells without a "
+            "measurement "
+            "are left out between others. `bpt brdf export` makes such files of any isotropic model without "
+            "a "
+            "mirror part. It is sampled by the half vector, after the table itself.",
+    };
   }
 
   template <class Real>

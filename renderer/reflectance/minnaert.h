@@ -28,14 +28,22 @@ struct Minnaert {
   Rgb kd = Rgb(0.5F);
 
   static ModelTable<Minnaert> table() {
-    return {"minnaert",
-            "Minnaert",
-            "Minnaert 1941",
-            {number_parameter(&Minnaert::k, "k", 0, 1000, "darkening of the limb: 1 is Lambert"),
-             reflectance_parameter(&Minnaert::kd, "kd", "albedo for k = 1")},
-            {},
-            {},
-            "for k < 1 the albedo 2 kd/(k+1) cos(theta)^(k-1) passes 1, and is unbounded towards grazing"};
+    return {
+        .keyword = "minnaert",
+        .title = "Minnaert",
+        .paper = "Minnaert 1941",
+        .parameters = {number_parameter(&Minnaert::k, "k", 0, 1000, "darkening of the limb: 1 is Lambert"),
+                       reflectance_parameter(&Minnaert::kd, "kd", "albedo for k = 1")},
+        .not_conserving =
+            "for k < 1 the albedo 2 kd/(k+1) cos(theta)^(k-1) passes 1, and is unbounded towards grazing",
+        .about =
+            "The law of the Moon's surface, whose full disc is as bright at its limb as in the middle. k = 1 "
+            "is Lambert, k = 0.5 a disc of one brightness, and over 1 the limb darkens. As published it is "
+            "not normalised: for k < 1 it reflects more than kd at every angle, without bound towards "
+            "grazing.",
+        .formula = "f = kd/pi (cu cv)^(k-1)",
+        .example = "minnaert k=0.8 kd=1",
+    };
   }
 
   template <class Real>

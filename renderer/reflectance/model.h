@@ -3,7 +3,7 @@
 //
 //   struct Ward {
 //     float sx = 0.2F;                        // parameters, with their defaults
-//     static ModelTable<Ward> table();        // names, ranges and what the model is
+//     static ModelTable<Ward> table();        // names, ranges, and in words what the model is
 //     template <class Real> Vec3<Real> evaluate(u, v) const;
 //     Rgb mirror(u) const;                    // only where there is a Dirac part
 //     std::string wrong_together() const;     // only where ranges alone do not say which values are right
@@ -61,17 +61,21 @@ struct Parameter {
   grf::ParameterInfo info;
 };
 
+/// See grf::ModelInfo.
 template <class Model>
 struct ModelTable {
   std::string_view keyword;
   std::string_view title;
-  std::string_view paper;
-  std::vector<Parameter<Model>> parameters;
-  std::string_view not_isotropic = {};  ///< see grf::ModelInfo
+  std::string_view paper = {};
+  std::vector<Parameter<Model>> parameters = {};
+  std::string_view not_isotropic = {};
   std::string_view not_reciprocal = {};
   std::string_view not_conserving = {};
   std::string_view not_continuous = {};
   grf::ModelInfo::Takes takes = grf::ModelInfo::Takes::Parameters;
+  std::string_view about = {};
+  std::string_view formula = {};  ///< a first line that is empty does not count
+  std::string_view example = {};
 };
 
 inline void describe(grf::ParameterInfo& entry, float default_value) {
@@ -126,9 +130,18 @@ Model make(const grf::Model& data) {
 template <class Model>
 grf::ModelInfo info_of() {
   const ModelTable<Model> table = Model::table();
-  grf::ModelInfo info{
-      table.keyword,        table.title,          table.paper,          {},          table.not_isotropic,
-      table.not_reciprocal, table.not_conserving, table.not_continuous, table.takes, nullptr};
+  grf::ModelInfo info;
+  info.keyword = table.keyword;
+  info.title = table.title;
+  info.paper = table.paper;
+  info.about = table.about;
+  info.formula = table.formula.substr(table.formula.starts_with('\n') ? 1 : 0);
+  info.example = table.example;
+  info.not_isotropic = table.not_isotropic;
+  info.not_reciprocal = table.not_reciprocal;
+  info.not_conserving = table.not_conserving;
+  info.not_continuous = table.not_continuous;
+  info.takes = table.takes;
   static const Model defaults;
   for (const Parameter<Model>& parameter : table.parameters) {
     info.parameters.push_back(parameter.info);

@@ -36,18 +36,30 @@ struct Neumann : DiffuseAndLobe<Neumann> {
     Parameter<Neumann> y = number_parameter(&Neumann::ry, "ry", 1e-4F, 2, "half axis of the lobe along y",
                                             ParameterScale::Logarithmic);
     y.info.default_from = "r";
-    return {"neumann",
-            "Disc lobe",
-            "Neumann and Neumann 1996",
-            {number_parameter(&Neumann::r, "r", 1e-4F, 2, "half axis of the lobe along x, on the unit disc",
-                              ParameterScale::Logarithmic),
-             y, boolean_parameter(&Neumann::retro, "retro", "whether the lobe is about u itself"),
-             reflectance_parameter(&Neumann::ks, "ks", "albedo of the lobe at normal incidence"),
-             reflectance_parameter(&Neumann::kd, "kd", "albedo of the diffuse part")},
-            "isotropic where r = ry",
-            {},
-            {},
-            "a step at the edge of the ellipse, where float, double and GLSL may take different sides"};
+    return {
+        .keyword = "neumann",
+        .title = "Disc lobe",
+        .paper = "Neumann and Neumann 1996",
+        .parameters = {number_parameter(&Neumann::r, "r", 1e-4F, 2,
+                                        "half axis of the lobe along x, on the unit disc",
+                                        ParameterScale::Logarithmic),
+                       y, boolean_parameter(&Neumann::retro, "retro", "whether the lobe is about u itself"),
+                       reflectance_parameter(&Neumann::ks, "ks", "albedo of the lobe at normal incidence"),
+                       reflectance_parameter(&Neumann::kd, "kd", "albedo of the diffuse part")},
+        .not_isotropic = "isotropic where r = ry",
+        .not_continuous =
+            "a step at the edge of the ellipse, where float, double and GLSL may take different sides",
+        .about =
+            "The simplest lobe that keeps the rules: constant inside a disc about the mirror direction, as "
+            "seen from above, and nothing outside. r goes from a mirror (towards 0) over a highlight with a "
+            "sharp rim to Lambert (2); ry, if it differs, makes it anisotropic, and retro turns it back to "
+            "the light. It reflects ks at the normal and never more.",
+        .formula = R"(
+f = kd/pi + (inside ? ks/A : 0)
+inside: ((vx+ux)/r)^2 + ((vy+uy)/ry)^2 <= 1, with - for + where retro is true
+A: the area of the ellipse with half axes r and ry that lies in the unit disc)",
+        .example = "neumann r=0.2",
+    };
   }
 
   template <class Real>

@@ -31,15 +31,27 @@ struct Oren {
         number_parameter(&Oren::s, "s", 0, 1, "standard deviation of the facets' slope angle: 0 is Lambert");
     slope.info.unit = "rad";
     return {
-        "oren",
-        "Oren-Nayar",
-        "Oren and Nayar 1994",
-        {slope, reflectance_parameter(&Oren::r, "r", "albedo of the facets")},
-        {},
-        {},
-        "the fit reflects up to 1.05 for r = 1, towards grazing",
-        "where light grazes from the far side the fit falls under 0 and is cut; near that its terms cancel, "
-        "and differ by 1e-7 of the peak"};
+        .keyword = "oren",
+        .title = "Oren-Nayar",
+        .paper = "Oren and Nayar 1994",
+        .parameters = {slope, reflectance_parameter(&Oren::r, "r", "albedo of the facets")},
+        .not_conserving = "the fit reflects up to 1.05 for r = 1, towards grazing",
+        .not_continuous =
+            "where light grazes from the far side the fit falls under 0 and is cut; near that its "
+            "terms cancel, and differ by 1e-7 of the peak",
+        .about =
+            "Rough matte surfaces such as plaster, clay and sand: Lambert facets that shade, hide and light "
+            "each other. s is the roughness, from Lambert (0) to very rough (0.5 and over), and r the albedo "
+            "of the facets. The rougher it is, the flatter an object looks and the brighter where one looks "
+            "along the light.",
+        .formula = R"(
+f = max(0, r/pi (L1 + L2))
+alpha, beta: the larger and the smaller of theta_u and theta_v;  c = cos(phi_u - phi_v);  q = s^2/(s^2 + 0.09)
+L1 = 1 - 0.5 s^2/(s^2 + 0.33) + c C2 tan(beta) + (1-|c|) C3 tan((alpha+beta)/2)
+L2 = 0.17 r s^2/(s^2 + 0.13) (1 - c (2 beta/pi)^2)
+C2 = 0.45 q (sin(alpha) - (c < 0 ? (2 beta/pi)^3 : 0));  C3 = 0.125 q (4 alpha beta/pi^2)^2)",
+        .example = "oren s=0.4 r=0.9",
+    };
   }
 
   template <class Real>

@@ -28,17 +28,27 @@ struct Phong : DiffuseAndLobe<Phong> {
 
   static ModelTable<Phong> table() {
     return {
-        "phong",
-        "Phong",
-        "Phong 1975",
-        {number_parameter(&Phong::n, "n", 0, 1e6F, "exponent of the lobe", grf::ParameterScale::Logarithmic),
-         reflectance_parameter(&Phong::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
-         reflectance_parameter(&Phong::kd, "kd", "albedo of the diffuse part")},
-        {},
-        {},
-        "reflects more than it receives where kd + 2 pi ks/(n+2) > 1: the lobe is not normalised",
-        "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL differ "
-        "within 1e-6 of it"};
+        .keyword = "phong",
+        .title = "Phong",
+        .paper = "Phong 1975",
+        .parameters = {number_parameter(&Phong::n, "n", 0, 1e6F, "exponent of the lobe",
+                                        grf::ParameterScale::Logarithmic),
+                       reflectance_parameter(&Phong::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
+                       reflectance_parameter(&Phong::kd, "kd", "albedo of the diffuse part")},
+        .not_conserving =
+            "reflects more than it receives where kd + 2 pi ks/(n+2) > 1: the lobe is not normalised",
+        .not_continuous =
+            "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
+            "differ "
+            "within 1e-6 of it",
+        .about =
+            "The first highlight of computer graphics, a lobe about the mirror direction, over a matte part. "
+            "A larger n makes it smaller and sharper. ks is the lobe's height and not its share of the "
+            "light: that is 2 pi ks/(n+2) at the normal and less elsewhere, so sharp highlights reflect next "
+            "to nothing. `lewis` has the same lobe with a share that n leaves alone.",
+        .formula = "f = kd/pi + ks max(0, u.r)^n        r: the mirror direction of v",
+        .example = "phong n=100 ks=0.4 kd=0.6",
+    };
   }
 
   template <class Real>

@@ -38,18 +38,30 @@ struct Poulin : CosineAndLobe<Poulin> {
 
   static ModelTable<Poulin> table() {
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
-    return {"poulin",
-            "Poulin-Fournier",
-            "Poulin and Fournier 1990",
-            {number_parameter(&Poulin::d, "d", 0, 1e6F,
-                              "distance of the cylinders' axes, in radii; 0 is a plane", Logarithmic),
-             number_parameter(&Poulin::h, "h", 0, 1, "height of the floor over the axes, in radii"),
-             number_parameter(&Poulin::n, "n", 0, 1e6F, "exponent of the lobe", Logarithmic),
-             reflectance_parameter(&Poulin::ks, "ks", "albedo of the lobe of a plane at normal incidence"),
-             reflectance_parameter(&Poulin::kd, "kd", "albedo of the diffuse part of a plane")},
-            "isotropic where d = 0 or h = 1, which is a plane",
-            {},
-            {}};
+    return {
+        .keyword = "poulin",
+        .title = "Poulin-Fournier",
+        .paper = "Poulin and Fournier 1990",
+        .parameters = {number_parameter(&Poulin::d, "d", 0, 1e6F,
+                                        "distance of the cylinders' axes, in radii; 0 is a plane",
+                                        Logarithmic),
+                       number_parameter(&Poulin::h, "h", 0, 1, "height of the floor over the axes, in radii"),
+                       number_parameter(&Poulin::n, "n", 0, 1e6F, "exponent of the lobe", Logarithmic),
+                       reflectance_parameter(&Poulin::ks, "ks",
+                                             "albedo of the lobe of a plane at normal incidence"),
+                       reflectance_parameter(&Poulin::kd, "kd", "albedo of the diffuse part of a plane")},
+        .not_isotropic = "isotropic where d = 0 or h = 1, which is a plane",
+        .about =
+            "Brushed metal, satin and hair: parallel cylinders along x over a floor, and of both what the "
+            "eye sees and the light reaches. d is the distance of the cylinders (2 is side by side, more "
+            "shows the floor, less makes them overlap) and h the height of the floor, 1 covering them. n, ks "
+            "and kd are what cylinders and floor are made of. Highlights run across the cylinders.",
+        .formula = R"(
+f = 1/(d cu cv) (the integral over the arc of g(a) [u.a]+ [v.a]+ + L cu cv g(z))
+a: a normal of the cylinder, seen and lit;  L: the length of the floor that is seen and lit;  z: its normal
+g(a) = kd/pi + ks C(n) max(0, a.h)^n with the half vector h;  C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
+        .example = "poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2",
+    };
   }
 
   template <class Real>

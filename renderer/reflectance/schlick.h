@@ -82,9 +82,11 @@ struct Schlick {
   float dp = 1;
 
   static ModelTable<Schlick> table() {
-    return {"schlick",
-            "Schlick",
-            "Schlick 1994",
+    return {
+        .keyword = "schlick",
+        .title = "Schlick",
+        .paper = "Schlick 1994",
+        .parameters =
             {reflectance_parameter(&Schlick::sc, "SC", "reflectance of the layer at normal incidence"),
              number_parameter(&Schlick::sr, "Sr", 0, 1, "roughness: 0 is a mirror"),
              number_parameter(&Schlick::sp, "Sp", 0, 1, "isotropy: 1 is isotropic, less is longer along x"),
@@ -92,11 +94,26 @@ struct Schlick {
              reflectance_parameter(&Schlick::dc, "DC", "reflectance of the second layer at normal incidence"),
              number_parameter(&Schlick::dr, "Dr", 0, 1, "roughness of the second layer"),
              number_parameter(&Schlick::dp, "Dp", 0, 1, "isotropy of the second layer")},
-            "isotropic where Sp = Dp = 1",
-            {},
+        .not_isotropic = "isotropic where Sp = Dp = 1",
+        .not_conserving =
             "the light between facets makes the albedo of a rough layer grow as 1/(2 cos(theta)) towards "
             "grazing, as "
-            "published"};
+            "published",
+        .about =
+            "One layer, or a clear one over another, from a mirror (roughness 0) over satin to matte (1), "
+            "with a strength that rises towards grazing. SC, Sr and Sp are the layer's reflectance at the "
+            "normal, its roughness and its isotropy; DC, Dr and Dp those of the second layer, which counts "
+            "where Ly is true and gets what the first lets through. The light that is scattered between "
+            "facets makes rough layers far too bright towards grazing.",
+        .formula = R"(
+f = S D(Sr,Sp), and where Ly is true + (1-S) S' D(Dr,Dp)
+S = SC + (1-SC) (1-u.h)^5;  S' the same of DC
+D(r,p) = (G(cu) G(cv) Z A + 1 - G(cu) G(cv))/(4 pi cu cv)
+G(c) = c/(r + (1-r) c);  Z = r/(1 - (1-r) cos(delta)^2)^2
+A = sqrt(p/(p^2 - p^2 w^2 + w^2)), w: the cosine of the azimuth of h
+mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
+        .example = "schlick SC=0.7 Sr=0.31 Sp=1 Ly=false",
+    };
   }
 
   template <class Real>

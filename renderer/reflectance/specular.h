@@ -25,7 +25,20 @@ struct Specular {
   Rgb ks = Rgb(1);
 
   static ModelTable<Specular> table() {
-    return {"specular", "Ideal mirror", "", {reflectance_parameter(&Specular::ks, "ks", "reflectance")}};
+    return {
+        .keyword = "specular",
+        .title = "Ideal mirror",
+        .parameters = {reflectance_parameter(&Specular::ks, "ks", "reflectance")},
+        .about =
+            "An ideal mirror: all that it reflects is in the mirror direction, as a Dirac part, which "
+            "sampling picks by itself and which no lobe shows. ks is its reflectance at every angle. A "
+            "mirror that brightens towards grazing is `coupled` with Rm = 0, and one with a highlight's "
+            "width is `torrance`.",
+        .formula = R"(
+f = 0
+mirror(u) = ks)",
+        .example = "specular ks=0.9",
+    };
   }
 
   template <class Real>

@@ -29,16 +29,30 @@ struct Strauss : CosineAndLobe<Strauss> {
 
   static ModelTable<Strauss> table() {
     return {
-        "strauss",
-        "Strauss",
-        "Strauss 1990",
-        {number_parameter(&Strauss::s, "s", 0, 1, "smoothness: 0 is matte, 1 a mirror"),
-         number_parameter(&Strauss::m, "m", 0, 1, "metalness: 1 has no diffuse part and a coloured lobe"),
-         reflectance_parameter(&Strauss::ks, "ks", "factor of the lobe"),
-         reflectance_parameter(&Strauss::kd, "kd", "factor of the diffuse part, and the colour of a metal")},
-        {},
-        "its Fresnel factor takes the light's angle alone, as published",
-        "reflects up to 1.004 for ks = kd = 1 and m = 0"};
+        .keyword = "strauss",
+        .title = "Strauss",
+        .paper = "Strauss 1990",
+        .parameters = {number_parameter(&Strauss::s, "s", 0, 1, "smoothness: 0 is matte, 1 a mirror"),
+                       number_parameter(&Strauss::m, "m", 0, 1,
+                                        "metalness: 1 has no diffuse part and a coloured lobe"),
+                       reflectance_parameter(&Strauss::ks, "ks", "factor of the lobe"),
+                       reflectance_parameter(&Strauss::kd, "kd",
+                                             "factor of the diffuse part, and the colour of a metal")},
+        .not_reciprocal = "its Fresnel factor takes the light's angle alone, as published",
+        .not_conserving = "reflects up to 1.004 for ks = kd = 1 and m = 0",
+        .about =
+            "Metals and plastics from two knobs: s goes from matte to mirror, m from plastic, with a white "
+            "highlight over a coloured body, to metal, which is its highlight and colours it. kd is the "
+            "surface's colour, ks the highlight's strength. It takes Fresnel from the light's angle alone, "
+            "so eye and light cannot be exchanged.",
+        .formula = R"(
+f = kd (1 - m s) (1 - s^3)/pi + ks C rj (e+2)/(2 pi) max(0, u.r)^e        e = min(3/(1-s), 1e5)
+rj = min(1, s^3 + (s^3 + 0.1) F(theta_v) G(theta_v) G(theta_u));  r: the mirror direction of v
+C = 1 + m (1 - F(theta_v)) (kd/max(kd) - 1)
+F rises from 0 at the normal to 1 at the horizon: (1/(x-1.12)^2 - 1/1.12^2)/(1/0.12^2 - 1/1.12^2), x = theta/(pi/2)
+G falls from 1 to 0: (1/0.01^2 - 1/(x-1.01)^2)/(1/0.01^2 - 1/1.01^2))",
+        .example = "strauss s=0.76 m=0.91 ks=0.64 kd=0.5",
+    };
   }
 
   template <class Real>

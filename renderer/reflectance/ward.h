@@ -33,15 +33,29 @@ struct Ward : DiffuseAndLobe<Ward> {
     Parameter<Ward> y =
         number_parameter(&Ward::sy, "sy", 1e-4F, 10, "RMS slope along y", ParameterScale::Logarithmic);
     y.info.default_from = "sx";
-    return {"ward",
-            "Ward",
-            "Ward 1992",
-            {number_parameter(&Ward::sx, "sx", 1e-4F, 10, "RMS slope along x", ParameterScale::Logarithmic),
-             y, reflectance_parameter(&Ward::ks, "ks", "albedo of a narrow lobe at normal incidence"),
-             reflectance_parameter(&Ward::kd, "kd", "albedo of the diffuse part")},
-            "isotropic where sx = sy",
-            {},
-            "the lobe's albedo grows without bound within about 0.3 degrees of grazing, as published"};
+    return {
+        .keyword = "ward",
+        .title = "Ward",
+        .paper = "Ward 1992",
+        .parameters = {number_parameter(&Ward::sx, "sx", 1e-4F, 10, "RMS slope along x",
+                                        ParameterScale::Logarithmic),
+                       y,
+                       reflectance_parameter(&Ward::ks, "ks", "albedo of a narrow lobe at normal incidence"),
+                       reflectance_parameter(&Ward::kd, "kd", "albedo of the diffuse part")},
+        .not_isotropic = "isotropic where sx = sy",
+        .not_conserving =
+            "the lobe's albedo grows without bound within about 0.3 degrees of grazing, as published",
+        .about =
+            "Paint, plastic, paper and brushed metal by one Gaussian lobe over a matte part, fitted to "
+            "measurements. sx and sy are the RMS slopes along and across the tangent: 0.05 is polished, 0.2 "
+            "satin, 0.5 dull, and where they differ the highlight is long in the direction of the larger. "
+            "There is no Fresnel: reflection weakens towards grazing, until it grows without bound in the "
+            "last fraction of a degree.",
+        .formula = R"(
+f = kd/pi + ks exp(-tan(delta)^2 (cos(phi)^2/sx^2 + sin(phi)^2/sy^2)) / (4 pi sx sy sqrt(cu cv))
+phi: the azimuth of h)",
+        .example = "ward sx=0.2 sy=0.2 ks=0.5 kd=0.5",
+    };
   }
 
   template <class Real>

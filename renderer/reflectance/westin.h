@@ -35,13 +35,18 @@ struct Westin : KirchhoffLobe<Westin> {
   Rgb kd = Rgb(0);
 
   static ModelTable<Westin> table() {
-    return {"westin",
-            "Westin-Arvo-Torrance",
-            "Westin, Arvo and Torrance 1992",
-            kirchhoff_parameters<Westin>(),
-            {},
-            {},
-            {}};
+    return {
+        .keyword = "westin",
+        .title = "Westin-Arvo-Torrance",
+        .paper = "Westin, Arvo and Torrance 1992",
+        .parameters = kirchhoff_parameters<Westin>(),
+        .about =
+            "`he` with the roughness that it has instead of the part of it that eye and light both see: "
+            "cheaper, for surfaces that hardly shadow themselves, such as varnish, lacquered wood and "
+            "polished metal. Parameters and looks are as there; both differ near grazing alone.",
+        .formula = "As `he`, with s = sigma.",
+        .example = "westin sigma=0.1 tau=3 nreal=0.617 nimag=2.63",
+    };
   }
 
   template <class Real>

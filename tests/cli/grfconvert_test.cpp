@@ -19,6 +19,7 @@ using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 // Of Debian's packages glmark2-data and assimp-testmodels.
@@ -269,6 +270,25 @@ TEST(GrfconvertCheck, PrintsWarningsAndStillCallsTheFileSound) {
   const test::Outcome quiet = grfconvert({"check", "--quiet", path});
   EXPECT_EQ(quiet.exit_code, 0);
   EXPECT_THAT(quiet.out + quiet.err, IsEmpty());
+}
+
+// The thesis measures with some of these: they are no errors.
+TEST(GrfconvertCheck, WarnsOfBrdfsThatReflectMoreThanTheyReceive) {
+  const TemporaryFolder folder;
+  const auto mesh = [](const std::string& brdf) {
+    return "begin mesh brdf " + brdf +
+           "\nbegin vertexs (0,0,0) (1,0,0) (0,1,0) end vertexs begin faces (0,1,2) end faces end mesh\n";
+  };
+  const std::string path =
+      folder.add("a.grf", mesh("minnaert k=0.8 kd=1") + mesh("diffuse kd=1") + mesh("phong n=100 ks=1 kd=1"));
+  const test::Outcome outcome = grfconvert({"check", path});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, path + ": sound, with warnings\n");
+  EXPECT_THAT(outcome.err, HasSubstr(":1:17: warning: 'minnaert' reflects up to 1.81 times the light it "
+                                     "receives (at 85 degrees)\n"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("'diffuse'")));
+  EXPECT_THAT(outcome.err, HasSubstr(":5:17: warning: 'phong' reflects up to 1.06 times the light it "
+                                     "receives (at 0 degrees)\n"));
 }
 
 TEST(GrfconvertCheck, SaysNothingOfWhatIsRight) {

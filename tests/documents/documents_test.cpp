@@ -1,11 +1,20 @@
 // The tables in documents are those of the code. To rewrite them after a change:
 //   GRANADA_UPDATE_DOCUMENTS=1 build/release/bin/documents_test
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <numbers>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "grf/read.h"
 #include "renderer/options/render_options.h"
+#include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/scheme.h"
 #include "tests/support/generated_document.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -21,6 +30,18 @@ std::string option_rows() {
                         option.default_value, option.meaning);
   }
   return rows;
+}
+
+/// What a heading's words are in a link to it.
+std::string anchor_of(std::string_view words) {
+  std::string anchor;
+  for (const char c : words) {
+    if (c == ' ') anchor += '-';
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-') {
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  return anchor;
 }
 
 std::string names_of(const grf::ParameterInfo& parameter) {
@@ -45,7 +66,8 @@ std::string parameter_rows(const grf::ModelInfo& model) {
     const std::string value = default_of(parameter);
     const std::string range = parameter.kind == grf::ParameterKind::Boolean
                                   ? "true or false"
-                                  : fmt::format("{} to {}", parameter.minimum, parameter.maximum);
+                                  : fmt::format("{} to {}{}{}", parameter.minimum, parameter.maximum,
+                                                parameter.unit.empty() ? "" : " ", parameter.unit);
     rows += fmt::format("| {} | {}{} | {} | {} |\n", names_of(parameter), range, is_rgb ? ", RGB" : "", value,
                         parameter.help);
   }
@@ -53,36 +75,131 @@ std::string parameter_rows(const grf::ModelInfo& model) {
 }
 
 std::string property(std::string_view name, std::string_view reason) {
-  return reason.empty() ? fmt::format("{}: yes.\n", name)
-                        : fmt::format("{}: not always; {}.\n", name, reason);
+  return reason.empty() ? fmt::format("- {}: yes.\n", name)
+                        : fmt::format("- {}: not always; {}.\n", name, reason);
 }
 
-std::string model_sections() {
+/// An instance's albedo at 0, 45 and 80 degrees, mirror part included.
+std::string albedo_cells(const std::string& instance) {
+  grf::Diagnostics diagnostics;
+  const auto model = grf::read_brdf(instance, "example", diagnostics);
+  if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) {
+    ADD_FAILURE() << diagnostics.to_text();
+    return " | |";
+  }
+  const reflectance::Reflector reflector(*reflectance::make_brdf(*model), reflectance::default_scheme());
+  std::string cells;
+  for (const double degrees : {0, 45, 80}) {
+    const double theta = degrees * std::numbers::pi / 180;
+    const reflectance::Vec3f u(static_cast<float>(std::sin(theta)), 0, static_cast<float>(std::cos(theta)));
+    const reflectance::Rgb albedo = reflectance::albedo(reflector, u);
+    cells += albedo.x == albedo.y && albedo.y == albedo.z
+                 ? fmt::format(" {:.3f} |", albedo.x)
+                 : fmt::format(" {:.3f}, {:.3f}, {:.3f} |", albedo.x, albedo.y, albedo.z);
+  }
+  return cells;
+}
+
+std::string contents() {
   std::string text;
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
-    text += fmt::format("### `{}`: {}\n\n", model.keyword, model.title);
-    if (!model.paper.empty()) text += fmt::format("{}. ", model.paper);
-    if (model.takes == grf::ModelInfo::Takes::Parameters) {
-      text += fmt::format("Formula: [{0}.glsl](reflectance/{0}.glsl).", model.keyword);
-    } else if (model.takes == grf::ModelInfo::Takes::DataFile) {
-      text += "Behind the keyword stands the name of its file of data.";
-    } else {
-      text += "Behind the keyword stand weights and names of defined BRDFs: `0.3 a, 0.7 b`.";
-    }
-    text += "\n\n";
-    if (!model.parameters.empty()) text += parameter_rows(model) + "\n";
-    text += property("Isotropic", model.not_isotropic);
-    text += property("Reciprocal", model.not_reciprocal);
-    text += property("Conserves energy where its parts sum to at most 1", model.not_conserving);
-    if (!model.not_continuous.empty())
-      text += property("The same within 1e-3 in float, in double and in GLSL", model.not_continuous);
-    text += "\n";
+    text += fmt::format("{}[{}](#{}-{})", text.empty() ? "" : ",\n", model.keyword, model.keyword,
+                        anchor_of(model.title));
   }
+  return text + ".\n\n";
+}
+
+std::string summary() {
+  std::string text =
+      "| model | isotropic | reciprocal | conserves energy | albedo of its example at 0 | 45 | 80 degrees "
+      "|\n|---|---|---|---|---|---|---|\n";
+  const auto answer = [](std::string_view reason) { return reason.empty() ? "yes" : "not always"; };
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    text += fmt::format("| {} | {} | {} | {} |{}\n", model.keyword, answer(model.not_isotropic),
+                        answer(model.not_reciprocal), answer(model.not_conserving),
+                        model.example.empty() ? " | | |" : albedo_cells(std::string(model.example)));
+  }
+  return text + "\n";
+}
+
+/// Table 5.5 of the thesis.
+std::string thesis_instances() {
+  std::string text =
+      "The parameter sets that the thesis measures sampling with (its table 5.5):\n\n"
+      "| instance | albedo at 0 | 45 | 80 degrees |\n|---|---|---|---|\n";
+  for (const char* instance :
+       {"ashikhmin nu=25 nv=25 ks=0.39 kd=0.6",
+        "beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5", "blinn n=100 ks=1 kd=0.67",
+        "coupled Rm=1 Ro=0.05", "he sigma=0.5 tau=3 lambda=800", "lafortune Cx=-1 Cy=-1 Cz=1 n=100 kp=0.96",
+        "lewis n=100 ks=1 kd=0", "minnaert k=0.8 kd=1", "oren s=0 r=1", "phong n=100 ks=0.4 kd=0.6",
+        "poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2", "schlick SC=0.7 Sr=0.31 Sp=1 Ly=true DC=1 Dr=0 Dp=1",
+        "schlick SC=0.7 Sr=0.31 Sp=1 Ly=false", "strauss s=0.76 m=0.91 ks=0.64 kd=0.5",
+        "torrance m=0.35 nreal=0.617 nimag=2.63 ks=0.7 kd=0.3", "ward sx=0.2 sy=0.2 ks=0.5 kd=0.5"}) {
+    text += fmt::format("| `{}` |{}\n", instance, albedo_cells(instance));
+  }
+  return text + "\n";
+}
+
+std::string picture_of(const grf::ModelInfo& model) {
+  return fmt::format("![{0}](../samples/models/{0}.svg)\n", model.keyword);
+}
+
+std::string code_block(std::string_view text) {
+  std::string block = "    ";
+  for (const char c : text) {
+    block += c;
+    if (c == '\n') block += "    ";
+  }
+  return block + "\n\n";
+}
+
+std::string model_section(const grf::ModelInfo& model) {
+  std::string text = fmt::format("### {}: {}\n\n", model.keyword, model.title);
+  if (!model.about.empty()) text += fmt::format("{}\n\n", model.about);
+  if (!model.example.empty()) text += picture_of(model) + "\n";
+  if (!model.formula.empty()) text += code_block(model.formula);
+  if (!model.parameters.empty()) text += parameter_rows(model) + "\n";
+  text += property("Isotropic", model.not_isotropic);
+  text += property("Reciprocal", model.not_reciprocal);
+  text += property("Conserves energy where its parts sum to at most 1", model.not_conserving);
+  if (!model.not_continuous.empty()) {
+    text += property("The same within 1e-3 in float, in double and in GLSL", model.not_continuous);
+  }
+  if (!model.paper.empty()) text += fmt::format("- Paper: {}.\n", model.paper);
+  if (!model.formula.empty()) {
+    text +=
+        fmt::format("- Code: [{0}.glsl](reflectance/{0}.glsl), [{0}.h](reflectance/{0}.h).\n", model.keyword);
+  }
+  return text + "\n";
+}
+
+std::string models() {
+  std::string text = contents() + summary() + thesis_instances();
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) text += model_section(model);
   return text;
 }
 
 TEST(Documents, OptionsAreThoseOfTheTable) { expect_generated("renderer/OPTIONS.md", option_rows()); }
 
-TEST(Documents, ModelsAreThoseOfTheCatalogue) { expect_generated("renderer/MODELS.md", model_sections()); }
+TEST(Documents, ModelsAreThoseOfTheCatalogue) { expect_generated("renderer/MODELS.md", models()); }
+
+// That MODELS.md shows it follows from how it is generated. To make them: scripts/plot_models.
+TEST(Documents, EveryModelIsExplainedAndHasItsPicture) {
+  std::size_t pictures = 0;
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    EXPECT_FALSE(model.about.empty()) << model.keyword;
+    if (model.example.empty()) continue;
+    EXPECT_TRUE(model.example.starts_with(model.keyword)) << model.example;
+    EXPECT_FALSE(model.formula.empty()) << model.keyword;
+    const std::string path = fmt::format("{}/samples/models/{}.svg", GRANADA_SOURCE_DIR, model.keyword);
+    EXPECT_TRUE(std::filesystem::exists(path)) << "scripts/plot_models makes it: " << path;
+    EXPECT_NE(test::bytes_of(path).find(fmt::format(">{}</text>", model.example)), std::string::npos)
+        << path << " is not of the example: run scripts/plot_models";
+    ++pictures;
+  }
+  const std::filesystem::directory_iterator files(GRANADA_SOURCE_DIR "/samples/models");
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(begin(files), end(files))), pictures)
+      << "one has no model";
+}
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/grf/reading.h"
@@ -278,6 +279,60 @@ TEST(CheckOfUses, ReportsMeshesThatAreNotThere) {
   EXPECT_FALSE(check(scene, catalogue(), diagnostics));
   EXPECT_EQ(diagnostics.entries().at(0).message,
             "no mesh called 'bal' is defined here: did you mean 'ball'?");
+}
+
+int asked_for_albedo = 0;
+
+/// A catalogue with a model whose albedo is its parameter.
+Catalogue catalogue_with_lamp() {
+  ModelInfo lamp;
+  lamp.keyword = "lamp";
+  lamp.parameters = {parameter("albedo", ParameterKind::Number, 10)};
+  lamp.largest_albedo = [](const Model& model) {
+    ++asked_for_albedo;
+    return LargestAlbedo{std::get<float>(model.arguments.at(0).value), 80};
+  };
+  Catalogue known = catalogue();
+  known.brdfs.push_back(lamp);
+  return known;
+}
+
+std::string said_of_lamps(const std::string& text) {
+  Diagnostics diagnostics;
+  const bool valid = check(scene_of(text), catalogue_with_lamp(), diagnostics);
+  EXPECT_EQ(valid, !diagnostics.has_errors());
+  std::string messages;
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    messages += fmt::format("{}:{} {}\n", entry.location.line, entry.location.column, entry.message);
+  }
+  return messages;
+}
+
+TEST(CheckOfEnergy, WarnsOfBrdfsThatReflectMoreThanTheyReceive) {
+  EXPECT_EQ(said_of_lamps(triangle("brdf lamp albedo=1")), "");
+  EXPECT_EQ(said_of_lamps(triangle("brdf lamp albedo=1.01")), "") << "not clearly";
+  EXPECT_EQ(said_of_lamps(triangle("\nbrdf lamp albedo=1.577")),
+            "2:6 'lamp' reflects up to 1.58 times the light it receives (at 80 degrees)\n");
+  EXPECT_EQ(said_of_lamps("def a = brdf lamp albedo=3 begin " + triangle("brdf a") + "end"),
+            "1:14 'lamp' reflects up to 3 times the light it receives (at 80 degrees)\n");
+  EXPECT_EQ(said_of_lamps(triangle("rgb (0.1, 0.1, 0.1) brdf lamp albedo=2")).empty(), false)
+      << "whatever the faces' colour";
+}
+
+TEST(CheckOfEnergy, AsksOnceForEachInstanceThatIsRight) {
+  asked_for_albedo = 0;
+  const std::string twice = triangle("brdf lamp albedo=2") + triangle("brdf LAMP Albedo=2.0");
+  EXPECT_EQ(said_of_lamps(twice),
+            "1:17 'lamp' reflects up to 2 times the light it receives (at 80 degrees)\n"
+            "2:17 'lamp' reflects up to 2 times the light it receives (at 80 degrees)\n");
+  EXPECT_LE(asked_for_albedo, 2);
+  asked_for_albedo = 0;
+  said_of_lamps(triangle("brdf lamp albedo=2") + triangle("brdf lamp albedo=2") +
+                triangle("brdf lamp albedo=2"));
+  EXPECT_EQ(asked_for_albedo, 1);
+  EXPECT_EQ(said_of_lamps(triangle("brdf lamp albedo=20")),
+            "1:22 'albedo' of 'lamp': 20 is out of range, expected a number from 0 to 10\n");
+  EXPECT_EQ(asked_for_albedo, 1) << "not of what is wrong";
 }
 
 TEST(CheckOfFaces, WarnsOfThoseWithoutArea) {

@@ -32,7 +32,10 @@ inline const Catalogue& catalogue() {
     ModelInfo cosine;
     cosine.keyword = "cosine";
     cosine.parameters = {parameter("n", ParameterKind::Number, 100)};
-    return Catalogue{{glossy, flat}, {cosine}};
+    ModelInfo combine;
+    combine.keyword = "combine";
+    combine.takes = ModelInfo::Takes::Terms;
+    return Catalogue{{glossy, flat, combine}, {cosine}};
   }();
   return known;
 }

@@ -1,0 +1,217 @@
+// The commands `bpt brdf`, as their users meet them.
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+#include <sstream>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <png.h>
+
+#include "tests/support/run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using test::Outcome;
+
+class BptBrdf : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+
+  static Outcome brdf(std::vector<std::string> arguments, std::string_view input = {}) {
+    arguments.insert(arguments.begin(), {GRANADA_BIN_DIR "/bpt", "brdf"});
+    return test::run(arguments, input);
+  }
+
+  /// What a command that has to succeed prints.
+  static std::string out(const std::vector<std::string>& arguments, std::string_view input = {}) {
+    const Outcome outcome = brdf(arguments, input);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  }
+  static nlohmann::json json(std::vector<std::string> arguments, std::string_view input = {}) {
+    arguments.emplace_back("--json");
+    return nlohmann::json::parse(out(arguments, input));
+  }
+  static std::vector<double> albedo(const std::string& instance, const std::string& u) {
+    return json({"albedo", instance, "--u", u})["albedo"].get<std::vector<double>>();
+  }
+
+  static void expect_failure(const std::vector<std::string>& arguments, int exit_code,
+                             const std::string& message, std::string_view input = {}) {
+    const Outcome outcome = brdf(arguments, input);
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+};
+
+TEST_F(BptBrdf, ListsAllModelsAsText) {
+  const std::string text = out({"list"});
+  EXPECT_NE(text.find("\nward           Ward. Ward 1992\n    Paint, plastic"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n    sy       0.0001 to 10, sx by default: RMS slope along y\n"), std::string::npos);
+  EXPECT_NE(text.find("\n    not always isotropic: isotropic where sx = sy\n"), std::string::npos);
+  EXPECT_NE(text.find("\n    energy: "), std::string::npos);
+  EXPECT_NE(text.find("\n    not reciprocal: "), std::string::npos);
+  EXPECT_NE(text.find("\n    example: ward sx=0.2 sy=0.2 ks=0.5 kd=0.5\n"), std::string::npos);
+}
+
+TEST_F(BptBrdf, ListsAllModelsAsJson) {
+  const nlohmann::json models = json({"list"})["models"];
+  EXPECT_GE(models.size(), 22U);
+  for (const nlohmann::json& model : models) {
+    for (const char* field : {"keyword", "title", "about"}) {
+      EXPECT_FALSE(model[field].get<std::string>().empty()) << model;
+    }
+    for (const char* field : {"isotropic", "reciprocal", "conserves_energy"}) {
+      EXPECT_TRUE(model[field].is_boolean()) << model;
+    }
+    EXPECT_EQ(model["conserves_energy"].get<bool>(), model["not_conserving"].get<std::string>().empty());
+    for (const nlohmann::json& parameter : model["parameters"]) {
+      for (const char* field : {"min", "max", "default"})
+        EXPECT_TRUE(parameter[field].is_number()) << parameter;
+      for (const char* field : {"name", "unit", "help"})
+        EXPECT_TRUE(parameter[field].is_string()) << parameter;
+    }
+  }
+  const auto named = [&](const char* keyword) {
+    return *std::find_if(models.begin(), models.end(),
+                         [&](const auto& model) { return model["keyword"] == keyword; });
+  };
+  EXPECT_EQ(named("ward")["parameters"][0]["default"], 0.2) << "and not the float's 0.200000003";
+  EXPECT_EQ(named("ward")["isotropic"], false);
+  EXPECT_EQ(named("strauss")["reciprocal"], false);
+  EXPECT_EQ(named("minnaert")["conserves_energy"], false);
+  EXPECT_EQ(named("oren")["parameters"][0]["unit"], "rad");
+}
+
+TEST_F(BptBrdf, EvaluatesOnePair) {
+  EXPECT_EQ(out({"eval", "diffuse kd=(1, 0.5, 0)", "--u", "0,0", "--v", "0.5,1"}),
+            "0.31830987 0.15915494 0\n");
+  const auto values = json({"eval", "diffuse kd=1", "--u", "0.3", "--v", "1.2,-4"})["values"];
+  ASSERT_EQ(values.size(), 1U);
+  EXPECT_NEAR(values[0][2].get<double>(), std::numbers::inv_pi, 1e-7);
+  EXPECT_EQ(out({"eval", "diffuse", "--u", "2,0", "--v", "0,0"}), "0 0 0\n") << "under the horizon";
+  const auto ward =
+      json({"eval", "ward sx=0.1 sy=0.3 kd=0", "--u", "0.4,0", "--v", "0.3,3.14159265"})["values"];
+  EXPECT_NEAR(ward[0][0].get<double>(), 1.1006815, 1e-5) << "by hand";
+}
+
+TEST_F(BptBrdf, EvaluatesABatchFromStandardInput) {
+  EXPECT_EQ(out({"eval", "diffuse kd=1"}, "0 0 0 0\n\n0,0,2,0\r\n\t0.1, 0.2 0.3\t,0.4"),
+            "0.31830987 0.31830987 0.31830987\n0 0 0\n0.31830987 0.31830987 0.31830987\n");
+  EXPECT_EQ(json({"eval", "diffuse kd=0"}, "0 0 0 0\n1 1 1 1\n"),
+            nlohmann::json::parse(R"({"values": [[0,0,0],[0,0,0]]})"));
+  EXPECT_EQ(json({"eval", "diffuse"}, ""), nlohmann::json::parse(R"({"values": []})"));
+  std::string pairs;
+  for (int i = 0; i < 20000; ++i) pairs += fmt::format("{} 0 {} 1\n", i * 1e-4, i * 5e-5);
+  EXPECT_EQ(json({"eval", "ward"}, pairs)["values"].size(), 20000U);
+}
+
+TEST_F(BptBrdf, NamesTheLineThatIsBad) {
+  for (const char* bad : {"0 0 0", "0 0 0 0 0", "0 0 zero 0", "nan 0 0 0", "inf 0 0 0", "0 0 0 0x"}) {
+    expect_failure(
+        {"eval", "diffuse"}, 1,
+        fmt::format("standard input:3: error: expected theta_u phi_u theta_v phi_v, in radians\n  {}\n", bad),
+        fmt::format("0 0 0 0\n\n{}\n0 0 0 0\n", bad));
+  }
+}
+
+TEST_F(BptBrdf, ReportsBadInstancesAtTheirPlace) {
+  expect_failure({"eval", "wrad sx=0.1", "--u", "0", "--v", "0"}, 1,
+                 "BRDF:1:1: error: unknown BRDF 'wrad': did you mean 'ward'?\n");
+  expect_failure(
+      {"albedo", "ward\n sx=20", "--u", "0"}, 1,
+      "BRDF:2:2: error: 'sx' of 'ward': 20 is out of range, expected a number from 0.0001 to 10\n");
+  expect_failure({"plot", "ward sx=", "-o", folder_.path("a.svg")}, 1, "BRDF:1:");
+  expect_failure({"albedo", "lafortune n=1000 Cx=10", "--u", "0"}, 1, "the lobe's peak over 1e30");
+  expect_failure({"albedo", "", "--u", "0"}, 1, "error: ");
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+TEST_F(BptBrdf, TakesInstancesFromFiles) {
+  const std::string file = folder_.add("paint.brdf", "// a comment\nminnaert k=1\n kd=0.25\n");
+  EXPECT_NEAR(albedo(file, "0.5")[0], 0.25, 1e-3);
+  const std::string bad = folder_.add("bad.brdf", "minnaert\n  q=1\n");
+  expect_failure({"albedo", bad, "--u", "0"}, 1, bad + ":2:3: error: 'minnaert' has no parameter 'q'");
+  expect_failure({"albedo", folder_.path("none.brdf"), "--u", "0"}, 1, "error: ");
+}
+
+TEST_F(BptBrdf, KnowsTheAlbedo) {
+  for (const char* u : {"0", "1,2", "1.5"}) {
+    EXPECT_NEAR(albedo("diffuse kd=0.7", u)[1], 0.7, 1e-3);
+    EXPECT_NEAR(albedo("minnaert k=1 kd=(0.1, 0.2, 0.3)", u)[2], 0.3, 1e-3);
+    EXPECT_NEAR(albedo("coupled Rm=1", u)[0], 1, 2e-3);
+    EXPECT_NEAR(albedo("specular ks=0.4", u)[0], 0.4, 1e-6);
+  }
+  EXPECT_NEAR(albedo("minnaert k=0.8 kd=1", "0")[0], 2 / 1.8, 1e-3);
+  EXPECT_NEAR(albedo("lewis n=1000000 ks=1 kd=0", fmt::format("{}", std::numbers::pi / 3))[0], 0.5, 1e-3);
+  EXPECT_EQ(out({"albedo", "specular ks=(1, 0.5, 0.25)", "--u", "0.3,0"}), "1 0.5 0.25\n");
+}
+
+TEST_F(BptBrdf, SaysWhenTheCommandLineIsBad) {
+  expect_failure({}, 2, "");
+  expect_failure({"look"}, 2, "");
+  expect_failure({"eval"}, 2, "INSTANCE");
+  expect_failure({"albedo", "diffuse"}, 2, "--u");
+  expect_failure({"plot", "diffuse"}, 2, "--output");
+  expect_failure({"list", "more"}, 2, "");
+  expect_failure({"eval", "diffuse", "--u", "0"}, 2, "--v");
+  expect_failure({"eval", "diffuse", "--v", "0"}, 2, "--u");
+  expect_failure({"eval", "diffuse", "--u", "0,0,0", "--v", "0"}, 2,
+                 "error: --u: '0,0,0' is no direction, expected theta,phi in radians\n");
+  expect_failure({"albedo", "diffuse", "--u", "steep"}, 2, "'steep' is no direction");
+  EXPECT_EQ(brdf({"--help"}).exit_code, 0);
+}
+
+TEST_F(BptBrdf, PlotsSvg) {
+  const std::string file = folder_.path("a<b&c.svg");
+  const std::string instance = folder_.add("x<y&z.brdf", "coupled Rm=(0.9, 0.4, 0.2)");
+  EXPECT_EQ(out({"plot", instance, "-o", file}), file + "\n");
+  std::istringstream text(test::bytes_of(file));
+  boost::property_tree::ptree document;
+  ASSERT_NO_THROW(read_xml(text, document));
+  std::vector<std::string> words;
+  int images = 0;
+  for (const auto& [name, element] : document.get_child("svg")) {
+    if (name == "text") words.push_back(element.data());
+    images += name == "image" ? 1 : 0;
+  }
+  EXPECT_EQ(images, 1);
+  for (const std::string& expected :
+       {instance, std::string("Albedo"), std::string("view 60\u00B0"), std::string("green")}) {
+    EXPECT_NE(std::find(words.begin(), words.end(), expected), words.end()) << expected;
+  }
+  EXPECT_LT(std::filesystem::file_size(file), 100'000U);
+}
+
+TEST_F(BptBrdf, PlotsPng) {
+  const std::string file = folder_.path("a.png");
+  EXPECT_EQ(json({"plot", "minnaert k=0.5 kd=1", "-o", file})["file"], file);
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&image, file.c_str()), 0) << image.message;
+  image.format = PNG_FORMAT_RGB;
+  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+  ASSERT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0) << image.message;
+  EXPECT_GT(image.width, 1000U);
+  EXPECT_EQ(pixels[0], 255) << "on white";
+  EXPECT_LT(*std::min_element(pixels.begin(), pixels.end()), 50);
+}
+
+TEST_F(BptBrdf, RefusesOtherPictures) {
+  for (const char* name : {"a.gif", "a", "a.svg.txt"}) {
+    expect_failure({"plot", "diffuse", "-o", folder_.path(name)}, 1,
+                   "error: a picture's name ends in .svg or .png");
+  }
+  const std::string nowhere = folder_.path("none/a.svg");
+  expect_failure({"plot", "diffuse", "-o", nowhere}, 1, nowhere + ": error: ");
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+}  // namespace
