@@ -59,7 +59,9 @@ struct Granier : CosineAndLobe<Granier> {
              reflectance_parameter(&Self::kd, "kd", "albedo of the diffuse part")},
             "isotropic where tilt = 0",
             {},
-            "where the beams are in phase they reflect up to twice their sum, as published"};
+            "where the beams are in phase they reflect up to twice their sum, as published",
+            "in the dark middle of a fringe of two equal beams nothing is left but rounding, some 1e-9 of "
+            "the peak"};
   }
 
   template <class Real>

@@ -42,7 +42,9 @@ struct He : KirchhoffLobe<He> {
             kirchhoff_parameters<He>(),
             {},
             {},
-            {}};
+            {},
+            "in float the series ends at 1e-38: values under 1e-15, of surfaces that are smooth to 1e-5 of a "
+            "wavelength, lose digits"};
   }
 
   template <class Real>

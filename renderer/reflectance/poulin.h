@@ -49,7 +49,9 @@ struct Poulin : CosineAndLobe<Poulin> {
              reflectance_parameter(&Poulin::kd, "kd", "albedo of the diffuse part of a plane")},
             "isotropic where d = 0 or h = 1, which is a plane",
             {},
-            {}};
+            {},
+            "where the shadows of two cylinders just meet, the floor between them is a small difference, and "
+            "ends"};
   }
 
   template <class Real>

@@ -77,7 +77,8 @@ struct Torrance : DiffuseAndLobe<Torrance> {
     // G over G1, the part of it that u alone hides.
     const float hidden_from_u = (u.z + v.z) * u.z / (c * c);
     const float hidden_from_v = (u.z + v.z) * v.z / (c * c);
-    return formula.fresnel_at_half(u, v, nreal, nimag) * std::min(1.0F, hidden_from_v / std::min(1.0F, hidden_from_u));
+    return formula.fresnel_at_half(u, v, nreal, nimag) *
+           std::min(1.0F, hidden_from_v / std::min(1.0F, hidden_from_u));
   }
   float lobe_albedo(const Vec3f& u) const {
     return glsl::TorranceFormula<float>().fresnel(u.z, nreal, nimag);

@@ -41,7 +41,9 @@ struct Westin : KirchhoffLobe<Westin> {
             kirchhoff_parameters<Westin>(),
             {},
             {},
-            {}};
+            {},
+            "in float the series ends at 1e-38: values under 1e-15, of surfaces that are smooth to 1e-5 of a "
+            "wavelength, lose digits"};
   }
 
   template <class Real>
