@@ -61,6 +61,9 @@ struct Granier : CosineAndLobe<Granier> {
                        reflectance_parameter(&Self::kd, "kd", "albedo of the diffuse part")},
         .not_isotropic = "isotropic where tilt = 0",
         .not_conserving = "where the beams are in phase they reflect up to twice their sum, as published",
+        .not_continuous =
+            "in the dark middle of a fringe of two equal beams nothing is left but rounding, some 1e-9 of "
+            "the peak",
         .about =
             "Old metal, lacquer and dirt under a film of oil: the beams from the film's surface and from its "
             "base interfere, so that colours change with the angle. d is the film's thickness, from the "

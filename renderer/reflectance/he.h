@@ -41,6 +41,9 @@ struct He : KirchhoffLobe<He> {
         .title = "He-Torrance-Sillion-Greenberg",
         .paper = "He, Torrance, Sillion and Greenberg 1991",
         .parameters = kirchhoff_parameters<He>(),
+        .not_continuous =
+            "in float the series ends at 1e-38: values under 1e-15, of surfaces that are smooth to 1e-5 of a "
+            "wavelength, lose digits",
         .about =
             "Metals, glass and plastics by wave optics, the most complete of the models here: a mirror, a "
             "lobe of diffraction and a Lambertian part, whose shares follow from the heights (sigma) and "

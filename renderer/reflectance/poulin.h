@@ -51,6 +51,9 @@ struct Poulin : CosineAndLobe<Poulin> {
                                              "albedo of the lobe of a plane at normal incidence"),
                        reflectance_parameter(&Poulin::kd, "kd", "albedo of the diffuse part of a plane")},
         .not_isotropic = "isotropic where d = 0 or h = 1, which is a plane",
+        .not_continuous =
+            "where the shadows of two cylinders just meet, the floor between them is a small difference, and "
+            "ends",
         .about =
             "Brushed metal, satin and hair: parallel cylinders along x over a floor, and of both what the "
             "eye sees and the light reaches. d is the distance of the cylinders (2 is side by side, more "

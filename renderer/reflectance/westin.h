@@ -40,6 +40,9 @@ struct Westin : KirchhoffLobe<Westin> {
         .title = "Westin-Arvo-Torrance",
         .paper = "Westin, Arvo and Torrance 1992",
         .parameters = kirchhoff_parameters<Westin>(),
+        .not_continuous =
+            "in float the series ends at 1e-38: values under 1e-15, of surfaces that are smooth to 1e-5 of a "
+            "wavelength, lose digits",
         .about =
             "`he` with the roughness that it has instead of the part of it that eye and light both see: "
             "cheaper, for surfaces that hardly shadow themselves, such as varnish, lacquered wood and "

@@ -103,7 +103,8 @@ class PairGenerator {
 
   Vec3f near(const Vec3f& v) {
     const float distance = std::pow(10.0F, -6 + 5 * uniform());
-    return (v + Vec3f(uniform() - 0.5F, uniform() - 0.5F, uniform() - 0.5F) * distance).normalized();
+    const Vec3f step{uniform() - 0.5F, uniform() - 0.5F, uniform() - 0.5F};  // in this order
+    return (v + step * distance).normalized();
   }
 
   std::mt19937 random_;

@@ -27,10 +27,10 @@ double error_of(const Model& model, const std::vector<Pair>& pairs) {
   for (const Pair& pair : pairs) {
     const double exact = model.evaluate(Vec3d(pair.u), Vec3d(pair.v)).x;
     const float value = model.evaluate(pair.u, pair.v).x;
-    const bool counts = exact >= 1e-6 * peak || !std::isfinite(value) || value < 0;
-    if (counts && !is_taken_nearby(model, pair, 0, value)) {
-      worst = std::max(worst, relative_error(value, exact));
-    }
+    const double error = relative_error(value, exact);
+    if (std::isfinite(value) && value >= 0 && exact < 1e-6 * peak) continue;
+    if (error > 1e-3 && is_taken_nearby(model, pair, 0, value)) continue;
+    worst = std::max(worst, error);
   }
   return worst;
 }
@@ -190,7 +190,7 @@ std::vector<HardCase> direction_cases() {
       {"Every model, u + v = 0", "h = (u + v)/|u + v| is 0/0",
        "h is not normalised, and f = 0 at the horizon", INFINITY, 0, 0, all_where_both_are_opposite},
       {"Every model, every parameter at both ends", "a lobe of roughness 0 is 0/0 at h = n",
-       "roughness is kept from 0, or is a Dirac part", INFINITY, 1e-4, 8e-6, all_at_both_ends},
+       "roughness is kept from 0, or is a Dirac part", INFINITY, 1e-3, 8e-4, all_at_both_ends},
       {"Smith's shadowing, to 1e-6 of grazing", "tan(acos(cos))", "sine over cosine, and S/cos in one", 0.05,
        1e-5, 3e-7, smith_at_grazing},
       {"Oren and Nayar's tan(beta), to 1e-6 of grazing", "tan(acos(cos)) of both directions",

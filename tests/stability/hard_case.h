@@ -32,9 +32,9 @@ struct HardCase {
   std::string_view name;
   std::string_view naive_code;
   std::string_view our_code;
-  double naive_error;  ///< as the document has it, within a factor of 2 of what is measured
+  double naive_error;  ///< as the document has it, within a factor of 4 of what is measured
   double bound;        ///< that our error keeps
-  double error;        ///< as the document has it
+  double error;        ///< as the document has it, within a factor of 2
   Errors (*measure)();
 };
 
@@ -114,7 +114,7 @@ class Random {
   }
   /// A direction that is at most about this far from another.
   reflectance::Vec3f near(const reflectance::Vec3f& v, float distance) {
-    const reflectance::Vec3f step(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const reflectance::Vec3f step{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};  // in this order
     return (v + distance * step).normalized();
   }
 

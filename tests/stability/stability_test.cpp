@@ -19,12 +19,12 @@ std::vector<HardCase> all_cases() {
 }
 
 /// The document's figures are those of one machine: another may round a little otherwise.
-void expect_is_about(double measured, double documented) {
+void expect_is_about(double measured, double documented, double factor) {
   if (documented == 0 || std::isinf(documented)) {
     EXPECT_EQ(measured, documented);
   } else {
-    EXPECT_GT(measured, documented / 2);
-    EXPECT_LT(measured, documented * 2);
+    EXPECT_GT(measured, documented / factor);
+    EXPECT_LT(measured, documented * factor);
   }
 }
 
@@ -35,8 +35,8 @@ TEST_P(Stability, BoundHoldsAndNaiveCodeFails) {
   const Errors errors = hard_case.measure();
   EXPECT_LE(errors.ours, hard_case.bound);
   EXPECT_GT(errors.naive, hard_case.bound);
-  expect_is_about(errors.ours, hard_case.error);
-  expect_is_about(errors.naive, hard_case.naive_error);
+  expect_is_about(errors.ours, hard_case.error, 2);
+  expect_is_about(errors.naive, hard_case.naive_error, 4);
   EXPECT_TRUE(std::isinf(errors.naive) || errors.naive_in_double < errors.naive / 10)
       << "the naive formula is wrong in double too: " << errors.naive_in_double;
 }
