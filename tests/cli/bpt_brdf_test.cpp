@@ -214,4 +214,23 @@ TEST_F(BptBrdf, RefusesOtherPictures) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
+TEST_F(BptBrdf, ExportsATableThatIsReadAsMeasuredData) {
+  const std::string table = folder_.path("blinn.binary");
+  const std::string blinn = "blinn n=20 ks=(0.3, 0.2, 0.1) kd=0.3";
+  const nlohmann::json result = json({"export", blinn, "-o", table});
+  EXPECT_EQ(result["file"], table);
+  EXPECT_LT(result["largest_interpolation_error"].get<double>(), 2e-4);
+  EXPECT_EQ(std::filesystem::file_size(table), 34'992'012U);
+  const std::string measured = "measured \"" + table + "\"";
+  const std::string u = "0.5";
+  EXPECT_NEAR(albedo(measured, u)[1], albedo(blinn, u)[1], 2e-3);
+}
+
+TEST_F(BptBrdf, RefusesToExportWhatTheFormatCannotHold) {
+  const std::string table = folder_.path("a.binary");
+  expect_failure({"export", "ward sx=0.1 sy=0.2", "-o", table}, 1, "it is anisotropic");
+  expect_failure({"export", "specular", "-o", table}, 1, "its mirror part is no finite value");
+  EXPECT_TRUE(folder_.names().empty());
+}
+
 }  // namespace
