@@ -34,6 +34,7 @@ HalfAngles half_angles(const Imath::Vec3<Real>& u, const Imath::Vec3<Real>& v) {
   // From both lengths: the cosine has no digits left near h, and the sine none at a right angle.
   angles.theta_difference = glsl::atan2(std::sqrt(difference.dot(difference)), length);
   // In the frame of h: x down the meridian, y around the normal.
+  if (!(length > 0)) return angles;  // opposite directions have no h, and are never both over the horizon
   const bool is_upright = radius < Real(1e-12) * length;
   const Real cosine = is_upright ? 1 : sum.x / radius;
   const Real sine = is_upright ? 0 : sum.y / radius;

@@ -70,7 +70,7 @@ TEST(HalfAngles, AreFoundWhereTheyAreNotDefined) {
   const Vec3f up(0, 0, 1);
   const Vec3f grazing = test::direction(89.99, 0);
   for (const auto& [u, v] : {std::pair(up, up), std::pair(grazing, grazing),
-                             std::pair(grazing, Vec3f(-grazing.x, 0, grazing.z))}) {
+                             std::pair(grazing, Vec3f(-grazing.x, 0, grazing.z)), std::pair(up, -up)}) {
     const HalfAngles angles = half_angles(u, v);
     EXPECT_TRUE(std::isfinite(angles.theta_half + angles.theta_difference + angles.phi_difference));
     EXPECT_GE(angles.phi_difference, 0);
