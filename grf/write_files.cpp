@@ -149,7 +149,7 @@ class FilesWriter {
     return std::move(text.text);
   }
 
-  void add(const std::string& path, std::string text, const char* conflict) {
+  void add(const std::string& path, const std::string& text, const char* conflict) {
     const auto [known, is_new] = texts_.emplace(canonical_path(path), Text{path, text});
     if (!is_new && known->second.text != text) fail(path, conflict);
   }
