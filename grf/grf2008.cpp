@@ -250,8 +250,7 @@ class Downgrade {
       had_brdf = had_brdf || surface.brdf;
       had_radiance = had_radiance || *surface.emission != Colour(1);
     }
-    light.surfaces = {Surface()};
-    std::fill(light.surface_of_face.begin(), light.surface_of_face.end(), 0);
+    make_plain(light);
     if (had_radiance) warn_of_radiance(location);
     if (had_brdf) diagnostics_.warning(location, "faces that emit lose their BRDF: they become a mesh light");
     return {std::move(light)};
@@ -264,10 +263,14 @@ class Downgrade {
       had_radiance = had_radiance || resolved.colour != Colour(1);
     }
     if (had_radiance) warn_of_radiance(location);
-    mesh.surfaces = {Surface()};
-    std::fill(mesh.surface_of_face.begin(), mesh.surface_of_face.end(), 0);
+    make_plain(mesh);
     keep_comments(mesh);
     return {std::move(mesh)};
+  }
+
+  static void make_plain(Mesh& light) {
+    light.surfaces = {Surface()};
+    std::fill(light.surface_of_face.begin(), light.surface_of_face.end(), 0);
   }
 
   void warn_of_radiance(const SourceLocation& location) {

@@ -15,6 +15,9 @@ std::string to_text(const Scene& scene);
 std::string to_text(const BrdfModel& brdf);
 std::string to_text(const PdfModel& pdf);
 
+/// The double with the fewest digits that is this float, for formats that know doubles alone: 0.1F gives 0.1.
+double shortest(float value);
+
 /// Replaces the file, and the included files whose contents are no longer what was read from them (each with
 /// a note that names it). A file that cannot be written stays as it was, and the diagnostics say why.
 ///

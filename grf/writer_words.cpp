@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <variant>
 
@@ -111,6 +112,13 @@ std::string to_text(const BrdfModel& brdf) {
     text += fmt::format("{}{} {}", &term == brdf.terms.data() ? " " : ", ", term.weight, term.brdf.name);
   }
   return text + text_of(brdf.arguments);
+}
+
+double shortest(float value) {
+  const std::string digits = fmt::format("{}", value);
+  double number = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
 }
 
 std::string to_text(const PdfModel& pdf) { return pdf.keyword + text_of(pdf.arguments); }

@@ -1,25 +1,19 @@
 #include "converters/command/info.h"
 
-#include <charconv>
 #include <cstdio>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "grf/summary.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {
 
-/// The double with the fewest digits that is this float, so that 0.1F is printed as 0.1.
-double shortest(float value) {
-  const std::string digits = fmt::format("{}", value);
-  double number = value;
-  std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return number;
+nlohmann::ordered_json to_json(const grf::Vec3f& v) {
+  return {grf::shortest(v.x), grf::shortest(v.y), grf::shortest(v.z)};
 }
-
-nlohmann::ordered_json to_json(const grf::Vec3f& v) { return {shortest(v.x), shortest(v.y), shortest(v.z)}; }
 
 nlohmann::ordered_json to_json(const Format& format, const grf::Summary& summary, std::size_t warnings) {
   nlohmann::ordered_json json;

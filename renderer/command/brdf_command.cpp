@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grf/text_file.h"
+#include "grf/write.h"
 #include "renderer/command/brdf_instance.h"
 #include "renderer/command/brdf_plot.h"
 #include "renderer/plot/svg.h"
@@ -29,15 +30,9 @@ using reflectance::Reflector;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-/// The double with the fewest digits that is this float, so that 0.1F is printed as 0.1.
-double shortest(float value) {
-  const std::string digits = fmt::format("{}", value);
-  double number = value;
-  std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return number;
+nlohmann::ordered_json to_json(const Rgb& rgb) {
+  return {grf::shortest(rgb.x), grf::shortest(rgb.y), grf::shortest(rgb.z)};
 }
-
-nlohmann::ordered_json to_json(const Rgb& rgb) { return {shortest(rgb.x), shortest(rgb.y), shortest(rgb.z)}; }
 
 /// Numbers that commas or blanks separate, or nothing if there is anything else or another count of them.
 std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most) {
@@ -128,9 +123,9 @@ nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const grf::ParameterInfo& parameter : model.parameters) {
     parameters.push_back({{"name", parameter.name},
-                          {"min", shortest(parameter.minimum)},
-                          {"max", shortest(parameter.maximum)},
-                          {"default", shortest(parameter.default_value)},
+                          {"min", grf::shortest(parameter.minimum)},
+                          {"max", grf::shortest(parameter.maximum)},
+                          {"default", grf::shortest(parameter.default_value)},
                           {"unit", parameter.unit},
                           {"help", parameter.help}});
   }
