@@ -27,14 +27,6 @@ namespace reflectance {
 /// Lambertian part. The paper's formulas for unpolarised light, where the thesis has only an expansion of
 /// them. Rough in wavelengths it tends to Beckmann facets of slope 2 sigma/tau, smooth to a mirror.
 struct He : KirchhoffLobe<He> {
-  float sigma = 0.2F;
-  float tau = 2;
-  Rgb lambda = Rgb(645, 525, 445);
-  float nreal = 0;
-  float nimag = 0;
-  Rgb ks = Rgb(1);
-  Rgb kd = Rgb(0);
-
   static ModelTable<He> table() {
     return {
         .keyword = "he",

@@ -14,25 +14,35 @@ namespace reflectance {
 template <class Model>
 std::vector<Parameter<Model>> kirchhoff_parameters() {
   constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
-  return {number_parameter(&Model::sigma, "sigma", 0, 1e3F, "rms height, in micrometres", Logarithmic),
-          number_parameter(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length, in micrometres",
-                           Logarithmic),
-          rgb_parameter(&Model::lambda, "lambda", 1, 1e6F, "wavelength, in nanometres", Logarithmic),
-          number_parameter(&Model::nreal, "nreal", 0, 100, "index of refraction; 0 is a perfect conductor"),
-          number_parameter(&Model::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
-          reflectance_parameter(&Model::ks, "ks", "weight of the mirror and the directional-diffuse part"),
-          reflectance_parameter(&Model::kd, "kd", "albedo of the diffuse part")};
+  return {
+      number_parameter<Model>(&Model::sigma, "sigma", 0, 1e3F, "rms height, in micrometres", Logarithmic),
+      number_parameter<Model>(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length, in micrometres",
+                              Logarithmic),
+      rgb_parameter<Model>(&Model::lambda, "lambda", 1, 1e6F, "wavelength, in nanometres", Logarithmic),
+      number_parameter<Model>(&Model::nreal, "nreal", 0, 100,
+                              "index of refraction; 0 is a perfect conductor"),
+      number_parameter<Model>(&Model::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
+      reflectance_parameter<Model>(&Model::ks, "ks", "weight of the mirror and the directional-diffuse part"),
+      reflectance_parameter<Model>(&Model::kd, "kd", "albedo of the diffuse part")};
 }
 
-/// The sampler of `he` and `westin`. Where the surface is rough in wavelengths the lobe is that of Beckmann
-/// facets. Where it is smooth, the series' first terms are Gaussians of v on the unit disc about the mirror
-/// direction. They share the samples by how rough it is; the tails, and lobes wider than the disc, are drawn
-/// by cosine.
+/// What `he` and `westin` share: their parameters and their sampler. Where the surface is rough in
+/// wavelengths the lobe is that of Beckmann facets. Where it is smooth, the series' first terms are Gaussians
+/// of v on the unit disc about the mirror direction. They share the samples by how rough it is; the tails,
+/// and lobes wider than the disc, are drawn by cosine.
 template <class Model>
 struct KirchhoffLobe : CosineAndLobe<Model> {
-  bool has_glossy_part() const { return !is_black(model().ks) && model().sigma > 0; }
+  float sigma = 0.2F;
+  float tau = 2;
+  Rgb lambda = Rgb(645, 525, 445);
+  float nreal = 0;
+  float nimag = 0;
+  Rgb ks = Rgb(1);
+  Rgb kd = Rgb(0);
 
-  float matte_albedo(const Vec3f& u) const { return mean(model().kd) + wide_share() * directional_albedo(u); }
+  bool has_glossy_part() const { return !is_black(ks) && sigma > 0; }
+
+  float matte_albedo(const Vec3f& u) const { return mean(kd) + wide_share() * directional_albedo(u); }
   float lobe_share(const Vec3f& u) const { return (1 - wide_share()) * directional_albedo(u); }
 
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
@@ -53,10 +63,10 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
  private:
   const Model& model() const { return static_cast<const Model&>(*this); }
 
-  float slope() const { return std::max(1e-6F, 2 * model().sigma / model().tau); }
+  float slope() const { return std::max(1e-6F, 2 * sigma / tau); }
 
   /// Width of the first term on the disc, for the longest wavelength.
-  float diffraction() const { return largest(model().lambda) / (1000 * Pi * model().tau); }
+  float diffraction() const { return largest(lambda) / (1000 * Pi * tau); }
   /// That of a later term, past the largest: the m-th is sqrt(m) times as wide.
   float wider(const Vec3f& u) const { return diffraction() * std::sqrt(4 + 2 * typical_roughness(u)); }
   static float gaussian(const Vec3f& u, const Vec3f& v, float width) {
@@ -68,7 +78,7 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
   /// The g of the series, for a v that is typical.
   float typical_roughness(const Vec3f& u) const {
     const float v = std::min(1.0F, std::sqrt(u.z * u.z + 2 * diffraction()) + slope());
-    const float height = 2000 * Pi * model().sigma / mean(model().lambda) * (u.z + v);
+    const float height = 2000 * Pi * sigma / mean(lambda) * (u.z + v);
     return height * height;
   }
   float smooth_share(const Vec3f& u) const { return 4 / (4 + typical_roughness(u)); }
@@ -79,7 +89,7 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
     return std::max(0.1F, width2 / (1 + width2));
   }
   float directional_albedo(const Vec3f& u) const {
-    return mean(model().ks) * model().shadowing(u) * -std::expm1(-typical_roughness(u));
+    return mean(ks) * model().shadowing(u) * -std::expm1(-typical_roughness(u));
   }
 };
 

@@ -26,14 +26,6 @@ namespace reflectance {
 /// `he` without its effective roughness: cheaper, for surfaces that are not deeply shadowed. The thesis'
 /// print is not reciprocal and counts shadowing twice; this has the geometry and the shadowing of `he`.
 struct Westin : KirchhoffLobe<Westin> {
-  float sigma = 0.2F;
-  float tau = 2;
-  Rgb lambda = Rgb(645, 525, 445);
-  float nreal = 0;
-  float nimag = 0;
-  Rgb ks = Rgb(1);
-  Rgb kd = Rgb(0);
-
   static ModelTable<Westin> table() {
     return {
         .keyword = "westin",
