@@ -27,6 +27,20 @@ std::string range_of(const ParameterInfo& parameter) {
                      : fmt::format("of {} or more", parameter.minimum);
 }
 
+std::optional<std::string> wrong_word(const Value& value, const std::vector<std::string_view>& choices) {
+  const auto* word = std::get_if<Word>(&value);
+  std::vector<std::string> names;
+  for (const std::string_view choice : choices) {
+    if (word != nullptr && same_keyword(word->text, choice)) return std::nullopt;
+    names.emplace_back(choice);
+  }
+  const std::string expected = "expected one of " + joined(names);
+  if (word == nullptr) return expected;
+  const std::string suggestion = did_you_mean(word->text, names);
+  return fmt::format("'{}' is unknown, {}{}{}", word->text, expected, suggestion.empty() ? "" : ": ",
+                     suggestion);
+}
+
 /// What the value should have been, or nothing if it is right.
 std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& parameter) {
   const auto* number = std::get_if<float>(&value);
@@ -35,6 +49,7 @@ std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& 
     if (std::holds_alternative<bool>(value) || zero_or_one) return std::nullopt;
     return "expected true, false, 1 or 0";
   }
+  if (parameter.kind == ParameterKind::Word) return wrong_word(value, parameter.choices);
   const std::string range = range_of(parameter);
   if (number != nullptr) {
     if (in_range(*number, parameter)) return std::nullopt;

@@ -16,6 +16,7 @@ enum class ParameterKind {
   Number,
   Reflectance,  ///< a number, or an RGB triple of numbers in the same range
   Boolean,
+  Word,  ///< one of `choices`
 };
 
 /// How a slider for the parameter should move.
@@ -29,7 +30,8 @@ struct ParameterInfo {
   float maximum = 1;
   float default_value = 0;
   std::optional<Colour> default_rgb;  ///< the default where its channels differ; default_value is the first
-  std::string_view default_from;      ///< the parameter whose value is the default; empty: default_value
+  std::vector<std::string_view> choices;  ///< default_value is the index of one
+  std::string_view default_from;          ///< the parameter whose value is the default; empty: default_value
   ParameterScale scale = ParameterScale::Linear;
   std::string_view unit;
   std::string_view help;

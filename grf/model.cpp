@@ -8,6 +8,8 @@ bool operator==(const Argument& a, const Argument& b) {
   return same_keyword(a.name, b.name) && a.value == b.value;
 }
 
+bool operator==(const Word& a, const Word& b) { return same_keyword(a.text, b.text); }
+
 bool operator==(const Model& a, const Model& b) {
   return same_keyword(a.keyword, b.keyword) && a.arguments == b.arguments;
 }

@@ -9,8 +9,16 @@
 
 namespace grf {
 
-/// A number, a boolean, or an RGB triple for a parameter that is a reflectance.
-using Value = std::variant<float, bool, Colour>;
+/// A word as a value, such as a method's name.
+struct Word {
+  std::string text;
+
+  /// Without regard to case.
+  friend bool operator==(const Word& a, const Word& b);
+};
+
+/// A number, a boolean, an RGB triple for a parameter that is a reflectance, or a word.
+using Value = std::variant<float, bool, Colour, Word>;
 
 /// `name = value`.
 struct Argument {

@@ -71,6 +71,12 @@ std::optional<BrdfModel> read_brdf(std::string text, const std::string& name, Di
   return Parser(shared_text, source_file(name, shared_text, {}), context).parse_lone_brdf();
 }
 
+std::optional<PdfModel> read_pdf(std::string text, const std::string& name, Diagnostics& diagnostics) {
+  const auto shared_text = std::make_shared<const std::string>(std::move(text));
+  ParserContext context(diagnostics);
+  return Parser(shared_text, source_file(name, shared_text, {}), context).parse_lone_pdf();
+}
+
 Parser::Parser(std::shared_ptr<const std::string> text, std::shared_ptr<const SourceFile> file,
                ParserContext& context)
     : lexer_(std::move(text), file), file_(std::move(file)), context_(context) {}

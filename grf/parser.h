@@ -66,6 +66,9 @@ class Parser {
   BlockList parse_file();
   std::optional<BrdfModel> parse_lone_brdf();
 
+  /// A whole text that is one sampling scheme.
+  std::optional<PdfModel> parse_lone_pdf();
+
  private:
   // parser.cpp: blocks
   BlockList parse_blocks(const Token* opening);

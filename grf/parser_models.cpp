@@ -14,8 +14,10 @@ bool is_boolean(const Token& token) {
          (same_keyword(token.text, "true") || same_keyword(token.text, "false"));
 }
 
+bool is_value_word(const Token& token) { return token.kind == TokenKind::Word && is_identifier(token.text); }
+
 bool starts_value(const Token& token) {
-  return token.kind == TokenKind::Number || token.is('(') || is_boolean(token);
+  return token.kind == TokenKind::Number || token.is('(') || is_boolean(token) || is_value_word(token);
 }
 
 }  // namespace
@@ -34,6 +36,15 @@ std::optional<BrdfModel> Parser::parse_lone_brdf() {
   if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the BRDF");
   if (context_.has_errors()) return std::nullopt;
   return brdf;
+}
+
+std::optional<PdfModel> Parser::parse_lone_pdf() {
+  accept("pdf");
+  PdfModel pdf;
+  if (!parse_model(pdf, nullptr)) return std::nullopt;
+  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the PDF");
+  if (context_.has_errors()) return std::nullopt;
+  return pdf;
 }
 
 bool Parser::parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next) {
@@ -95,9 +106,13 @@ bool Parser::parse_value(const Token& name, Value& value) {
     value = same_keyword(lexer_.next().text, "true");
     return true;
   }
+  if (is_value_word(lexer_.peek())) {
+    value = Word{std::string(lexer_.next().text)};
+    return true;
+  }
   if (lexer_.peek().kind != TokenKind::Number) {
     return fail_expected(
-        fmt::format("a number, 'true', 'false' or three numbers in parentheses for '{}'", name.text));
+        fmt::format("a number, 'true', 'false', a word or three numbers in parentheses for '{}'", name.text));
   }
   return parse_number(value.emplace<float>());
 }

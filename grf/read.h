@@ -20,4 +20,7 @@ std::optional<Scene> read_text(std::string text, const std::string& path, Diagno
 /// The name stands for the text in messages.
 std::optional<BrdfModel> read_brdf(std::string text, const std::string& name, Diagnostics& diagnostics);
 
+/// A sampling scheme likewise, as it stands after the word `pdf`.
+std::optional<PdfModel> read_pdf(std::string text, const std::string& name, Diagnostics& diagnostics);
+
 }  // namespace grf

@@ -34,6 +34,9 @@ std::size_t hash_of(const Model& model) {
     mix(hash, std::hash<std::string>()(lower_case(argument.name)));
     if (const auto* number = std::get_if<float>(&argument.value)) mix(hash, hash_of(*number));
     if (const auto* colour = std::get_if<Colour>(&argument.value)) mix(hash, hash_of(*colour));
+    if (const auto* word = std::get_if<Word>(&argument.value)) {
+      mix(hash, std::hash<std::string>()(lower_case(word->text)));
+    }
   }
   return hash;
 }
@@ -56,6 +59,7 @@ std::size_t hash_of_attribute(const Attribute& attribute) {
 
 bool written_alike(float a, float b) { return a == b && std::signbit(a) == std::signbit(b); }
 bool written_alike(bool a, bool b) { return a == b; }
+bool written_alike(const Word& a, const Word& b) { return a.text == b.text; }
 bool written_alike(const Colour& a, const Colour& b) {
   return written_alike(a.x, b.x) && written_alike(a.y, b.y) && written_alike(a.z, b.z);
 }

@@ -27,6 +27,7 @@ std::string text_of(const std::vector<Argument>& arguments) {
   for (const Argument& argument : arguments) {
     text += ' ' + argument.name + '=';
     if (const auto* number = std::get_if<float>(&argument.value)) text += fmt::format("{}", *number);
+    if (const auto* word = std::get_if<Word>(&argument.value)) text += word->text;
     if (const auto* flag = std::get_if<bool>(&argument.value)) text += *flag ? "true" : "false";
     if (const auto* colour = std::get_if<Colour>(&argument.value)) append(text, *colour);
   }

@@ -18,6 +18,7 @@
 #include "renderer/command/brdf_plot.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/even_points.h"
 #include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/scheme.h"
 

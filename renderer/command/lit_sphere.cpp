@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/even_points.h"
 
 namespace command {
 namespace {

@@ -14,8 +14,4 @@ Rgb albedo(const Reflector& reflector, const Vec3f& u, int count = 16384);
 /// a hundredth where it is over 1.
 grf::LargestAlbedo largest_albedo(const Brdf& brdf);
 
-/// The `index`-th of the points that fill the unit cube evenly (Halton 1960). Additive recurrences are
-/// simpler, but that of Roberts 2018 stays off by up to a thousandth.
-Uniforms even_point(std::uint32_t index);
-
 }  // namespace reflectance

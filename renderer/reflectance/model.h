@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "grf/catalogue.h"
+#include "grf/keywords.h"
 #include "grf/model.h"
 #include "renderer/reflectance/geometry.h"
 
@@ -57,7 +58,7 @@ struct DirectionSample {
 /// One row of a model's table: the field, and all that is said of it but its default, which is the field's.
 template <class Model>
 struct Parameter {
-  std::variant<float Model::*, Rgb Model::*, bool Model::*> field;
+  std::variant<float Model::*, Rgb Model::*, bool Model::*, int Model::*> field;
   grf::ParameterInfo info;
 };
 
@@ -92,16 +93,29 @@ inline void describe(grf::ParameterInfo& entry, bool default_value) {
   entry.default_value = default_value ? 1.0F : 0.0F;
 }
 
-inline void assign(float& field, const grf::Value& value) {
+inline void describe(grf::ParameterInfo& entry, int default_choice) {
+  entry.kind = grf::ParameterKind::Word;
+  entry.default_value = static_cast<float>(default_choice);
+}
+
+inline void assign(float& field, const grf::Value& value, const grf::ParameterInfo&) {
   if (const auto* number = std::get_if<float>(&value)) field = *number;
 }
-inline void assign(Rgb& field, const grf::Value& value) {
+inline void assign(Rgb& field, const grf::Value& value, const grf::ParameterInfo&) {
   if (const auto* number = std::get_if<float>(&value)) field = Rgb(*number);
   if (const auto* rgb = std::get_if<grf::Colour>(&value)) field = *rgb;
 }
-inline void assign(bool& field, const grf::Value& value) {
+inline void assign(bool& field, const grf::Value& value, const grf::ParameterInfo&) {
   if (const auto* flag = std::get_if<bool>(&value)) field = *flag;
   if (const auto* number = std::get_if<float>(&value)) field = *number != 0;
+}
+
+inline void assign(int& field, const grf::Value& value, const grf::ParameterInfo& parameter) {
+  const auto* word = std::get_if<grf::Word>(&value);
+  if (word == nullptr) return;
+  for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+    if (grf::same_keyword(word->text, parameter.choices[i])) field = static_cast<int>(i);
+  }
 }
 
 /// A model from its data, which `grf::check` found right: values that are left out take their defaults.
@@ -121,7 +135,7 @@ Model make(const grf::Model& data) {
       argument = argument_of(parameter.info.default_from);
     }
     if (argument == nullptr) continue;
-    std::visit([&](auto field) { assign(model.*field, argument->value); }, parameter.field);
+    std::visit([&](auto field) { assign(model.*field, argument->value, parameter.info); }, parameter.field);
   }
   return model;
 }
@@ -182,6 +196,17 @@ template <class Model>
 Parameter<Model> boolean_parameter(bool Model::*field, std::string_view name, std::string_view help) {
   grf::ParameterInfo info;
   info.name = name;
+  info.help = help;
+  return {field, std::move(info)};
+}
+
+/// One of some words; the field is its index.
+template <class Model>
+Parameter<Model> word_parameter(int Model::*field, std::string_view name,
+                                std::vector<std::string_view> choices, std::string_view help) {
+  grf::ParameterInfo info;
+  info.name = name;
+  info.choices = std::move(choices);
   info.help = help;
   return {field, std::move(info)};
 }

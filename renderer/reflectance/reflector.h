@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "renderer/reflectance/scheme.h"
@@ -13,37 +14,42 @@ struct ScatterSample {
   bool is_mirror = false;
 };
 
-/// A BRDF with the scheme that samples it: all that a path needs to know of a surface's reflectance. The
-/// Dirac part of a BRDF is picked with its own probability, in proportion to its share of the albedo.
+/// What becomes of a scheme that misses part of what the BRDF reflects.
+enum class Missed {
+  ByCosine,  ///< a share of the samples, in proportion to what is missed, is drawn by cosine
+  Left,      ///< nothing: estimates lack that part
+};
+
+/// A BRDF with the scheme that samples it and the scheme's tables: all that a path needs to know of a
+/// surface's reflectance. The Dirac part of a BRDF is picked with its own probability, in proportion to its
+/// share of the albedo.
 class Reflector {
  public:
-  Reflector(const Brdf& brdf, const Scheme& scheme) : brdf_(brdf), scheme_(scheme) {}
+  /// Makes the scheme's tables. It must not refuse the BRDF.
+  Reflector(const Brdf& brdf, const Scheme& scheme, Missed missed = Missed::ByCosine);
 
   /// f(u, v) in 1/sr, without the Dirac part.
   Rgb evaluate(const Vec3f& u, const Vec3f& v) const { return reflectance::evaluate(brdf_, u, v); }
 
   /// Of `sample`, for a direction that is not the mirror part's.
   float density(const Vec3f& u, const Vec3f& v) const {
-    const float share = mirror_share(u);
-    return (1 - share) * std::visit([&](const auto& scheme) { return scheme.density(brdf_, u, v); }, scheme_);
+    return (1 - mirror_share(u)) * mixed(v, reflectance::density(scheme_, brdf_, u, v));
   }
 
-  std::optional<ScatterSample> sample(const Vec3f& u, Uniforms xi) const {
-    const float share = mirror_share(u);
-    if (xi.choice < share) {
-      return ScatterSample{mirrored(u), mirror(brdf_, u) / share, 0, true};
-    }
-    xi.choice = (xi.choice - share) / (1 - share);
-    const auto drawn = std::visit([&](const auto& scheme) { return scheme.sample(brdf_, u, xi); }, scheme_);
-    if (!drawn) return std::nullopt;
-    return ScatterSample{drawn->direction, drawn->weight / (1 - share), drawn->density * (1 - share), false};
-  }
+  std::optional<ScatterSample> sample(const Vec3f& u, Uniforms xi) const;
 
   const Brdf& brdf() const { return brdf_; }
   const Scheme& scheme() const { return scheme_; }
 
   /// True if light that is sampled directly can be reflected at all.
   bool has_density() const { return reflectance::has_density(brdf_); }
+
+  /// The share of samples, without the mirror's, that are drawn by cosine because the scheme misses part of
+  /// the BRDF.
+  float cosine_share() const { return cosine_share_; }
+
+  /// What the scheme's tables hold.
+  std::size_t bytes() const { return reflectance::bytes(scheme_); }
 
  private:
   float mirror_share(const Vec3f& u) const {
@@ -55,8 +61,16 @@ class Reflector {
         brdf_);
   }
 
+  /// The density of scheme and cosine part together.
+  float mixed(const Vec3f& v, float of_scheme) const {
+    return cosine_share_ > 0 ? of_scheme + cosine_share_ * (cosine_density(v) - of_scheme) : of_scheme;
+  }
+
+  std::optional<DirectionSample> sample_density(const Vec3f& u, const Uniforms& xi) const;
+
   Brdf brdf_;
   Scheme scheme_;
+  float cosine_share_ = 0;
 };
 
 }  // namespace reflectance

@@ -12,6 +12,31 @@ std::string refusal(const Scheme& scheme, const Brdf& brdf) {
   return std::visit([&](const auto& chosen) { return chosen.refusal(brdf); }, scheme);
 }
 
+void build(Scheme& scheme, const Brdf& brdf) {
+  std::visit(
+      [&](auto& chosen) {
+        if constexpr (requires { chosen.build(brdf); }) chosen.build(brdf);
+      },
+      scheme);
+}
+
+std::size_t bytes(const Scheme& scheme) {
+  return std::visit(
+      [](const auto& chosen) -> std::size_t {
+        if constexpr (requires { chosen.bytes(); }) return chosen.bytes();
+        return 0;
+      },
+      scheme);
+}
+
+bool may_miss(const Scheme& scheme) {
+  return std::visit(
+      [](const auto& chosen) {
+        return requires { chosen.MayMiss; };
+      },
+      scheme);
+}
+
 std::vector<grf::ModelInfo> scheme_infos() { return infos_of<Scheme>(); }
 
 grf::Catalogue catalogue() { return {brdf_infos(), scheme_infos()}; }

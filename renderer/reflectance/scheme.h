@@ -1,29 +1,55 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "grf/catalogue.h"
-#include "renderer/reflectance/auto_scheme.h"
-#include "renderer/reflectance/diffuse_scheme.h"
-#include "renderer/reflectance/specular_scheme.h"
+#include "renderer/reflectance/schemes/auto_scheme.h"
+#include "renderer/reflectance/schemes/diffuse_scheme.h"
+#include "renderer/reflectance/schemes/specular_scheme.h"
 
 namespace reflectance {
 
-/// All sampling schemes: the one list that a new scheme is added to. A scheme is one file with
-///   table()                   its keyword and parameters,
-///   refusal(brdf)             why it cannot serve a BRDF, and what can; empty if it does,
-///   sample(brdf, u, xi), density(brdf, u, v)    for all of the BRDF but its Dirac part.
+/// All sampling schemes: the one list that a new scheme is added to. A scheme is one file of `schemes` with
+///   table()           its keyword and parameters,
+///   refusal(brdf)     why it cannot serve a BRDF, and what can; empty if it does,
+///   sample(brdf, u, xi), density(brdf, u, v)    for all of the BRDF but its Dirac part,
+/// and where it keeps tables, which then serve that BRDF alone,
+///   build(brdf)       makes them, on all cores,
+///   bytes()           the memory that they hold.
+/// `MayMiss` says that some BRDFs reflect light into directions that the scheme draws never or hardly ever:
+/// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
+/// cost less than as many single ones.
 using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme>;
 
-/// The scheme that a `pdf` of the scene describes, or nothing if none has its keyword.
+/// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);
 
 /// What a face without a `pdf` has: `auto`.
 Scheme default_scheme();
 
 std::string refusal(const Scheme& scheme, const Brdf& brdf);
+
+/// Makes the tables of a scheme for a BRDF that it does not refuse.
+void build(Scheme& scheme, const Brdf& brdf);
+
+/// What the tables of a scheme hold, in bytes; 0 for schemes without.
+std::size_t bytes(const Scheme& scheme);
+
+/// True if the scheme may leave out part of what some BRDFs reflect.
+bool may_miss(const Scheme& scheme);
+
+inline std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
+                                             const Uniforms& xi) {
+  return std::visit([&](const auto& chosen) { return chosen.sample(brdf, u, xi); }, scheme);
+}
+inline float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& chosen) { return chosen.density(brdf, u, v); }, scheme);
+}
 
 std::vector<grf::ModelInfo> scheme_infos();
 

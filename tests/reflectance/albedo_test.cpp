@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/even_points.h"
 
 namespace {
 

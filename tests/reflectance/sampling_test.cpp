@@ -8,6 +8,7 @@
 
 #include "renderer/reflectance/reflector.h"
 #include "tests/reflectance/brdf_cases.h"
+#include "tests/reflectance/scheme_cases.h"
 #include "tests/statistics/chi_square.h"
 
 namespace {
@@ -23,8 +24,7 @@ const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 
 struct Case {
   std::string brdf;
-  Scheme scheme;
-  std::string scheme_name;
+  std::string scheme;
   int depth = 0;  ///< that quadratures have at least
 };
 
@@ -32,8 +32,7 @@ std::vector<Case> cases() {
   std::vector<Case> list;
   const auto add = [&](const std::vector<std::string>& brdfs, int depth) {
     for (const std::string& brdf : brdfs) {
-      list.push_back({brdf, reflectance::AutoScheme(), "auto", depth});
-      list.push_back({brdf, reflectance::DiffuseScheme(), "diffuse", depth});
+      for (const std::string scheme : {"auto", "diffuse"}) list.push_back({brdf, scheme, depth});
     }
   };
   add(test::plain_cases(), 0);
@@ -60,7 +59,9 @@ std::optional<Vec3f> direction_of(const Reflector& reflector, const Vec3f& u, co
 
 class Sampling : public testing::TestWithParam<Case> {
  protected:
-  Reflector reflector() const { return Reflector(test::brdf_of(GetParam().brdf), GetParam().scheme); }
+  Reflector reflector() const {
+    return Reflector(test::brdf_of(GetParam().brdf), test::scheme_of(GetParam().scheme));
+  }
 };
 
 TEST_P(Sampling, FollowsItsDensity) {
@@ -121,13 +122,17 @@ TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
 }
 
 /// The first word, which says the model best; what no name may have is left out.
-std::string name_of(const testing::TestParamInfo<Case>& info) {
+std::string first_word(const std::string& text) {
   std::string word;
-  for (const char c : info.param.brdf) {
+  for (const char c : text) {
     if (c == ' ' && !word.empty()) break;
     if (std::isalpha(static_cast<unsigned char>(c)) != 0) word += c;
   }
-  return info.param.scheme_name + "_" + word + "_" + std::to_string(info.index);
+  return word;
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  return first_word(info.param.scheme) + "_" + first_word(info.param.brdf) + "_" + std::to_string(info.index);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Sampling, testing::ValuesIn(cases()), name_of);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/reflectance/diffuse_scheme.h"
+#include "renderer/reflectance/schemes/diffuse_scheme.h"
 
 namespace reflectance {
 

@@ -1,0 +1,59 @@
+#include "renderer/reflectance/coverage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/reflectance/even_points.h"
+
+namespace reflectance {
+namespace {
+
+/// One direction that carries light: how much of it, and the weight that it has under the scheme.
+struct Carried {
+  float light = 0;
+  float weight = 0;
+};
+
+/// Drawn by the BRDF's own sampler, which misses nothing.
+std::optional<Carried> carried(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::uint32_t index) {
+  const auto drawn = AutoScheme().sample(brdf, u, even_point(index));
+  if (!drawn || !(mean(drawn->weight) > 0)) return std::nullopt;
+  const float density = reflectance::density(scheme, brdf, u, drawn->direction);
+  const float value = mean(evaluate(brdf, u, drawn->direction)) * drawn->direction.z;
+  return Carried{mean(drawn->weight), density > 0 ? value / density : HUGE_VALF};
+}
+
+float missed_share(const Scheme& scheme, const Brdf& brdf, const Vec3f& u) {
+  constexpr std::uint32_t Directions = 1024;
+  constexpr double MostWeight = 100;  // in albedos
+  std::array<Carried, Directions> all = {};
+  double sum = 0;
+  for (std::uint32_t i = 0; i < Directions; ++i) {
+    all[i] = carried(scheme, brdf, u, i).value_or(Carried());
+    sum += all[i].light;
+  }
+  double missed = 0;
+  for (const Carried& one : all) {
+    if (one.weight > MostWeight * sum / Directions) missed += one.light;
+  }
+  return sum > 0 ? static_cast<float>(missed / sum) : 0.0F;
+}
+
+}  // namespace
+
+float missed_share(const Scheme& scheme, const Brdf& brdf) {
+  constexpr std::array<float, 6> Degrees = {1, 20, 40, 60, 75, 85};
+  constexpr std::array<float, 3> Azimuths = {0, 0.7F, 1.5F};
+  if (!has_density(brdf)) return 0;
+  float most = 0;
+  for (const float degrees : Degrees) {
+    const float theta = degrees * Pi / 180;
+    for (const float phi : Azimuths) {
+      most = std::max(most, missed_share(scheme, brdf, from_angles(std::cos(theta), std::sin(theta), phi)));
+    }
+  }
+  return most;
+}
+
+}  // namespace reflectance
