@@ -66,18 +66,35 @@ std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& 
   return std::nullopt;
 }
 
-void check_arguments(const Model& model, const ModelInfo& info, Diagnostics& diagnostics) {
+void report_unknown_parameter(const Argument& argument, const ModelInfo& info, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& known : info.parameters) names.emplace_back(known.name);
+  const std::string known = names.empty() ? "it has none" : "it has " + joined(names);
+  std::string suggestion = did_you_mean(argument.name, names);
+  if (const auto* word = std::get_if<Word>(&argument.value); word != nullptr && suggestion.empty()) {
+    suggestion =
+        fmt::format("a definition called '{}' needs 'brdf' or 'pdf' before '{}'", argument.name, word->text);
+  }
+  diagnostics.error(argument.location,
+                    fmt::format("'{}' has no parameter '{}', {}{}{}", info.keyword, argument.name, known,
+                                suggestion.empty() ? "" : ": ", suggestion));
+}
+
+/// Whether a parameter that the model lacks is the beginning of a definition without `brdf` or `pdf`: then
+/// what follows it are that one's parameters.
+bool begins_definition(const Argument& argument, const std::vector<ModelInfo>& models) {
+  const auto* word = std::get_if<Word>(&argument.value);
+  return word != nullptr && find_model(models, word->text) != nullptr;
+}
+
+void check_arguments(const Model& model, const ModelInfo& info, const std::vector<ModelInfo>& models,
+                     Diagnostics& diagnostics) {
   std::set<std::string_view> given;
   for (const Argument& argument : model.arguments) {
     const ParameterInfo* parameter = info.find(argument.name);
     if (parameter == nullptr) {
-      std::vector<std::string> names;
-      for (const ParameterInfo& known : info.parameters) names.emplace_back(known.name);
-      const std::string known = names.empty() ? "it has none" : "it has " + joined(names);
-      const std::string suggestion = did_you_mean(argument.name, names);
-      diagnostics.error(argument.location,
-                        fmt::format("'{}' has no parameter '{}', {}{}{}", info.keyword, argument.name, known,
-                                    suggestion.empty() ? "" : ": ", suggestion));
+      report_unknown_parameter(argument, info, diagnostics);
+      if (begins_definition(argument, models)) return;
     } else if (!given.insert(parameter->name).second) {
       diagnostics.error(argument.location, fmt::format("the parameter '{}' is given twice", parameter->name));
     } else if (const auto wrong = wrong_value(argument.value, *parameter)) {
@@ -138,7 +155,7 @@ bool check(const Model& model, const std::vector<ModelInfo>& models, std::string
   const std::size_t errors_before = diagnostics.error_count();
   const ModelInfo* info = find_model(models, model.keyword);
   if (info != nullptr) {
-    check_arguments(model, *info, diagnostics);
+    check_arguments(model, *info, models, diagnostics);
     check_together(model, *info, errors_before, diagnostics);
   } else {
     report_unknown(model, models, kind, {}, diagnostics);

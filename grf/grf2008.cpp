@@ -302,8 +302,28 @@ class Downgrade {
     downgrade(static_cast<Model&>(brdf));
   }
 
+  // A scheme makes the same image whatever its parameters; a BRDF without one is another BRDF.
+  void downgrade(PdfModel& pdf) {
+    std::erase_if(pdf.arguments, [this](const Argument& argument) {
+      const bool is_word = std::holds_alternative<Word>(argument.value);
+      if (is_word) {
+        diagnostics_.warning(
+            argument.location,
+            fmt::format("'{}' has a word as value, which the grammar of 2008 has not: it is lost",
+                        argument.name));
+      }
+      return is_word;
+    });
+    downgrade(static_cast<Model&>(pdf));
+  }
+
   void downgrade(Model& model) {
     for (const Argument& argument : model.arguments) {
+      if (std::holds_alternative<Word>(argument.value)) {
+        diagnostics_.error(
+            argument.location,
+            fmt::format("'{}' has a word as value, which the grammar of 2008 has not", argument.name));
+      }
       if (!std::holds_alternative<Colour>(argument.value)) continue;
       diagnostics_.error(argument.location,
                          fmt::format("'{}' has three numbers, and parameters have one in the grammar of 2008",

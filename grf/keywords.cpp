@@ -32,6 +32,15 @@ bool is_identifier(std::string_view word) {
          std::all_of(word.begin(), word.end(), is_word_character) && !is_reserved(word);
 }
 
+bool is_colour_keyword(std::string_view word) {
+  return same_keyword(word, "rgb") || same_keyword(word, "colour") || same_keyword(word, "color");
+}
+
+bool is_value_word(std::string_view word) {
+  return is_identifier(word) && !is_colour_keyword(word) && !same_keyword(word, "brdf") &&
+         !same_keyword(word, "pdf") && !same_keyword(word, "texture");
+}
+
 std::string to_identifier(std::string_view text) {
   if (text.empty()) return "$$";
   std::string identifier;

@@ -30,6 +30,13 @@ std::string lower_case(std::string_view word);
 /// one of `begin end def none use true false`.
 bool is_identifier(std::string_view word);
 
+/// `rgb`, and its two other spellings.
+bool is_colour_keyword(std::string_view word);
+
+/// True if the word may be the value of a parameter: an identifier other than `rgb colour color brdf pdf
+/// texture`, with which the body of a definition begins (as it does with `begin`).
+bool is_value_word(std::string_view word);
+
 /// An identifier that stands for any text: every character that an identifier cannot have is written
 /// `$hex$` by its code in hexadecimal, and so is `$` itself, so that the text can be had back. An empty
 /// text gives `$$`; a first digit and a reserved word are escaped too.

@@ -44,6 +44,8 @@ struct ParserContext {
   ScopeStack scope;
   bool lacks_names = false;              ///< a definition could not be read, so its name is not in the scope
   std::set<std::string> reported_names;  ///< unknown ones: each is one mistake, however often it is used
+  /// Parameters in lists of definitions whose value is a word: `b = phong` may lack the word `brdf`.
+  std::map<std::string, std::string> word_parameters;
   std::size_t nesting = 0;               ///< open blocks, those of including files among them
   std::vector<OpenFile> open_files;      ///< the outermost first
   std::size_t include_count = 0;         ///< a file counts as often as it is included
@@ -188,8 +190,5 @@ bool is_text(const std::string& text, std::string_view expected, const SourceLoc
 
 /// What may stand behind the `=` of a definition.
 bool starts_definition_body(const Token& token);
-
-/// The three spellings of the keyword.
-bool is_colour_keyword(std::string_view word);
 
 }  // namespace grf

@@ -102,7 +102,12 @@ void Parser::parse_reference(Reference& reference) {
     return error(name,
                  fmt::format("'{}' is a {}, expected a {}", name.text, kind_of(definition->body), expected));
   }
-  const std::string suggestion = did_you_mean(name.text, scope.names_of<Body>());
+  std::string suggestion = did_you_mean(name.text, scope.names_of<Body>());
+  const auto parameter = context_.word_parameters.find(reference.name);
+  if (parameter != context_.word_parameters.end()) {
+    suggestion = fmt::format("'{} = {}' is a parameter, for want of 'brdf' or 'pdf'", parameter->first,
+                             parameter->second);
+  }
   error(name, fmt::format("no {} called '{}' is defined here{}{}", expected, name.text,
                           suggestion.empty() ? "" : ": ", suggestion));
 }

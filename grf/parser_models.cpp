@@ -14,10 +14,12 @@ bool is_boolean(const Token& token) {
          (same_keyword(token.text, "true") || same_keyword(token.text, "false"));
 }
 
-bool is_value_word(const Token& token) { return token.kind == TokenKind::Word && is_identifier(token.text); }
+bool is_word_as_value(const Token& token) {
+  return token.kind == TokenKind::Word && is_value_word(token.text);
+}
 
 bool starts_value(const Token& token) {
-  return token.kind == TokenKind::Number || token.is('(') || is_boolean(token) || is_value_word(token);
+  return token.kind == TokenKind::Number || token.is('(') || is_boolean(token) || is_word_as_value(token);
 }
 
 }  // namespace
@@ -77,7 +79,8 @@ bool Parser::parse_keyword(Model& model) {
 }
 
 // In a list of definitions, `name = value` is one more parameter and `name = brdf ...` the next definition:
-// that name, already taken from the text, is handed back.
+// that name, already taken from the text, is handed back. Where `brdf` was forgotten, the model's keyword is
+// taken for the value, which `check` explains.
 bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) {
   while (lexer_.peek().kind == TokenKind::Word && lexer_.peek_second().is('=')) {
     const std::uint32_t line_before = lexer_.line_of_last();
@@ -95,6 +98,9 @@ bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) 
     }
     Argument argument{std::string(name.text), {}, lexer_.location(name)};
     if (!parse_value(name, argument.value)) return false;
+    if (const auto* word = std::get_if<Word>(&argument.value); next != nullptr && word != nullptr) {
+      context_.word_parameters.try_emplace(argument.name, word->text);
+    }
     model.arguments.push_back(std::move(argument));
   }
   return true;
@@ -106,7 +112,7 @@ bool Parser::parse_value(const Token& name, Value& value) {
     value = same_keyword(lexer_.next().text, "true");
     return true;
   }
-  if (is_value_word(lexer_.peek())) {
+  if (is_word_as_value(lexer_.peek())) {
     value = Word{std::string(lexer_.next().text)};
     return true;
   }

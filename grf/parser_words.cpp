@@ -70,10 +70,6 @@ bool is_tiny(std::string_view number) {
 
 }  // namespace
 
-bool is_colour_keyword(std::string_view word) {
-  return same_keyword(word, "rgb") || same_keyword(word, "colour") || same_keyword(word, "color");
-}
-
 bool Parser::at(std::string_view keyword) const {
   return lexer_.peek().kind == TokenKind::Word && same_keyword(lexer_.peek().text, keyword);
 }

@@ -21,8 +21,6 @@
 namespace grf {
 namespace {
 
-constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
-
 /// Does something with each definition and each block without a body of one file, with the scope that is in
 /// force there.
 template <class Action>
@@ -141,7 +139,7 @@ class FilesWriter {
 
   std::string checked_text(const std::string& path, const BlockList& contents, const Scope& scope) {
     FileText text = text_of_file(contents, scope);
-    if (!text.is_finite) fail(path, NotFinite);
+    if (!text.problem.empty()) fail(path, text.problem);
     if (has_irradiance(contents) && !is_igrf_name(path)) {
       fail(path, fmt::format("it has irradiance, expected the name of an IGRF file, such as '{}'",
                              std::filesystem::path(path).replace_extension("igrf").string()));
@@ -176,7 +174,8 @@ class FilesWriter {
   void prepare_brdf_file(const BrdfModel& brdf, const std::string& naming_file) {
     if (brdf.instance_file.empty()) return;
     const std::string path = path_beside(naming_file, brdf.instance_file);
-    if (!is_finite(brdf)) return fail(path, NotFinite);
+    const std::string_view problem = problem_of(brdf);
+    if (!problem.empty()) return fail(path, problem);
     BrdfModel instance = brdf;
     instance.instance_file.clear();
     const auto [known, is_new] = instances_.emplace(canonical_path(path), instance);

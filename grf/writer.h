@@ -17,7 +17,7 @@ namespace grf {
 
 struct FileText {
   std::string text;
-  bool is_finite = true;  ///< false: numbers among it are not, so it cannot be read again
+  std::string_view problem = {};  ///< why it cannot be read again; empty: it can
 };
 
 /// The text of a file that holds these blocks and is read where those definitions are in force.
@@ -30,10 +30,16 @@ void append(std::string& text, const Vec2f& v);
 void append(std::string& text, const Vec3f& v);
 void append(std::string& text, std::span<const std::uint32_t> corners);
 
+inline constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
+inline constexpr std::string_view NoValueWord =
+    "it would have words as values of parameters that are no names, or that begin a definition (such as rgb)";
+
 bool is_finite(const Vec2f& v);
 bool is_finite(const Vec3f& v);
-bool is_finite(const std::vector<Argument>& arguments);
-bool is_finite(const BrdfModel& brdf);
+
+/// Why the text of an instance cannot be read again; empty: it can.
+std::string_view problem_of(const Model& model);
+std::string_view problem_of(const BrdfModel& brdf);
 
 /// Text that cannot stand in a file as it is must not make the rest of it unreadable.
 std::string comment_text(const std::string& comment);
@@ -50,7 +56,7 @@ class Writer {
   void blocks(const BlockList& list);
 
   /// A file of no bytes at all is taken for a mistake when it is read.
-  FileText take_text() { return {text_.empty() ? "\n" : std::move(text_), is_finite_}; }
+  FileText take_text() { return {text_.empty() ? "\n" : std::move(text_), problem_}; }
 
  private:
   void put_block(const Shared<Mesh>& mesh) {
@@ -90,10 +96,12 @@ class Writer {
   template <class ModelOfKind>
   std::string unambiguous(const ModelOfKind& model);
 
-  // Numbers that are not finite cannot be read again.
+  void add_problem(std::string_view problem) {
+    if (problem_.empty()) problem_ = problem;
+  }
   template <class Vector>
   void put(const Vector& v) {
-    is_finite_ = is_finite_ && is_finite(v);
+    if (!is_finite(v)) add_problem(NotFinite);
     append(text_, v);
   }
   std::string text_or_file(const BrdfModel& brdf);
@@ -115,7 +123,7 @@ class Writer {
   std::string text_;
   std::size_t indentation_ = 0;
   ScopeStack scope_;
-  bool is_finite_ = true;
+  std::string_view problem_;
 };
 
 }  // namespace grf

@@ -178,12 +178,12 @@ std::string Writer::unambiguous(const ModelOfKind& model) {
 // A BRDF as it is written: by the name of its file where it has one.
 std::string Writer::text_or_file(const BrdfModel& brdf) {
   if (!brdf.instance_file.empty()) return quoted(brdf.instance_file);
-  is_finite_ = is_finite_ && is_finite(brdf);
+  add_problem(problem_of(brdf));
   return to_text(brdf);
 }
 
 std::string Writer::text_or_file(const PdfModel& pdf) {
-  is_finite_ = is_finite_ && is_finite(pdf.arguments);
+  add_problem(problem_of(pdf));
   return to_text(pdf);
 }
 

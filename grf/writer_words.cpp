@@ -63,18 +63,22 @@ void append(std::string& text, std::span<const std::uint32_t> corners) {
 bool is_finite(const Vec2f& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-bool is_finite(const std::vector<Argument>& arguments) {
-  return std::all_of(arguments.begin(), arguments.end(), [](const Argument& argument) {
+std::string_view problem_of(const Model& model) {
+  for (const Argument& argument : model.arguments) {
     const auto* number = std::get_if<float>(&argument.value);
     const auto* colour = std::get_if<Colour>(&argument.value);
-    return (number == nullptr || is_finite(*number)) && (colour == nullptr || is_finite(*colour));
-  });
+    const auto* word = std::get_if<Word>(&argument.value);
+    if (number != nullptr && !is_finite(*number)) return NotFinite;
+    if (colour != nullptr && !is_finite(*colour)) return NotFinite;
+    if (word != nullptr && !is_value_word(word->text)) return NoValueWord;
+  }
+  return {};
 }
 
-bool is_finite(const BrdfModel& brdf) {
-  return is_finite(brdf.arguments) &&
-         std::all_of(brdf.terms.begin(), brdf.terms.end(),
-                     [](const CombineTerm& term) { return is_finite(term.weight); });
+std::string_view problem_of(const BrdfModel& brdf) {
+  const bool has_weights = std::all_of(brdf.terms.begin(), brdf.terms.end(),
+                                       [](const CombineTerm& term) { return is_finite(term.weight); });
+  return has_weights ? problem_of(static_cast<const Model&>(brdf)) : NotFinite;
 }
 
 // A return at the end of a line is taken for a part of the line end.

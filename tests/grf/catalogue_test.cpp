@@ -16,6 +16,18 @@ TEST(CheckOfAModel, NeedsNoScene) {
   EXPECT_EQ(diagnostics.entries().at(0).message, "unknown BRDF 'glosy': did you mean 'glossy'?");
 }
 
+TEST(CheckOfAModel, KnowsSchemes) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(
+      check(*read_pdf("cosine mode=Warp", "argument", diagnostics), catalogue().pdfs, "PDF", diagnostics));
+  EXPECT_FALSE(
+      check(*read_pdf("cosine mode=2\n n=1", "argument", diagnostics), catalogue().pdfs, "PDF", diagnostics));
+  EXPECT_FALSE(check(*read_pdf("glossy", "argument", diagnostics), catalogue().pdfs, "PDF", diagnostics));
+  EXPECT_EQ(diagnostics.to_text(),
+            "argument:1:8: error: 'mode' of 'cosine': expected one of reject, warp\n"
+            "argument:1:1: error: unknown PDF 'glossy'\n");
+}
+
 TEST(FindArgument, KnowsAliases) {
   Diagnostics diagnostics;
   const auto model = read_brdf("glossy kd=1 SIGMA=2", "argument", diagnostics);

@@ -54,6 +54,39 @@ TEST(Check, ReportsUnknownParametersWithThoseThatThereAre) {
   EXPECT_EQ(said_of_brdf("flat kd=1"), "'flat' has no parameter 'kd', it has none\n");
 }
 
+TEST(Check, KnowsTheWordsOfAParameter) {
+  const auto said = [](const std::string& pdf) { return said_of(triangle("brdf flat pdf " + pdf)); };
+  EXPECT_EQ(said("cosine mode=reject"), "");
+  EXPECT_EQ(said("cosine Mode=WARP n=3"), "");
+  EXPECT_EQ(said("cosine mode=rejct"),
+            "'mode' of 'cosine': 'rejct' is unknown, expected one of reject, warp: did you mean 'reject'?\n");
+  EXPECT_EQ(said("cosine mode=other"),
+            "'mode' of 'cosine': 'other' is unknown, expected one of reject, warp\n");
+  EXPECT_EQ(said("cosine mode=1"), "'mode' of 'cosine': expected one of reject, warp\n");
+  EXPECT_EQ(said("cosine mode=true"), "'mode' of 'cosine': expected one of reject, warp\n");
+  EXPECT_EQ(said("cosine n=warp"), "'n' of 'cosine': expected a number from 0 to 100\n");
+  EXPECT_EQ(said_of_brdf("glossy kd=warp"),
+            "'kd' of 'glossy': expected a number, or three in parentheses, from 0 to 1\n");
+  EXPECT_EQ(said_of_brdf("glossy fast=yes"), "'fast' of 'glossy': expected true, false, 1 or 0\n");
+}
+
+// The model's keyword reads as the value of a parameter.
+TEST(Check, SaysWhatADefinitionLacksThatReadsAsAParameter) {
+  const auto said = [](const std::string& definitions) {
+    return said_of("def a = " + definitions + " begin " + triangle("brdf flat") + "end");
+  };
+  EXPECT_EQ(said("brdf glossy m=1 b = flat kd=3"),
+            "'glossy' has no parameter 'b', it has Rough, kd, fast: a definition called 'b' needs 'brdf' or "
+            "'pdf' before 'flat'\n")
+      << "once, and nothing of the parameters of 'flat'";
+  EXPECT_EQ(said("pdf cosine b = flt kd=3"),
+            "'cosine' has no parameter 'b', it has n, mode: a definition called 'b' needs 'brdf' or 'pdf' "
+            "before 'flt'\n"
+            "'cosine' has no parameter 'kd', it has n, mode\n");
+  EXPECT_EQ(said("pdf cosine moed = warp"),
+            "'cosine' has no parameter 'moed', it has n, mode: did you mean 'mode'?\n");
+}
+
 TEST(Check, ReportsParametersThatAreGivenTwice) {
   EXPECT_EQ(said_of_brdf("glossy rough=1 kd=1 Rough=1"), "the parameter 'Rough' is given twice\n");
   EXPECT_EQ(said_of_brdf("glossy m=1 sigma=1"), "the parameter 'Rough' is given twice\n");

@@ -194,6 +194,15 @@ TEST(Grf2008, HasNoThreeNumbersForAParameter) {
   EXPECT_EQ(converted("def m = " + triangle("brdf diffuse kd=(1, 0, 0)") + " begin end").said, error);
 }
 
+// A scheme without it makes the same image, and a BRDF another one.
+TEST(Grf2008, HasNoWordsAsValues) {
+  expect_same(triangle("brdf ward pdf adaptive mode=reject nQT=90"),
+              triangle("brdf ward pdf adaptive nQT=90"),
+              "warning: 'mode' has a word as value, which the grammar of 2008 has not: it is lost\n");
+  EXPECT_EQ(converted(triangle("brdf ward kind=rough")).said,
+            "error: 'kind' has a word as value, which the grammar of 2008 has not\n");
+}
+
 TEST(Grf2008, HasNoParametersBehindAFileOfData) {
   expect_same(triangle("brdf measured \"a.binary\" linear=false"), triangle("brdf measured \"a.binary\""),
               "warning: 'measured' has no parameters in the grammar of 2008: they are lost\n");
@@ -267,25 +276,26 @@ class Extensions {
     visitor.definition = [&](const Definition& definition, const Placement&) {
       if (const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body)) found = found || are_in(**mesh);
       if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) found = found || are_in(*brdf);
-      if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) found = found || have_colours(*pdf);
+      if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) found = found || have_extensions(*pdf);
     };
     visit(scene, visitor);
     return found;
   }
 
  private:
-  static bool have_colours(const Model& model) {
+  static bool have_extensions(const Model& model) {
     return std::any_of(model.arguments.begin(), model.arguments.end(), [](const Argument& argument) {
-      return std::holds_alternative<Colour>(argument.value);
+      return std::holds_alternative<Colour>(argument.value) || std::holds_alternative<Word>(argument.value);
     });
   }
   static bool are_in(const BrdfModel& brdf) {
-    return have_colours(brdf) || (!brdf.data_file.empty() && !brdf.arguments.empty());
+    return have_extensions(brdf) || (!brdf.data_file.empty() && !brdf.arguments.empty());
   }
   static bool are_in(const Surface& surface) {
     const auto* brdf = surface.brdf ? std::get_if<BrdfModel>(&*surface.brdf) : nullptr;
     const auto* pdf = surface.pdf ? std::get_if<PdfModel>(&*surface.pdf) : nullptr;
-    return surface.emission || (brdf != nullptr && are_in(*brdf)) || (pdf != nullptr && have_colours(*pdf));
+    return surface.emission || (brdf != nullptr && are_in(*brdf)) ||
+           (pdf != nullptr && have_extensions(*pdf));
   }
   static bool are_in(const Mesh& mesh) {
     if (!mesh.name.empty() || are_in(mesh.surfaces.front())) return true;
@@ -308,6 +318,7 @@ TEST(Extensions, AreFound) {
   EXPECT_TRUE(found(triangle("", "light rgb (1, 1, 1)")));
   EXPECT_TRUE(found(triangle("brdf ward", "(0, 1, 2) brdf none")));
   EXPECT_TRUE(found("def a = brdf ward kd=(1, 1, 1) begin end"));
+  EXPECT_TRUE(found("def a = pdf adaptive mode=warp begin end"));
   EXPECT_TRUE(found("mesh light begin rgb (1, 1, 1) begin vertexs end begin faces end end"));
 }
 

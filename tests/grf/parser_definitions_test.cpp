@@ -38,11 +38,29 @@ TEST(Definitions, AreToldFromParametersByWhatFollows) {
   EXPECT_EQ(definitions[1].body, decltype(definitions[1].body)(Colour(0, 0, 0)));
 }
 
-TEST(Definitions, NameBothReadingsOfAnyOtherWord) {
-  EXPECT_EQ(error_in("def a = brdf ward b = phong begin end"),
-            "found 'phong', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf', "
+TEST(Definitions, NameBothReadingsOfWhatIsNoValue) {
+  EXPECT_EQ(error_in("def a = brdf ward b = none begin end"),
+            "found 'none', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf', "
             "'texture' or 'begin mesh' for a definition called 'b'");
   EXPECT_EQ(error_in("def a = brdf ward b = begin end"), "found 'end', expected 'mesh' after this 'begin'");
+}
+
+TEST(Definitions, TakeOtherWordsForValues) {
+  const Scene scene = scene_of(
+      "def a = pdf few mode=reject n=1 b = rgb (0, 0, 0) c = pdf few mode=begin mesh "
+      "begin vertexs end begin faces end end begin end");
+  const auto& definitions = block<DefinitionScope>(scene.contents).definitions;
+  ASSERT_EQ(definitions.size(), 4U);
+  const auto& arguments = std::get<PdfModel>(definitions[0].body).arguments;
+  ASSERT_EQ(arguments.size(), 2U);
+  EXPECT_EQ(arguments[0].value, Value(Word{"REJECT"}));
+  EXPECT_EQ(definitions[3].name, "mode");
+}
+
+// Reading ends before `check` could explain the parameter.
+TEST(Definitions, SayWhatWasTakenForAParameter) {
+  EXPECT_EQ(error_in("def a = brdf ward b = phong c = brdf combine 1 b begin end"),
+            "no BRDF called 'b' is defined here: 'b = phong' is a parameter, for want of 'brdf' or 'pdf'");
 }
 
 TEST(Definitions, AreCaseSensitiveAndMayHaveTheNamesOfKeywords) {

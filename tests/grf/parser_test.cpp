@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grf/visit.h"
+#include "grf/write.h"
 #include "tests/grf/reading.h"
 
 namespace grf {
@@ -155,6 +156,36 @@ TEST(ReadBrdf, TakesAKeywordAndValues) {
   EXPECT_EQ(brdf->arguments[0].value, Value(0.2F));
   EXPECT_EQ(brdf->arguments[1].value, Value(Colour(0, 0.5F, 1)));
   EXPECT_EQ(brdf->arguments[2].value, Value(true));
+}
+
+TEST(ReadPdf, TakesAKeywordAndValues) {
+  for (const char* text : {"adaptive nQT=90 mode=reject", "PDF Adaptive nqt = 90 // trees\n MODE=Reject"}) {
+    Diagnostics diagnostics;
+    const auto pdf = read_pdf(text, "argument", diagnostics);
+    ASSERT_TRUE(pdf) << diagnostics.to_text();
+    PdfModel expected;
+    expected.keyword = "adaptive";
+    expected.arguments = {{"nQT", 90.0F, {}}, {"mode", Word{"reject"}, {}}};
+    EXPECT_EQ(*pdf, expected);
+    EXPECT_EQ(*read_pdf(to_text(*pdf), "argument", diagnostics), expected);
+  }
+}
+
+TEST(ReadPdf, TakesNothingElse) {
+  const auto error = [](const std::string& text) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_pdf(text, "argument", diagnostics));
+    EXPECT_EQ(diagnostics.entries().size(), 1U);
+    return diagnostics.entries()[0].message;
+  };
+  EXPECT_EQ(error(""), "found the end of the file, expected a model's keyword or the name of a definition");
+  EXPECT_EQ(error("adaptive \"a.file\""), "found the string \"a.file\", expected the end of the PDF");
+  EXPECT_EQ(error("adaptive diffuse"), "found 'diffuse', expected the end of the PDF");
+  for (const char* word : {"begin", "none", "def", "rgb", "Colour", "brdf", "pdf", "texture"}) {
+    EXPECT_EQ(error(std::string("adaptive mode=") + word),
+              std::string("found '") + word +
+                  "', expected a number, 'true', 'false', a word or three numbers in parentheses for 'mode'");
+  }
 }
 
 TEST(ReadBrdf, TakesNothingElse) {

@@ -297,9 +297,11 @@ BrdfModel SceneGenerator::combine(const std::vector<std::string>& names) {
 Texture SceneGenerator::texture() { return {quotable(), {}}; }
 
 Value SceneGenerator::value() {
-  const int kind = number_up_to(2);
+  const int kind = number_up_to(3);
   if (kind == 0) return number();
   if (kind == 1) return coin();
+  if (kind == 2)
+    return Word{one_of({"reject", "Warp", "ward", "gold", "light", "mesh", "normal", "_", "$1"})};
   return colour();
 }
 

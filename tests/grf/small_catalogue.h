@@ -31,7 +31,9 @@ inline const Catalogue& catalogue() {
     flat.keyword = "flat";
     ModelInfo cosine;
     cosine.keyword = "cosine";
-    cosine.parameters = {parameter("n", ParameterKind::Number, 100)};
+    ParameterInfo mode = parameter("mode", ParameterKind::Word, 1);
+    mode.choices = {"reject", "warp"};
+    cosine.parameters = {parameter("n", ParameterKind::Number, 100), mode};
     ModelInfo combine;
     combine.keyword = "combine";
     combine.takes = ModelInfo::Takes::Terms;

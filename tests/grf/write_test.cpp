@@ -345,6 +345,20 @@ TEST_F(WriteTest, RefusesNumbersThatCannotBeReadAgain) {
   EXPECT_THAT(folder.names(), ElementsAre());
 }
 
+TEST_F(WriteTest, RefusesWordsThatCannotBeReadAgain) {
+  for (const char* word : {"", "two words", "7", "-", "begin", "TRUE", "none", "Rgb", "color", "brdf", "pdf",
+                           "texture", "ni\u00F1o"}) {
+    Scene scene = scene_of(triangle("pdf few mode=warp"));
+    Surface& surface = std::get<Shared<Mesh>>(scene.contents.blocks[0].content).edit().surfaces[0];
+    std::get<PdfModel>(*surface.pdf).arguments[0].value = Word{word};
+    EXPECT_EQ(write_scene(scene, "scene.grf", false),
+              "scene.grf: error: cannot write the file: it would have words as values of parameters that are "
+              "no names, or that begin a definition (such as rgb)\n")
+        << word;
+  }
+  EXPECT_THAT(folder.names(), ElementsAre());
+}
+
 /// The BRDF that a scene defines, in a file of its own.
 BrdfModel& brdf_in(Scene& scene) {
   return std::get<BrdfModel>(
