@@ -38,6 +38,19 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
   render->add_flag("--json", arguments.json, "print the summary as JSON");
 }
 
+void add_sample(CLI::App& sample, command::BrdfArguments& arguments) {
+  sample.add_option("--pdf", arguments.pdf, "the scheme, such as \"hemisphere exp=20\"")->required();
+  sample.add_option("--u", arguments.view, "direction to the eye, in radians")
+      ->type_name("THETA[,PHI]")
+      ->required();
+  sample.add_option("--count", arguments.count, "samples to draw (1000)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000'000));
+  sample.add_option("--seed", arguments.seed, "another seed draws other samples (0)")->type_name("S");
+  sample.add_option("--fit", arguments.fit, "a FIT file to write the directions to, with the BRDF's values")
+      ->type_name("FILE");
+}
+
 void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
   CLI::App* brdf = app.add_subcommand("brdf", "Look at a BRDF without a scene");
   brdf->require_subcommand(1);
@@ -60,18 +73,28 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
   eval->add_option("--v", arguments.light, "direction to the light, in radians")->type_name("THETA,PHI");
   CLI::App* albedo = add_command("albedo", "The share of light that is reflected", true);
   albedo->add_option("--u", arguments.view, "direction, in radians")->type_name("THETA[,PHI]")->required();
+  add_sample(*add_command("sample", "Directions that a sampling scheme draws", true), arguments);
   CLI::App* table = add_command("export", "A table of its values, in the format of the MERL data base", true);
   table->add_option("-o,--output", arguments.output, "file to write")->type_name("FILE.binary")->required();
-  CLI::App* plot = add_command("plot", "A picture: lobes, albedo and a lit sphere", true);
+  CLI::App* plot =
+      add_command("plot", "A picture: lobes, albedo and a lit sphere; or how a scheme samples it", true);
   plot->add_option("-o,--output", arguments.output, "file to write")
       ->type_name("FILE.svg|FILE.png")
       ->required();
+  CLI::Option* pdf = plot->add_option("--pdf", arguments.pdf,
+                                      "a sampling scheme: the picture is of what it draws from the BRDF");
+  plot->add_option("--u", arguments.views,
+                   "direction to the eye, in radians, for --pdf; may be given again (0, 45 and 80 degrees)")
+      ->type_name("THETA[,PHI]")
+      ->allow_extra_args(false)
+      ->needs(pdf);
 }
 
 ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments) {
   if (brdf.got_subcommand("list")) return command::list_brdfs(arguments);
   if (brdf.got_subcommand("eval")) return command::evaluate_brdf(arguments);
   if (brdf.got_subcommand("albedo")) return command::print_albedo(arguments);
+  if (brdf.got_subcommand("sample")) return command::sample_brdf(arguments);
   if (brdf.got_subcommand("export")) return command::export_brdf(arguments);
   return command::plot_brdf(arguments);
 }

@@ -1,7 +1,6 @@
 #include "renderer/command/brdf_command.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +15,8 @@
 #include "grf/write.h"
 #include "renderer/command/brdf_instance.h"
 #include "renderer/command/brdf_plot.h"
+#include "renderer/command/directions.h"
+#include "renderer/command/sampling_plot.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/even_points.h"
@@ -35,36 +36,9 @@ nlohmann::ordered_json to_json(const Rgb& rgb) {
   return {grf::shortest(rgb.x), grf::shortest(rgb.y), grf::shortest(rgb.z)};
 }
 
-/// Numbers that commas or blanks separate, or nothing if there is anything else or another count of them.
-std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most) {
-  std::vector<double> numbers;
-  const char* position = text.data();
-  const char* end = position + text.size();
-  const auto is_separator = [](char c) { return c == ' ' || c == ',' || c == '\t' || c == '\r'; };
-  for (;;) {
-    position = std::find_if_not(position, end, is_separator);
-    if (position == end) break;
-    const auto [behind, error] = std::from_chars(position, end, numbers.emplace_back());
-    if (error != std::errc() || !std::isfinite(numbers.back())) return std::nullopt;
-    position = behind;
-  }
-  if (numbers.size() < least || numbers.size() > most) return std::nullopt;
-  return numbers;
-}
-
-/// In double, so that a direction at the horizon is there and not beside it.
-Vec3f direction_of(double theta, double phi) {
-  return Vec3f(static_cast<float>(std::sin(theta) * std::cos(phi)),
-               static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
-}
-
 std::optional<Vec3f> direction_option(const std::string& text, const char* option) {
-  const auto angles = numbers_of(text, 1, 2);
-  if (!angles) {
-    fmt::print(stderr, "error: {}: '{}' is no direction, expected theta,phi in radians\n", option, text);
-    return std::nullopt;
-  }
-  return direction_of(angles->front(), angles->size() > 1 ? angles->back() : 0);
+  const auto angles = angles_option(text, option);
+  return angles ? std::optional(direction_of(*angles)) : std::nullopt;
 }
 
 void print_values(const std::vector<Rgb>& values, bool json) {
@@ -88,8 +62,8 @@ ExitCode evaluate_lines(const Reflector& reflector, bool json) {
                  number, line);
       return ExitCode::BadInput;
     }
-    values.push_back(reflector.evaluate(direction_of((*angles)[0], (*angles)[1]),
-                                        direction_of((*angles)[2], (*angles)[3])));
+    values.push_back(reflector.evaluate(direction_of({(*angles)[0], (*angles)[1]}),
+                                        direction_of({(*angles)[2], (*angles)[3]})));
   }
   print_values(values, json);
   return ExitCode::Done;
@@ -249,11 +223,24 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
 }
 
 ExitCode plot_brdf(const BrdfArguments& arguments) {
-  const auto reflector = read_instance(arguments.instance);
-  if (!reflector) return ExitCode::BadInput;
   Diagnostics diagnostics;
-  const bool written =
-      plot::write_picture(picture_of(*reflector, arguments.instance), arguments.output, diagnostics);
+  std::optional<plot::Svg> picture;
+  if (arguments.pdf.empty()) {
+    const auto reflector = read_instance(arguments.instance);
+    if (!reflector) return ExitCode::BadInput;
+    picture = picture_of(*reflector, arguments.instance);
+  } else {
+    std::vector<Angles> views;
+    for (const std::string& text : arguments.views) {
+      const auto view = angles_option(text, "--u");
+      if (!view) return ExitCode::BadCommandLine;
+      views.push_back(*view);
+    }
+    const auto instance = read_sampled_instance(arguments.instance, arguments.pdf);
+    if (!instance) return ExitCode::BadInput;
+    picture = picture_of_sampling(*instance, arguments.instance, arguments.pdf, views);
+  }
+  const bool written = plot::write_picture(*picture, arguments.output, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!written) return ExitCode::BadInput;
   if (arguments.json) {

@@ -1,5 +1,6 @@
 #include "renderer/command/brdf_instance.h"
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -13,8 +14,13 @@
 namespace command {
 namespace {
 
-std::optional<reflectance::Reflector> reflector_of(const std::string& instance,
-                                                   grf::Diagnostics& diagnostics) {
+/// A BRDF as data and as what can be evaluated.
+struct BrdfInstance {
+  grf::BrdfModel model;
+  reflectance::Brdf brdf;
+};
+
+std::optional<BrdfInstance> instance_of(const std::string& instance, grf::Diagnostics& diagnostics) {
   std::string text = instance;
   std::string name = "BRDF";
   std::error_code error;
@@ -28,16 +34,54 @@ std::optional<reflectance::Reflector> reflector_of(const std::string& instance,
   if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
   const auto brdf = reflectance::BrdfMaker(diagnostics).make(*model, {});
   if (!brdf) return std::nullopt;
-  return reflectance::Reflector(*brdf, reflectance::default_scheme());
+  return BrdfInstance{*model, *brdf};
+}
+
+std::optional<reflectance::Scheme> scheme_of(const std::string& pdf, const BrdfInstance& instance,
+                                             grf::Diagnostics& diagnostics) {
+  const auto model = grf::read_pdf(pdf, "PDF", diagnostics);
+  if (!model || !grf::check(*model, reflectance::scheme_infos(), "PDF", diagnostics)) return std::nullopt;
+  const reflectance::Scheme scheme = reflectance::make_scheme(*model).value();
+  const std::string refusal = reflectance::refusal(scheme, instance.brdf);
+  if (refusal.empty()) return scheme;
+  diagnostics.error(model->location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
+                                                 model->keyword, instance.model.keyword, refusal));
+  return std::nullopt;
+}
+
+std::optional<SampledInstance> sampled_instance_of(const std::string& text, const std::string& pdf,
+                                                   grf::Diagnostics& diagnostics) {
+  const auto instance = instance_of(text, diagnostics);
+  if (!instance) return std::nullopt;
+  const auto scheme = scheme_of(pdf, *instance, diagnostics);
+  if (!scheme) return std::nullopt;
+  const auto start = std::chrono::steady_clock::now();
+  reflectance::Reflector reflector(instance->brdf, *scheme);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return SampledInstance{instance->model, std::move(reflector), time.count()};
+}
+
+/// The result of a function that reads, once what it has to say is printed.
+template <class Read>
+auto printed(const Read& read) {
+  grf::Diagnostics diagnostics;
+  auto result = read(diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  return result;
 }
 
 }  // namespace
 
-std::optional<reflectance::Reflector> read_instance(const std::string& instance) {
-  grf::Diagnostics diagnostics;
-  auto reflector = reflector_of(instance, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
-  return reflector;
+std::optional<reflectance::Reflector> read_instance(const std::string& text) {
+  const auto instance =
+      printed([&](grf::Diagnostics& diagnostics) { return instance_of(text, diagnostics); });
+  if (!instance) return std::nullopt;
+  return reflectance::Reflector(instance->brdf, reflectance::default_scheme());
+}
+
+std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf) {
+  return printed(
+      [&](grf::Diagnostics& diagnostics) { return sampled_instance_of(instance, pdf, diagnostics); });
 }
 
 }  // namespace command

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/command/directions.h"
 #include "renderer/command/lit_sphere.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
@@ -28,30 +29,11 @@ constexpr int SphereSide = 200;
 constexpr std::array<int, 4> ViewAngles = {0, 30, 60, 80};
 
 Vec3f direction_at(double degrees, double azimuth = 0) {
-  const double theta = degrees * std::numbers::pi / 180;
-  const double phi = azimuth * std::numbers::pi / 180;
-  return Vec3f(static_cast<float>(std::sin(theta) * std::cos(phi)),
-               static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
+  constexpr double Radian = std::numbers::pi / 180;
+  return direction_of({degrees * Radian, azimuth * Radian});
 }
 
 std::string name_of_view(int degrees) { return fmt::format("view {}\u00B0", degrees); }
-
-/// Where a lobe is looked at: everywhere, and closer and closer to the mirror direction and to the view's
-/// own, where a narrow lobe has its peak.
-std::vector<double> light_angles(int view) {
-  constexpr double Step = 0.1;
-  std::vector<double> angles;
-  for (double degrees = -90 + Step / 2; degrees < 90; degrees += Step) angles.push_back(degrees);
-  for (const int peak : {view, -view}) {
-    angles.push_back(peak);
-    for (double distance = Step; distance > 1e-4; distance /= 1.5) {
-      angles.push_back(peak - distance);
-      angles.push_back(peak + distance);
-    }
-  }
-  std::sort(angles.begin(), angles.end());
-  return angles;
-}
 
 /// The value over the light's angle. The mirror direction is at the view's own angle on the other side.
 plot::Series curve(const Reflector& reflector, int view, bool with_cosine) {

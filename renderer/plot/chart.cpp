@@ -243,7 +243,9 @@ void draw_lines(const std::vector<Series>& series, const Fan& fan, double unit, 
 }  // namespace
 
 void draw(const PolarChart& chart, const Place& place, Svg& svg) {
-  const double width = std::min(place.width - 130, place.width - legend_width(chart.series));
+  constexpr double LeastLegend = 130;  // so that charts of one kind are of one size
+  const double legend = legend_width(chart.series);
+  const double width = place.width - (has_legend(chart.series) ? std::max(LeastLegend, legend) : legend);
   const double radius = std::min(width / 2 - 18, place.height - 86);
   const Fan fan({place.corner.x + 18 + radius, place.corner.y + 40 + radius}, radius,
                 largest_distance(chart));

@@ -128,6 +128,21 @@ void Svg::circle(const Point& centre, double radius, const Stroke& stroke) {
                        centre.y, radius, attributes(stroke));
 }
 
+// Round ends of strokes of no length take fewer bytes than circles.
+void Svg::dots(std::span<const Point> centres, double radius, std::string_view colour) {
+  if (centres.empty()) return;
+  text_ +=
+      fmt::format("<path fill=\"none\" stroke-linecap=\"round\" stroke=\"{}\" stroke-width=\"{:.4g}\" d=\"",
+                  colour, 2 * radius);
+  for (const Point& centre : centres) text_ += fmt::format("M{:.1f} {:.1f}h0", centre.x, centre.y);
+  text_ += "\"/>\n";
+}
+
+void Svg::rectangle(const Point& corner, double width, double height, std::string_view colour) {
+  text_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
+                       corner.x, corner.y, width, height, colour);
+}
+
 void Svg::text(const Point& at, std::string_view words, const Lettering& lettering) {
   const std::string turn = lettering.turned == 0 ? std::string()
                                                  : fmt::format(" transform=\"rotate({:.4g} {:.2f} {:.2f})\"",

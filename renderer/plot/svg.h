@@ -36,6 +36,9 @@ class Svg {
   void line(const Point& from, const Point& to, const Stroke& stroke);
   void polyline(std::span<const Point> points, const Stroke& stroke);
   void circle(const Point& centre, double radius, const Stroke& stroke);
+  /// All alike, in one element.
+  void dots(std::span<const Point> centres, double radius, std::string_view colour);
+  void rectangle(const Point& corner, double width, double height, std::string_view colour);
   void text(const Point& at, std::string_view words, const Lettering& lettering);
   void image(const Point& corner, double width, double height, std::string_view png);
 

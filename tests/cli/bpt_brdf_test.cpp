@@ -1,4 +1,6 @@
 // The commands `bpt brdf`, as their users meet them.
+#include "tests/cli/bpt_brdf.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
@@ -7,49 +9,11 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <png.h>
-
-#include "tests/support/run.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
 
-using test::Outcome;
-
-class BptBrdf : public testing::Test {
- protected:
-  test::TemporaryFolder folder_;
-
-  static Outcome brdf(std::vector<std::string> arguments, std::string_view input = {}) {
-    arguments.insert(arguments.begin(), {GRANADA_BIN_DIR "/bpt", "brdf"});
-    return test::run(arguments, input);
-  }
-
-  /// What a command that has to succeed prints.
-  static std::string out(const std::vector<std::string>& arguments, std::string_view input = {}) {
-    const Outcome outcome = brdf(arguments, input);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return outcome.out;
-  }
-  static nlohmann::json json(std::vector<std::string> arguments, std::string_view input = {}) {
-    arguments.emplace_back("--json");
-    return nlohmann::json::parse(out(arguments, input));
-  }
-  static std::vector<double> albedo(const std::string& instance, const std::string& u) {
-    return json({"albedo", instance, "--u", u})["albedo"].get<std::vector<double>>();
-  }
-
-  static void expect_failure(const std::vector<std::string>& arguments, int exit_code,
-                             const std::string& message, std::string_view input = {}) {
-    const Outcome outcome = brdf(arguments, input);
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-  }
-};
+using test::BptBrdf;
 
 TEST_F(BptBrdf, ListsAllModelsAsText) {
   const std::string text = out({"list"});

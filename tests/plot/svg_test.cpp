@@ -74,6 +74,19 @@ TEST(Svg, KeepsSpikesAndReturnsInLines) {
   EXPECT_EQ(lines.at(3).size(), 2U);
 }
 
+TEST(Svg, DrawsDotsInOneElement) {
+  Svg svg(100, 50);
+  svg.dots(std::vector<Point>{{1, 2}, {30.25, 4}}, 1.5, "#d55e00");
+  svg.dots({}, 1, "#000");
+  svg.rectangle({1, 2}, 3, 4, "#abcdef");
+  const test::Element root = test::svg_of(svg.str());
+  const auto paths = test::elements(root, "path");
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_EQ(paths[0].get<std::string>("<xmlattr>.d"), "M1.0 2.0h0M30.2 4.0h0");
+  EXPECT_EQ(paths[0].get<double>("<xmlattr>.stroke-width"), 3);
+  EXPECT_EQ(test::elements(root, "rect").at(1).get<std::string>("<xmlattr>.fill"), "#abcdef");
+}
+
 TEST(Picture, IsWrittenAsItsNameSays) {
   const test::TemporaryFolder folder;
   Svg svg(30, 20);

@@ -1,0 +1,59 @@
+#include "renderer/command/directions.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace command {
+
+// In double, so that a direction at the horizon is there and not beside it.
+reflectance::Vec3f direction_of(const Angles& angles) {
+  const double sine = std::sin(angles.theta);
+  return {static_cast<float>(sine * std::cos(angles.phi)), static_cast<float>(sine * std::sin(angles.phi)),
+          static_cast<float>(std::cos(angles.theta))};
+}
+
+std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most) {
+  std::vector<double> numbers;
+  const char* position = text.data();
+  const char* end = position + text.size();
+  const auto is_separator = [](char c) { return c == ' ' || c == ',' || c == '\t' || c == '\r'; };
+  for (;;) {
+    position = std::find_if_not(position, end, is_separator);
+    if (position == end) break;
+    const auto [behind, error] = std::from_chars(position, end, numbers.emplace_back());
+    if (error != std::errc() || !std::isfinite(numbers.back())) return std::nullopt;
+    position = behind;
+  }
+  if (numbers.size() < least || numbers.size() > most) return std::nullopt;
+  return numbers;
+}
+
+std::optional<Angles> angles_option(const std::string& text, const char* option) {
+  const auto angles = numbers_of(text, 1, 2);
+  if (!angles) {
+    fmt::print(stderr, "error: {}: '{}' is no direction, expected theta,phi in radians\n", option, text);
+    return std::nullopt;
+  }
+  return Angles{angles->front(), angles->size() > 1 ? angles->back() : 0};
+}
+
+std::vector<double> light_angles(double view_degrees) {
+  constexpr double Step = 0.1;
+  std::vector<double> angles;
+  for (double degrees = -90 + Step / 2; degrees < 90; degrees += Step) angles.push_back(degrees);
+  for (const double peak : {view_degrees, -view_degrees}) {
+    angles.push_back(peak);
+    for (double distance = Step; distance > 1e-4; distance /= 1.5) {
+      angles.push_back(peak - distance);
+      angles.push_back(peak + distance);
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+}  // namespace command

@@ -1,0 +1,46 @@
+// Functions of a direction on the unit disc: v is at (v.x, v.y), the normal in the middle.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "renderer/plot/colour_scale.h"
+#include "renderer/reflectance/geometry.h"
+
+namespace command {
+
+/// The means of a function over the pixels of a square around the disc.
+class DiscMap {
+ public:
+  explicit DiscMap(const std::function<double(const reflectance::Vec3f&)>& function);
+
+  // Over the pixels inside the disc; 0 where there is nothing over 0.
+  double least() const { return least_; }  ///< over 0
+  double largest() const { return largest_; }
+
+  /// Pixels along a side.
+  static constexpr int Side = 240;
+  struct Pixel {
+    float value = 0;    ///< mean over what is inside
+    float covered = 0;  ///< the share that is inside
+  };
+  const std::vector<Pixel>& pixels() const { return pixels_; }
+
+ private:
+  std::vector<Pixel> pixels_;
+  double least_ = 0;
+  double largest_ = 0;
+};
+
+void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place& place, plot::Svg& svg);
+
+/// A dot for each.
+void draw_directions(std::span<const reflectance::Vec3f> directions, const plot::Place& place,
+                     std::string_view colour, plot::Svg& svg);
+
+/// A ring where the viewer is.
+void mark_view(const reflectance::Vec3f& u, const plot::Place& place, plot::Svg& svg);
+
+}  // namespace command

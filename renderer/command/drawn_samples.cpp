@@ -1,0 +1,48 @@
+#include "renderer/command/drawn_samples.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "renderer/transport/sobol.h"
+
+namespace command {
+
+DrawnSamples draw_samples(const reflectance::Reflector& reflector, const reflectance::Vec3f& u,
+                          std::uint32_t count, std::uint32_t seed) {
+  // Before the clock runs.
+  std::vector<reflectance::Uniforms> points;
+  points.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const transport::Uniform4 point = transport::sobol_point(i, transport::hash(seed, 0));
+    points.push_back({point.xy(), point.z});
+  }
+  DrawnSamples drawn;
+  drawn.samples.reserve(count);
+  const auto start = std::chrono::steady_clock::now();
+  for (const reflectance::Uniforms& xi : points) {
+    if (const auto sample = reflector.sample(u, xi)) drawn.samples.push_back(*sample);
+  }
+  drawn.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  drawn.rejected = count - drawn.samples.size();
+  return drawn;
+}
+
+WeightStatistics statistics_of(const DrawnSamples& drawn, double albedo) {
+  WeightStatistics statistics;
+  statistics.albedo = albedo;
+  if (drawn.count() == 0 || !(albedo > 0)) return statistics;
+  const auto count = static_cast<double>(drawn.count());
+  double squares = 0;
+  for (const reflectance::ScatterSample& sample : drawn.samples) {
+    const double weight = reflectance::mean(sample.weight) / albedo;
+    statistics.mean += weight / count;
+    squares += weight * weight / count;
+    statistics.largest = std::max(statistics.largest, weight);
+    statistics.mirrored += sample.is_mirror ? 1 / count : 0;
+  }
+  statistics.variance = std::max(0.0, squares - statistics.mean * statistics.mean);
+  statistics.rejected = static_cast<double>(drawn.rejected) / count;
+  return statistics;
+}
+
+}  // namespace command

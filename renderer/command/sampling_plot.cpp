@@ -1,0 +1,254 @@
+#include "renderer/command/sampling_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "renderer/command/disc_plot.h"
+#include "renderer/command/drawn_samples.h"
+#include "renderer/plot/chart.h"
+#include "renderer/reflectance/albedo.h"
+
+namespace command {
+namespace {
+
+using plot::Anchor;
+using plot::Point;
+using reflectance::Vec3f;
+
+constexpr double Width = 1200;
+constexpr double Left = 24;
+constexpr double HeaderHeight = 118;
+constexpr double RowHeight = 268;
+constexpr double DiscSide = 200;
+// Where the columns begin.
+constexpr double DensityAt = Left;
+constexpr double ScaleAt = DensityAt + DiscSide + 14;
+constexpr double IdealAt = ScaleAt + 66;
+constexpr double PolarAt = IdealAt + DiscSide + 26;
+constexpr double WeightsAt = PolarAt + 312;
+
+/// Of views that nobody chose: on the left, where the plane of incidence has them.
+constexpr double DefaultAzimuth = std::numbers::pi;
+
+constexpr std::string_view SchemeColour = "#d55e00";
+constexpr std::string_view IdealColour = "#0072b2";
+constexpr std::string_view Dashes = "6 3";
+
+/// Of the light's angle in the plane of incidence, in degrees; the view is on the left.
+Vec3f light_at(double degrees, const Angles& view) {
+  return direction_of({degrees * std::numbers::pi / 180, view.phi + std::numbers::pi});
+}
+
+/// One view with what is drawn of it.
+struct Row {
+  const SampledInstance& instance;
+  Angles view;
+  Vec3f u;
+  DrawnSamples drawn;
+  WeightStatistics statistics;
+
+  double density(const Vec3f& v) const { return instance.reflector.density(u, v); }
+  double ideal(const Vec3f& v) const {
+    if (!(statistics.albedo > 0)) return 0;
+    return reflectance::mean(instance.reflector.evaluate(u, v)) * v.z / statistics.albedo;
+  }
+};
+
+Row row_of(const SampledInstance& instance, const Angles& view) {
+  constexpr std::uint32_t Samples = 1U << 15U;
+  const Vec3f u = direction_of(view);
+  // By the BRDF's own sampler: the scheme is on trial.
+  const reflectance::Reflector own(instance.reflector.brdf(), reflectance::default_scheme());
+  const double albedo = reflectance::mean(reflectance::albedo(own, u));
+  DrawnSamples drawn = draw_samples(instance.reflector, u, Samples, 0);
+  const WeightStatistics statistics = statistics_of(drawn, albedo);
+  return {instance, view, u, std::move(drawn), statistics};
+}
+
+void draw_discs(const Row& row, double top, plot::Svg& svg) {
+  // On the disc's area, where a cosine is in the measure: even dots mean an even colour.
+  const auto on_area = [](double per_solid_angle, const Vec3f& v) { return per_solid_angle / v.z; };
+  const DiscMap density([&](const Vec3f& v) { return on_area(row.density(v), v); });
+  const DiscMap ideal([&](const Vec3f& v) { return on_area(row.ideal(v), v); });
+  const plot::ColourScale scale(std::min(density.least(), ideal.least()),
+                                std::max(density.largest(), ideal.largest()));
+  std::vector<Vec3f> shown;
+  constexpr std::size_t MostShown = 1000;
+  for (const auto& sample : row.drawn.samples) {
+    if (!sample.is_mirror && shown.size() < MostShown) shown.push_back(sample.direction);
+  }
+  const plot::Place left = {{DensityAt, top}, DiscSide, DiscSide};
+  const plot::Place right = {{IdealAt, top}, DiscSide, DiscSide};
+  draw(density, scale, left, svg);
+  draw_directions(shown, left, SchemeColour, svg);
+  mark_view(row.u, left, svg);
+  draw(ideal, scale, right, svg);
+  mark_view(row.u, right, svg);
+  draw(scale, {{ScaleAt, top + 14}, 12, DiscSide - 28}, svg);
+}
+
+double peak_of(const plot::Series& series) {
+  double peak = 0;
+  for (const Point& point : series.points) peak = std::max(peak, point.y);
+  return peak;
+}
+
+plot::PolarChart polar_of(const Row& row) {
+  constexpr double TooLong = 8;  // times the other one
+  constexpr double Longest = 4;
+  plot::Series ideal = {{}, {}, IdealColour, {}};
+  plot::Series density = {{}, {}, SchemeColour, Dashes};
+  for (const double degrees : light_angles(row.view.theta * 180 / std::numbers::pi)) {
+    const Vec3f v = light_at(degrees, row.view);
+    if (v.z <= 0) continue;
+    ideal.points.emplace_back(degrees, row.ideal(v));
+    density.points.emplace_back(degrees, row.density(v));
+  }
+  plot::PolarChart chart{{}, "1/sr", {}, {ideal, density}, {}, {}};
+  const auto [shorter, longer] = std::minmax({peak_of(ideal), peak_of(density)});
+  if (shorter > 0 && longer > TooLong * shorter) {
+    chart.maximum = Longest * shorter;
+    chart.note = fmt::format("cut: {} reaches {:.3g}",
+                             peak_of(ideal) > peak_of(density) ? "f cos / albedo" : "the density", longer);
+  }
+  return chart;
+}
+
+/// Shares of all samples in bins of weights, as a line of steps. The outermost bins have what is beyond them.
+plot::Chart histogram_of(const Row& row) {
+  constexpr int BinsOfADecade = 15;
+  constexpr int Decades = 4;
+  constexpr double Lowest = 0.01;
+  constexpr int Bins = BinsOfADecade * Decades;
+  std::array<double, Bins> shares = {};
+  for (const auto& sample : row.drawn.samples) {
+    const double weight = reflectance::mean(sample.weight) / row.statistics.albedo;
+    const double place = weight > 0 ? std::log10(weight / Lowest) * BinsOfADecade : 0;
+    const double bin = std::clamp(std::floor(place + 0.5), 0.0, static_cast<double>(Bins - 1));
+    shares[static_cast<std::size_t>(bin)] += 100.0 / static_cast<double>(row.drawn.count());
+  }
+  plot::Series steps = {{}, {}, SchemeColour, {}};
+  const auto edge = [](int bin) { return Lowest * std::pow(10, (bin - 0.5) / BinsOfADecade); };
+  for (int bin = 0; bin < Bins; ++bin) {
+    steps.points.emplace_back(edge(bin), shares[static_cast<std::size_t>(bin)]);
+    steps.points.emplace_back(edge(bin + 1), shares[static_cast<std::size_t>(bin)]);
+  }
+  plot::Chart chart{{}, {"weight in albedos", true, 0.01, 100, 0}, {"% of samples", false, 0, {}, 0}, {}};
+  chart.y.maximum = std::max(1.0, 1.05 * peak_of(steps));
+  chart.series = {{{}, {Point(1, 0), Point(1, *chart.y.maximum)}, "#111", "2 3"}, steps};
+  return chart;
+}
+
+/// As labels have it.
+std::string degrees_text(double radians) {
+  return fmt::format("{:.4g}\u00B0", radians * 180 / std::numbers::pi);
+}
+
+std::string facts_of(const Row& row) {
+  const WeightStatistics& statistics = row.statistics;
+  if (!(statistics.albedo > 0)) return "reflects nothing";
+  std::string text =
+      fmt::format("albedo {:.3g}   \u00B7   weights: variance {:.3g}, largest {:.3g}, mean {:.3f}",
+                  statistics.albedo, statistics.variance, statistics.largest, statistics.mean);
+  const auto add = [&](double share, const char* what) {
+    if (share > 0) text += fmt::format("   \u00B7   {:.3g} % of samples {}", 100 * share, what);
+  };
+  add(statistics.rejected, "carry nothing");
+  add(statistics.mirrored, "are the mirror part's");
+  return text;
+}
+
+void draw_row(const Row& row, double top, plot::Svg& svg) {
+  svg.line({Left, top}, {Width - Left, top}, {"#ccc", 1});
+  std::string view = "View " + degrees_text(row.view.theta);
+  if (row.view.phi != DefaultAzimuth) view += ", azimuth " + degrees_text(row.view.phi);
+  svg.text({Left, top + 19}, view, {13, "#111", Anchor::Start, 0});
+  svg.text({IdealAt, top + 19}, facts_of(row), {12, "#333", Anchor::Start, 0});
+  draw_discs(row, top + 34, svg);
+  draw(polar_of(row), {{PolarAt, top + 6}, 300, RowHeight - 30}, svg);
+  if (row.statistics.albedo > 0) {
+    draw(histogram_of(row), {{WeightsAt, top + 14}, Width - Left - WeightsAt, RowHeight - 28}, svg);
+  }
+}
+
+std::string memory_text(std::size_t bytes) {
+  if (bytes < 1000) return fmt::format("{} bytes", bytes);
+  return bytes < 1'000'000 ? fmt::format("{:.3g} KB", static_cast<double>(bytes) / 1e3)
+                           : fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
+  return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
+}
+
+std::string costs_of(const SampledInstance& instance, const std::vector<Row>& rows) {
+  double seconds = 0;
+  std::size_t count = 0;
+  for (const Row& row : rows) {
+    seconds += row.drawn.seconds;
+    count += row.drawn.count();
+  }
+  std::string tables = "no tables";
+  if (const std::size_t bytes = instance.reflector.bytes(); bytes > 0) {
+    tables = fmt::format("tables: {}, built in {}", memory_text(bytes), time_text(instance.build_seconds));
+  }
+  return fmt::format("{}   \u00B7   a sample: {:.0f} ns   \u00B7   drawn by cosine: {:.3g} %", tables,
+                     1e9 * seconds / static_cast<double>(std::max<std::size_t>(1, count)),
+                     100 * instance.reflector.cosine_share());
+}
+
+double fitting(double size, const std::string& words, double width) {
+  return std::min(size, width / (0.62 * static_cast<double>(std::max<std::size_t>(1, words.size()))));
+}
+
+void draw_header(const std::string& brdf, const std::string& pdf, const std::string& costs, plot::Svg& svg) {
+  constexpr double Inside = Width - 2 * Left;
+  svg.text({Left, 32}, brdf, {fitting(17, brdf, Inside), "#111", Anchor::Start, 0});
+  svg.text({Left, 56}, "sampled by " + pdf, {fitting(13, pdf, Inside / 2), "#111", Anchor::Start, 0});
+  svg.text({Width - Left, 56}, costs, {12, "#333", Anchor::End, 0});
+  constexpr double Y = HeaderHeight - 31;
+  const auto heading = [&](double x, const char* words, const char* meaning) {
+    svg.text({x, Y}, words, {13, "#111", Anchor::Start, 0});
+    svg.text({x, Y + 17}, meaning, {11, "#666", Anchor::Start, 0});
+  };
+  heading(DensityAt, "Density, and 1000 samples", "on the unit disc, per area of it");
+  heading(IdealAt, "f cos / albedo", "in the same colours");
+  heading(PolarAt, "In the plane of incidence", "");
+  heading(WeightsAt + 62, "Weights f cos / density", "a perfect scheme has weight 1 alone");
+  svg.line({PolarAt, Y + 13}, {PolarAt + 22, Y + 13}, {SchemeColour, 2, Dashes});
+  svg.text({PolarAt + 27, Y + 17}, "density", {11, "#333", Anchor::Start, 0});
+  svg.line({PolarAt + 88, Y + 13}, {PolarAt + 110, Y + 13}, {IdealColour, 2});
+  svg.text({PolarAt + 115, Y + 17}, "f cos / albedo", {11, "#333", Anchor::Start, 0});
+}
+
+std::vector<Angles> default_views() {
+  std::vector<Angles> views;
+  for (const double degrees : {0, 45, 80})
+    views.push_back({degrees * std::numbers::pi / 180, DefaultAzimuth});
+  return views;
+}
+
+}  // namespace
+
+plot::Svg picture_of_sampling(const SampledInstance& instance, const std::string& brdf,
+                              const std::string& pdf, const std::vector<Angles>& views) {
+  std::vector<Row> rows;
+  for (const Angles& view : views.empty() ? default_views() : views) rows.push_back(row_of(instance, view));
+  plot::Svg svg(Width, HeaderHeight + RowHeight * static_cast<double>(rows.size()));
+  draw_header(brdf, pdf, costs_of(instance, rows), svg);
+  double top = HeaderHeight;
+  for (const Row& row : rows) {
+    draw_row(row, top, svg);
+    top += RowHeight;
+  }
+  return svg;
+}
+
+}  // namespace command

@@ -1,0 +1,103 @@
+#include "renderer/plot/colour_scale.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace plot {
+namespace {
+
+constexpr std::array<std::uint32_t, 9> Colours = {0xffffd9, 0xedf8b1, 0xc7e9b4, 0x7fcdbb, 0x41b6c4,
+                                                  0x1d91c0, 0x225ea8, 0x253494, 0x081d58};
+
+grf::Colour decoded(std::uint32_t rgb) {
+  const auto channel = [rgb](unsigned shift) { return static_cast<float>((rgb >> shift) & 0xffU) / 255; };
+  return {channel(16), channel(8), channel(0)};
+}
+
+constexpr std::array<double, 4> RoundFactors = {1, 2, 5, 10};
+constexpr double Slack = 1e-6;  // of a value that is round already
+
+double rounded_up(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  return power * *std::find_if(RoundFactors.begin(), RoundFactors.end(), [&](double factor) {
+           return factor == 10 || value <= factor * power * (1 + Slack);
+         });
+}
+
+double rounded_down(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  return power * *std::find_if(RoundFactors.rbegin(), RoundFactors.rend(), [&](double factor) {
+           return factor == 1 || value >= factor * power * (1 - Slack);
+         });
+}
+
+/// `1e-4` or `0.02`.
+std::string label_of(double value) {
+  return value >= 0.01 && value < 1e4 ? fmt::format("{:.4g}", value)
+                                      : fmt::format("1e{:.0f}", std::log10(value));
+}
+
+/// Powers of ten, and 2 and 5 times those where there are few.
+std::vector<double> ticks_of(const ColourScale& scale) {
+  constexpr double FewPowers = 101;
+  std::vector<double> ticks;
+  for (double power = std::floor(std::log10(scale.lowest()) - Slack);
+       std::pow(10, power) <= scale.highest() * (1 + Slack); ++power) {
+    for (const double factor : {1, 2, 5}) {
+      const double tick = factor * std::pow(10, power);
+      const bool is_in = tick >= scale.lowest() * (1 - Slack) && tick <= scale.highest() * (1 + Slack);
+      if (is_in && (factor == 1 || scale.highest() < FewPowers * scale.lowest())) ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
+}  // namespace
+
+ColourScale::ColourScale(double least, double largest) {
+  constexpr double LeastRange = 10;
+  constexpr double MostRange = 1e4;
+  if (!(largest > 0) || !std::isfinite(largest)) return;
+  highest_ = rounded_up(largest);
+  lowest_ = std::clamp(least > 0 ? rounded_down(least) : 0, highest_ / MostRange, highest_ / LeastRange);
+}
+
+grf::Colour ColourScale::colour(double value) const {
+  const double range = std::log(highest_ / lowest_);
+  const double share = std::clamp(std::log(std::max(value, lowest_) / lowest_) / range, 0.0, 1.0);
+  const double place = share * (Colours.size() - 1);
+  const auto index = std::min(static_cast<std::size_t>(place), Colours.size() - 2);
+  const auto rest = static_cast<float>(place - static_cast<double>(index));
+  return decoded(Colours[index]) * (1 - rest) + decoded(Colours[index + 1]) * rest;
+}
+
+std::string hexadecimal(const grf::Colour& encoded) {
+  const auto byte = [](float channel) { return std::lround(255 * std::clamp(channel, 0.0F, 1.0F)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(encoded.x), byte(encoded.y), byte(encoded.z));
+}
+
+void draw(const ColourScale& scale, const Place& place, Svg& svg) {
+  constexpr int Strips = 64;
+  const double range = std::log(scale.highest() / scale.lowest());
+  const double height = place.height / Strips;
+  const double bottom = place.corner.y + place.height;
+  for (int i = 0; i < Strips; ++i) {
+    const double value = scale.lowest() * std::exp(range * (i + 0.5) / Strips);
+    // Each reaches under the next, so that no seam shows.
+    const double overlap = i + 1 < Strips ? height / 2 : 0;
+    svg.rectangle({place.corner.x, bottom - (i + 1) * height - overlap}, place.width, height + overlap,
+                  hexadecimal(scale.colour(value)));
+  }
+  for (const double tick : ticks_of(scale)) {
+    const double y = bottom - place.height * std::log(tick / scale.lowest()) / range;
+    svg.line({place.corner.x + place.width, y}, {place.corner.x + place.width + 4, y}, {"#888", 1});
+    svg.text({place.corner.x + place.width + 7, y + 4}, label_of(tick), {11, "#333", Anchor::Start, 0});
+  }
+}
+
+}  // namespace plot

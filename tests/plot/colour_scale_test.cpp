@@ -1,0 +1,63 @@
+#include "renderer/plot/colour_scale.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/plot/reading.h"
+
+namespace {
+
+using plot::ColourScale;
+using testing::IsSupersetOf;
+
+float lightness(const grf::Colour& colour) { return 0.3F * colour.x + 0.59F * colour.y + 0.11F * colour.z; }
+
+TEST(ColourScale, HasRoundEnds) {
+  const auto ends = [](double least, double largest) {
+    const ColourScale scale(least, largest);
+    return std::pair(scale.lowest(), scale.highest());
+  };
+  const auto near = [](double low, double high) {
+    return testing::Pair(testing::DoubleNear(low, 1e-9 * low), testing::DoubleNear(high, 1e-9 * high));
+  };
+  EXPECT_THAT(ends(0.03, 7), near(0.02, 10));
+  EXPECT_THAT(ends(0.02, 5), near(0.02, 5)) << "as they are";
+  EXPECT_THAT(ends(0.3183, 0.3183), near(0.05, 0.5)) << "not less than ten times";
+  EXPECT_THAT(ends(1e-9, 3000), near(0.5, 5000)) << "nor more than ten thousand times";
+  EXPECT_THAT(ends(0, 3000), near(0.5, 5000));
+  EXPECT_THAT(ends(0, 0), near(0.1, 1));
+  EXPECT_THAT(ends(0, std::numeric_limits<double>::infinity()), near(0.1, 1));
+}
+
+TEST(ColourScale, DarkensAllTheWay) {
+  const ColourScale scale(0.001, 10);
+  float before = lightness(scale.colour(0));
+  EXPECT_EQ(scale.colour(0), scale.colour(0.001));
+  for (double value = 0.0011; value < 10; value *= 1.1) {
+    const float now = lightness(scale.colour(value));
+    EXPECT_LT(now, before) << value;
+    before = now;
+  }
+  EXPECT_EQ(scale.colour(10), scale.colour(1e9));
+  EXPECT_EQ(plot::hexadecimal(scale.colour(10)), "#081d58");
+  EXPECT_EQ(plot::hexadecimal(scale.colour(0)), "#ffffd9");
+}
+
+TEST(ColourScale, IsDrawnWithItsPowersOfTen) {
+  const auto drawn = [](const ColourScale& scale) {
+    plot::Svg svg(100, 200);
+    draw(scale, {{10, 10}, 20, 180}, svg);
+    return test::svg_of(svg.str());
+  };
+  EXPECT_THAT(test::texts(drawn(ColourScale(0.002, 20))), testing::ElementsAre("0.01", "0.1", "1", "10"));
+  EXPECT_THAT(test::texts(drawn(ColourScale(1, 1e4))), testing::ElementsAre("1", "10", "100", "1000", "1e4"));
+  EXPECT_THAT(test::texts(drawn(ColourScale(1e-9, 1e-3))),
+              testing::ElementsAre("1e-7", "1e-6", "1e-5", "1e-4", "1e-3"));
+  EXPECT_THAT(test::texts(drawn(ColourScale(0.3, 3))), testing::ElementsAre("0.2", "0.5", "1", "2", "5"))
+      << "with more where there are few";
+  EXPECT_GT(test::elements(drawn(ColourScale(0.3, 3)), "rect").size(), 50U);
+}
+
+}  // namespace
