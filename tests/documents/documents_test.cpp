@@ -1,5 +1,6 @@
 // The tables in documents are those of the code. To rewrite them after a change:
 //   GRANADA_UPDATE_DOCUMENTS=1 build/release/bin/documents_test
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -53,23 +54,29 @@ std::string names_of(const grf::ParameterInfo& parameter) {
 std::string default_of(const grf::ParameterInfo& parameter) {
   if (!parameter.default_from.empty()) return fmt::format("that of {}", parameter.default_from);
   if (parameter.kind == grf::ParameterKind::Boolean) return parameter.default_value != 0 ? "true" : "false";
+  if (parameter.kind == grf::ParameterKind::Word) {
+    return std::string(parameter.choices.at(static_cast<std::size_t>(parameter.default_value)));
+  }
   if (!parameter.default_rgb) return fmt::format("{}", parameter.default_value);
   const grf::Colour& rgb = *parameter.default_rgb;
   return fmt::format("({}, {}, {})", rgb.x, rgb.y, rgb.z);
+}
+
+std::string range_of(const grf::ParameterInfo& parameter) {
+  if (parameter.kind == grf::ParameterKind::Boolean) return "true or false";
+  if (parameter.kind == grf::ParameterKind::Word)
+    return fmt::format("{}", fmt::join(parameter.choices, " or "));
+  const bool is_rgb = parameter.kind == grf::ParameterKind::Reflectance;
+  return fmt::format("{} to {}{}{}{}", parameter.minimum, parameter.maximum,
+                     parameter.unit.empty() ? "" : " ", parameter.unit, is_rgb ? ", RGB" : "");
 }
 
 std::string parameter_rows(const grf::ModelInfo& model) {
   if (model.parameters.empty()) return "No parameters.\n";
   std::string rows = "| parameter | range | default | meaning |\n|---|---|---|---|\n";
   for (const grf::ParameterInfo& parameter : model.parameters) {
-    const bool is_rgb = parameter.kind == grf::ParameterKind::Reflectance;
-    const std::string value = default_of(parameter);
-    const std::string range = parameter.kind == grf::ParameterKind::Boolean
-                                  ? "true or false"
-                                  : fmt::format("{} to {}{}{}", parameter.minimum, parameter.maximum,
-                                                parameter.unit.empty() ? "" : " ", parameter.unit);
-    rows += fmt::format("| {} | {}{} | {} | {} |\n", names_of(parameter), range, is_rgb ? ", RGB" : "", value,
-                        parameter.help);
+    rows += fmt::format("| {} | {} | {} | {} |\n", names_of(parameter), range_of(parameter),
+                        default_of(parameter), parameter.help);
   }
   return rows;
 }
@@ -179,9 +186,70 @@ std::string models() {
   return text;
 }
 
+/// Whom a scheme refuses, of the models' examples, by reason.
+std::string refusals_of(const grf::ModelInfo& scheme_info) {
+  grf::Model named;
+  named.keyword = scheme_info.keyword;
+  const auto scheme = reflectance::make_scheme(named);
+  std::vector<std::pair<std::string, std::vector<std::string>>> refused;
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    if (model.example.empty()) continue;
+    grf::Diagnostics diagnostics;
+    const auto brdf =
+        reflectance::make_brdf(grf::read_brdf(std::string(model.example), "example", diagnostics).value());
+    const std::string reason = reflectance::refusal(scheme.value(), brdf.value());
+    if (reason.empty()) continue;
+    auto known = std::find_if(refused.begin(), refused.end(),
+                              [&](const auto& entry) { return entry.first == reason; });
+    if (known == refused.end()) known = refused.insert(refused.end(), {reason, {}});
+    known->second.emplace_back(model.keyword);
+  }
+  if (refused.empty()) return "- Refuses no BRDF.\n";
+  std::string text;
+  for (const auto& [reason, keywords] : refused) {
+    text += fmt::format("- Refuses {}: {}.\n", fmt::join(keywords, ", "), reason);
+  }
+  return text;
+}
+
+std::string scheme_section(const grf::ModelInfo& info) {
+  grf::Model named;
+  named.keyword = info.keyword;
+  std::string text =
+      fmt::format("\n## {}: {}\n\n{}\n\n{}\n", info.keyword, info.title, info.about, parameter_rows(info));
+  text += refusals_of(info);
+  text += reflectance::may_miss(reflectance::make_scheme(named).value())
+              ? "- May miss part of what a BRDF reflects: mixed with a cosine part where it does.\n"
+              : "- Draws every direction into which a BRDF reflects.\n";
+  if (!info.paper.empty()) text += fmt::format("- Paper: {}.\n", info.paper);
+  return text;
+}
+
+std::string schemes() {
+  std::string text;
+  for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
+    text += fmt::format("{}[{}](#{}-{})", text.empty() ? "" : ",\n", info.keyword, info.keyword,
+                        anchor_of(info.title));
+  }
+  text += ".\n";
+  for (const grf::ModelInfo& info : reflectance::scheme_infos()) text += scheme_section(info);
+  return text;
+}
+
 TEST(Documents, OptionsAreThoseOfTheTable) { expect_generated("renderer/OPTIONS.md", option_rows()); }
 
 TEST(Documents, ModelsAreThoseOfTheCatalogue) { expect_generated("renderer/MODELS.md", models()); }
+
+TEST(Documents, SchemesAreThoseOfTheCatalogue) { expect_generated("renderer/SAMPLING.md", schemes()); }
+
+TEST(Documents, EverySchemeIsExplained) {
+  for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
+    EXPECT_FALSE(info.about.empty()) << info.keyword;
+    for (const grf::ParameterInfo& parameter : info.parameters) {
+      EXPECT_FALSE(parameter.help.empty()) << info.keyword << " " << parameter.name;
+    }
+  }
+}
 
 // That MODELS.md shows it follows from how it is generated. To make them: scripts/plot_models.
 TEST(Documents, EveryModelIsExplainedAndHasItsPicture) {

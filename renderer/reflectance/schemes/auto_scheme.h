@@ -6,7 +6,15 @@ namespace reflectance {
 
 /// The BRDF's own closed-form sampler.
 struct AutoScheme {
-  static ModelTable<AutoScheme> table() { return {"auto", "The BRDF's own sampler", "", {}}; }
+  static ModelTable<AutoScheme> table() {
+    return {
+        .keyword = "auto",
+        .title = "The BRDF's own sampler",
+        .about =
+            "What a face has that names no scheme. Each BRDF has a sampler in closed form that was written "
+            "for it: exact or nearly so where the model's lobe can be inverted, and else that of a like "
+            "lobe together with a matte part. It has no tables and nothing to set."};
+  }
 
   static std::string refusal(const Brdf&) { return {}; }
 

@@ -6,7 +6,15 @@ namespace reflectance {
 
 /// Cosine-weighted directions: what the thesis calls uniform sampling. Covers every BRDF.
 struct DiffuseScheme {
-  static ModelTable<DiffuseScheme> table() { return {"diffuse", "Cosine-weighted", "", {}}; }
+  static ModelTable<DiffuseScheme> table() {
+    return {
+        .keyword = "diffuse",
+        .title = "Cosine-weighted",
+        .about =
+            "Directions in proportion to the cosine with the normal, as if the surface were matte; the "
+            "thesis calls it uniform, which it is on the unit disc. Perfect for Lambert's model, safe for "
+            "every other, and the noisier the glossier the BRDF: what other schemes are measured against."};
+  }
 
   static std::string refusal(const Brdf&) { return {}; }
 
