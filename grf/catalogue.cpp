@@ -66,20 +66,6 @@ std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& 
   return std::nullopt;
 }
 
-void report_unknown_parameter(const Argument& argument, const ModelInfo& info, Diagnostics& diagnostics) {
-  std::vector<std::string> names;
-  for (const ParameterInfo& known : info.parameters) names.emplace_back(known.name);
-  const std::string known = names.empty() ? "it has none" : "it has " + joined(names);
-  std::string suggestion = did_you_mean(argument.name, names);
-  if (const auto* word = std::get_if<Word>(&argument.value); word != nullptr && suggestion.empty()) {
-    suggestion =
-        fmt::format("a definition called '{}' needs 'brdf' or 'pdf' before '{}'", argument.name, word->text);
-  }
-  diagnostics.error(argument.location,
-                    fmt::format("'{}' has no parameter '{}', {}{}{}", info.keyword, argument.name, known,
-                                suggestion.empty() ? "" : ": ", suggestion));
-}
-
 /// Whether a parameter that the model lacks is the beginning of a definition without `brdf` or `pdf`: then
 /// what follows it are that one's parameters.
 bool begins_definition(const Argument& argument, const std::vector<ModelInfo>& models) {
@@ -139,6 +125,20 @@ const Argument* find_argument(const Model& model, const ParameterInfo& parameter
       std::find_if(model.arguments.begin(), model.arguments.end(),
                    [&](const Argument& argument) { return parameter.is_called(argument.name); });
   return found == model.arguments.end() ? nullptr : &*found;
+}
+
+void report_unknown_parameter(const Argument& argument, const ModelInfo& info, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& known : info.parameters) names.emplace_back(known.name);
+  const std::string known = names.empty() ? "it has none" : "it has " + joined(names);
+  std::string suggestion = did_you_mean(argument.name, names);
+  if (const auto* word = std::get_if<Word>(&argument.value); word != nullptr && suggestion.empty()) {
+    suggestion =
+        fmt::format("a definition called '{}' needs 'brdf' or 'pdf' before '{}'", argument.name, word->text);
+  }
+  diagnostics.error(argument.location,
+                    fmt::format("'{}' has no parameter '{}', {}{}{}", info.keyword, argument.name, known,
+                                suggestion.empty() ? "" : ": ", suggestion));
 }
 
 void report_unknown(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,

@@ -91,6 +91,10 @@ const Argument* find_argument(const Model& model, const ParameterInfo& parameter
 bool check(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
            Diagnostics& diagnostics);
 
+/// Says that a model has no such parameter, which it has, and, where the value is a word, what a definition
+/// of that name would need.
+void report_unknown_parameter(const Argument& argument, const ModelInfo& info, Diagnostics& diagnostics);
+
 /// Says that no model has this keyword, and which of the models and of the other words are near it.
 void report_unknown(const Model& model, const std::vector<ModelInfo>& models, std::string_view kind,
                     const std::vector<std::string>& other_words, Diagnostics& diagnostics);

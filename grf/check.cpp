@@ -209,10 +209,9 @@ class Check {
                            fmt::format("the weight {} of a BRDF, expected 0 or more", term.weight));
       }
     }
-    for (const Argument& argument : brdf.arguments) {
-      diagnostics_.error(argument.location,
-                         fmt::format("'combine' has no parameter '{}', it has none", argument.name));
-    }
+    ModelInfo info;
+    info.keyword = "combine";
+    for (const Argument& argument : brdf.arguments) report_unknown_parameter(argument, info, diagnostics_);
   }
 
   // The names of definitions are suggested too: who wrote an unknown keyword may have meant one of those.

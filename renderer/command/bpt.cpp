@@ -45,7 +45,7 @@ void add_sample(CLI::App& sample, command::BrdfArguments& arguments) {
       ->required();
   sample.add_option("--count", arguments.count, "samples to draw (1000)")
       ->type_name("N")
-      ->check(CLI::Range(1, 100'000'000));
+      ->check(CLI::Range(1, 10'000'000));
   sample.add_option("--seed", arguments.seed, "another seed draws other samples (0)")->type_name("S");
   sample.add_option("--fit", arguments.fit, "a FIT file to write the directions to, with the BRDF's values")
       ->type_name("FILE");

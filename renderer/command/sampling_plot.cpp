@@ -139,7 +139,10 @@ plot::Chart histogram_of(const Row& row) {
     steps.points.emplace_back(edge(bin), shares[static_cast<std::size_t>(bin)]);
     steps.points.emplace_back(edge(bin + 1), shares[static_cast<std::size_t>(bin)]);
   }
-  plot::Chart chart{{}, {"weight in albedos", true, 0.01, 100, 0}, {"% of samples", false, 0, {}, 0}, {}};
+  plot::Chart chart{{},
+                    {"weight in albedos; the ends have what is beyond", true, 0.01, 100, 0},
+                    {"% of samples", false, 0, {}, 0},
+                    {}};
   chart.y.maximum = std::max(1.0, 1.05 * peak_of(steps));
   chart.series = {{{}, {Point(1, 0), Point(1, *chart.y.maximum)}, "#111", "2 3"}, steps};
   return chart;

@@ -83,6 +83,10 @@ TEST(Check, SaysWhatADefinitionLacksThatReadsAsAParameter) {
             "'cosine' has no parameter 'b', it has n, mode: a definition called 'b' needs 'brdf' or 'pdf' "
             "before 'flt'\n"
             "'cosine' has no parameter 'kd', it has n, mode\n");
+  EXPECT_EQ(
+      said("brdf flat c = brdf combine 1 a b = flat"),
+      "'combine' has no parameter 'b', it has none: a definition called 'b' needs 'brdf' or 'pdf' before "
+      "'flat'\n");
   EXPECT_EQ(said("pdf cosine moed = warp"),
             "'cosine' has no parameter 'moed', it has n, mode: did you mean 'mode'?\n");
 }
