@@ -19,7 +19,6 @@ namespace command {
 namespace {
 
 using grf::ExitCode;
-using reflectance::Reflector;
 using reflectance::ScatterSample;
 using reflectance::Vec3f;
 
