@@ -78,6 +78,7 @@ class CompiledScene {
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
   bool is_occluded(const Ray& ray) const { return caster_.is_occluded(ray); }
+  bool escapes(const Ray& ray) const { return caster_.escapes(ray); }
 
   const Emitters& emitters() const { return emitters_; }
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
