@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include <tbb/blocked_range2d.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "renderer/transport/processor_clock.h"
 #include "renderer/transport/thread_sanitizer.h"
+#include "renderer/transport/threads.h"
 
 namespace transport {
 namespace {
@@ -31,12 +29,7 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
       start_ticks_(processor_ticks()) {}
 
 void Render::run() {
-  // Without this, TBB would start no more threads than there are cores, whatever was asked for.
-  const int threads = settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute([this] {
+  run_with_threads(settings_.threads, [this] {
     int pass = 1;
     for (int sample = 0; sample < settings_.samples && !stopped_;) {
       const int last = std::min(sample + pass, settings_.samples);
