@@ -39,8 +39,9 @@ const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& di
 bool write_image(const Image& image, const std::string& path, grf::Diagnostics& diagnostics);
 
 /// Reads OpenEXR, Radiance, pfm, PNG, JPEG or TGA, told by what the file holds (TGA by its name). 8-bit
-/// images are taken to be sRGB-encoded. Anything wrong with the file is one error, at the place that asked
-/// for it or of the file itself. Values are as they stand there, NaN and negative ones too.
+/// images are taken to be sRGB-encoded, and 16-bit ones to be linear unless they say otherwise. Anything
+/// wrong with the file is one error, at the place that asked for it or of the file itself. Values are as they
+/// stand there, NaN and negative ones too.
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at = {});
 

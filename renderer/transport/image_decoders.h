@@ -9,7 +9,9 @@
 namespace transport {
 
 /// An image of that size, black. Files that say more of themselves than any memory holds are not believed.
+/// That of a file that holds at most so many pixels a byte may need no more of them than there can be.
 Image blank_image(std::int64_t width, std::int64_t height);
+Image blank_image(std::int64_t width, std::int64_t height, std::string_view file, std::size_t pixels_a_byte);
 
 /// Fills an image from sRGB-encoded bytes (IEC 61966-2-1), three a pixel, white being 1.
 void decode_srgb(const std::uint8_t* bytes, Image& image);

@@ -141,7 +141,8 @@ Image decode_png(std::string_view bytes) {
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
     throw std::runtime_error(png.message);
   }
-  Image image = blank_image(png.width, png.height);
+  // Of one bit at least each, and zlib makes at most 1032 bytes of one.
+  Image image = blank_image(png.width, png.height, bytes, std::size_t(8) * 1032);
   const bool is_deep = (png.format & PNG_FORMAT_FLAG_LINEAR) != 0;
   png.format = is_deep ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;
   // What is transparent is laid over these, so black.
@@ -226,6 +227,15 @@ Image blank_image(std::int64_t width, std::int64_t height) {
   Image image{static_cast<int>(width), static_cast<int>(height), {}};
   image.pixels.resize(static_cast<std::size_t>(width * height), Rgb(0));
   return image;
+}
+
+Image blank_image(std::int64_t width, std::int64_t height, std::string_view file, std::size_t pixels_a_byte) {
+  // A few bytes that are garbled must not ask for gigabytes. Larger numbers are for the other check.
+  const bool is_plain = width > 0 && height > 0 && width < (1 << 30) && height < (1 << 30);
+  if (is_plain && static_cast<std::size_t>(width * height) / pixels_a_byte > file.size()) {
+    throw std::runtime_error("it ends early");
+  }
+  return blank_image(width, height);
 }
 
 void decode_srgb(const std::uint8_t* bytes, Image& image) {

@@ -81,6 +81,7 @@ class Path {
   float density_ = 0;
   float environment_share_ = 0;  ///< the probability of sampling the map and not an emitter
   bool resamples_ = false;
+  reflectance::Resampler resampler_;
   /// The map's light along the ray was added where the ray starts.
   bool has_environment_ = false;
 };
@@ -163,7 +164,6 @@ void Path::add_environment_light(const Scattering& scattering, const Vec2f& xi) 
 // Besides the candidates, the path goes on with a direction of its own: one that was chosen by the map's
 // light would be a poor one for what comes from other surfaces.
 void Path::add_resampled_light(const Scattering& scattering) {
-  thread_local reflectance::Resampler resampler;
   const float xi = numbers_.next().x;
   const PointSet points = numbers_.next_set(settings_.resampling->candidates);
   const auto draw = [&](int j) { return sample(scattering, points[j]); };
@@ -177,7 +177,7 @@ void Path::add_resampled_light(const Scattering& scattering) {
     if (!scene_.escapes({scattering.point.origin_towards(direction), direction})) return;
     radiance_ += throughput_ * scattering.point.colour * estimate;
   };
-  reflectance::resample(resampler, *settings_.resampling, xi, draw, radiance, add_if_visible);
+  reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
 }
 
 std::optional<reflectance::ScatterSample> Path::sample(const Scattering& scattering, const Uniform4& xi) {

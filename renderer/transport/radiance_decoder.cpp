@@ -28,6 +28,10 @@ class Decoder {
 
   Image run() {
     const Header header = read_header();
+    // Each row has a pixel at least that is written out. A size that is garbled must not ask for gigabytes.
+    if (header.height > 0 && rest_.size() / sizeof(Rgbe) < static_cast<std::size_t>(header.height)) {
+      throw std::runtime_error("it ends early");
+    }
     Image image = blank_image(header.width, header.height);
     std::vector<Rgbe> row(static_cast<std::size_t>(header.width));
     for (int i = 0; i < header.height; ++i) {

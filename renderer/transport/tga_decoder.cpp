@@ -77,7 +77,7 @@ Image decode_tga(std::string_view bytes) {
   int channels = 0;
   Source header(bytes);
   if (stbi_info_from_callbacks(&callbacks, &header, &width, &height, &channels) == 0) fail();
-  Image image = blank_image(width, height);
+  Image image = blank_image(width, height, bytes, 128);  // the longest run
   Source source(bytes);
   const std::unique_ptr<stbi_uc, Free> pixels(
       stbi_load_from_callbacks(&callbacks, &source, &width, &height, &channels, 3));

@@ -211,6 +211,15 @@ TEST_F(ImageReader, ReadsOpenExrByItsChannels) {
   expect_error("d.exr", exr_with(path, {"Z"}), "it is broken (its channels are not R, G and B, nor Y alone)");
 }
 
+TEST_F(ImageReader, RefusesHugeImages) {
+  const std::string path = folder_.path("made.exr");
+  Imf::Header header(100000, 200000);
+  header.channels().insert("R", Imf::Channel(Imf::HALF));
+  { const Imf::OutputFile file(path.c_str(), header); }
+  expect_error("a.exr", test::bytes_of(path),
+               "it is broken (it has 100000 x 200000 pixels, expected at most 134 million)");
+}
+
 TEST_F(ImageReader, SaysWhatIsWrong) {
   expect_error("a.exr", "", "the file is empty");
   expect_error("b.bmp", "BM something", "expected OpenEXR, Radiance (hdr), pfm, PNG, JPEG or TGA");
@@ -219,8 +228,7 @@ TEST_F(ImageReader, SaysWhatIsWrong) {
   expect_error("e.pfm", "PF\n0 2\n-1\n", "it is broken (it has no pixels)");
   expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is broken (it has no pixels)");
   expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is broken (it ends early)");
-  expect_error("h.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n",
-               "it is broken (it has 100000 x 100000 pixels, expected at most 134 million)");
+  expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is broken (it ends early)");
   expect_error("i.tga", "some text", "it is broken (");
   EXPECT_FALSE(transport::read_image(folder_.path("none.exr"), diagnostics_ = {}));
   EXPECT_EQ(diagnostics_.error_count(), 1U);
@@ -271,7 +279,7 @@ TEST_F(BrokenImages, ThatEndEarlyAreRefused) {
 TEST_F(BrokenImages, ThatAreGarbledDoNoHarm) {
   std::mt19937 random(3);
   for (const auto& [name, file] : files()) {
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 300; ++i) {
       std::string garbled = file;
       for (std::uint32_t k = 0; k <= random() % 8; ++k) {
         // The first bytes say the most.
