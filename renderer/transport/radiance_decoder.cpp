@@ -71,7 +71,7 @@ class Decoder {
       throw std::runtime_error("its exposure is not over 0");
     }
     const std::string_view size = next_line();
-    const std::size_t second = size.find(" ", std::min<std::size_t>(3, size.size()));
+    const std::size_t second = size.find(' ', std::min<std::size_t>(3, size.size()));
     if (second == std::string_view::npos || size.size() < second + 4 || size[1] != 'Y' ||
         size[second + 2] != 'X') {
       throw std::runtime_error("its size is not said as rows and columns, such as -Y 512 +X 1024");
