@@ -15,6 +15,12 @@ namespace {
 
 using grf::ExitCode;
 
+/// Two numbers are one word of the command line.
+std::string type_name_of(const options::OptionInfo& option) {
+  if (std::holds_alternative<options::SizeOption>(option.value)) return "WxH";
+  return options::word_count(option) == 2 ? "MxN" : std::string(option.values);
+}
+
 void add_render(CLI::App& app, command::RenderArguments& arguments) {
   CLI::App* render = app.add_subcommand("render", "Render a scene to an image");
   render->add_option("scene", arguments.scene, "an OP file, or a GRF scene")
@@ -33,7 +39,7 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
         ->add_option_function<std::string>(
             flag, [&arguments, flag](const std::string& text) { arguments.flags[flag] = text; },
             fmt::format("{} ({})", option.meaning, option.default_value))
-        ->type_name(std::string(option.values == "int int" ? "WxH" : option.values));
+        ->type_name(type_name_of(option));
   }
   render->add_flag("--json", arguments.json, "print the summary as JSON");
 }

@@ -19,7 +19,9 @@
 #include "grf/check.h"
 #include "grf/read.h"
 #include "renderer/command/progress_bar.h"
+#include "renderer/command/render_reports.h"
 #include "renderer/options/op_file.h"
+#include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/render.h"
 
@@ -37,7 +39,7 @@ bool is_op_file(const std::string& path) { return std::filesystem::path(path).ex
 /// A flag's words: `800x600` are two.
 std::vector<std::string> words_of(const options::OptionInfo& option, const std::string& text) {
   const std::size_t x = text.find('x');
-  if (!std::holds_alternative<options::SizeOption>(option.value) || x == std::string::npos) return {text};
+  if (options::word_count(option) != 2 || x == std::string::npos) return {text};
   return {text.substr(0, x), text.substr(x + 1)};
 }
 
@@ -49,6 +51,7 @@ bool apply_flags(const RenderArguments& arguments, RenderOptions& render_options
     const auto problem = set_option(render_options, option, words_of(option, given->second));
     if (problem) fmt::print(stderr, "error: {}: {}\n", option.flag, *problem);
     right = right && !problem;
+    render_options.locations.erase(option.key);  // it is no longer what the file says
   }
   return right;
 }
@@ -82,15 +85,51 @@ bool can_write(const std::string& output, Diagnostics& diagnostics) {
   return false;
 }
 
-std::optional<CompiledScene> load(const std::string& path, Diagnostics& diagnostics) {
+/// The scheme that the options name, checked; false after an error.
+bool override_scheme(const RenderOptions& render_options, transport::CompileSettings& settings,
+                     Diagnostics& diagnostics) {
+  options::warn_of_unused_options(render_options, diagnostics);
+  auto model = options::scheme_model(render_options);
+  if (!model) return true;
+  if (!grf::check(*model, reflectance::scheme_infos(), "PDF", diagnostics)) return false;
+  settings.scheme = {std::move(*model), render_options.factors_file};
+  return true;
+}
+
+std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  const std::string& path = render_options.scene;
+  transport::CompileSettings settings;
+  settings.threads = render_options.threads;
+  const bool has_scheme = override_scheme(render_options, settings, diagnostics);
   const auto scene = grf::read(path, diagnostics);
-  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
-  auto compiled = transport::compile(*scene, diagnostics);
+  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics) || !has_scheme) {
+    return std::nullopt;
+  }
+  auto compiled = transport::compile(*scene, diagnostics, settings);
   if (compiled && compiled->triangle_count() == 0) {
     diagnostics.error(grf::whole_file(path), "the scene has nothing to render, expected a mesh or a light");
     return std::nullopt;
   }
   return compiled;
+}
+
+/// Reads the image around or behind the scene; false after an error.
+bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
+                       Diagnostics& diagnostics) {
+  const std::string& path = render_options.environment;
+  if (path.empty()) return true;
+  const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
+  if (render_options.projection == "backplate") {
+    auto image = transport::read_image(path, diagnostics, location);
+    if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
+    return settings.backplate != nullptr;
+  }
+  auto map = transport::read_environment_map(path, diagnostics, location);
+  if (map) settings.path.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
+  if (render_options.resampling) {
+    settings.path.resampling = {render_options.resampling->first, render_options.resampling->second};
+  }
+  return map.has_value();
 }
 
 transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3f& bounds) {
@@ -104,6 +143,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.view.up = render_options.up;
   settings.path.background = render_options.background;
   settings.path.depth = render_options.depth;
+  settings.path.measures_sampling = render_options.writes_sampling_time;
   settings.samples = render_options.samples;
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;
@@ -209,8 +249,9 @@ void print(const nlohmann::json& summary, bool json) {
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
-/// Keeps the image and says what went wrong.
-bool keep(const transport::Render& render, const std::vector<std::string>& outputs) {
+/// Keeps the image and what else is to be kept, and says what went wrong.
+bool keep(const transport::Render& render, const CompiledScene& scene, const RenderOptions& render_options,
+          const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
   if (render.rejected_samples() > 0) {
     diagnostics.warning(
@@ -219,8 +260,32 @@ bool keep(const transport::Render& render, const std::vector<std::string>& outpu
   const transport::Image image = render.film().mean();
   bool kept = true;
   for (const std::string& output : outputs) kept &= transport::write_image(image, output, diagnostics);
+  kept &= write_reports(render, scene, render_options, outputs.front(), diagnostics);
   print(diagnostics);
   return kept;
+}
+
+/// What a render needs, once its files have been read.
+struct Job {
+  CompiledScene scene;
+  transport::RenderSettings settings;
+};
+
+std::optional<Job> prepare(const RenderOptions& render_options, const std::vector<std::string>& outputs,
+                           Diagnostics& diagnostics) {
+  const bool writable = std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
+    return can_write(output, diagnostics);
+  });
+  if (!writable) return std::nullopt;
+  auto scene = load(render_options, diagnostics);
+  transport::RenderSettings settings;
+  if (scene) settings = settings_of(render_options, scene->bounds());
+  if (!load_surroundings(render_options, settings, diagnostics) || !scene) return std::nullopt;
+  if (settings.view.eye == settings.view.target) {
+    diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
+    return std::nullopt;
+  }
+  return Job{std::move(*scene), std::move(settings)};
 }
 
 }  // namespace
@@ -230,28 +295,19 @@ grf::ExitCode render(const RenderArguments& arguments) {
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   std::vector<std::string> outputs;
-  std::optional<CompiledScene> scene;
+  std::optional<Job> job;
   if (render_options) {
     if (!apply_flags(arguments, *render_options)) return ExitCode::BadCommandLine;
     outputs = outputs_of(arguments, *render_options);
-    const bool writable = std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
-      return can_write(output, diagnostics);
-    });
-    if (writable) scene = load(render_options->scene, diagnostics);
+    job = prepare(*render_options, outputs, diagnostics);
   }
   print(diagnostics);
-  if (!scene) return ExitCode::BadInput;
-  const transport::RenderSettings settings = settings_of(*render_options, scene->bounds());
-  if (settings.view.eye == settings.view.target) {
-    fmt::print(stderr,
-               "error: BPT_Viewer and BPT_VLook are the same point: there is no direction to look in\n");
-    return ExitCode::BadInput;
-  }
-  transport::Render render(*scene, settings);
+  if (!job) return ExitCode::BadInput;
+  transport::Render render(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const bool interrupted = run(render);
-  if (!keep(render, outputs)) return ExitCode::BadInput;
-  print(summary_of(render, *render_options, outputs.front(), setup_seconds, *scene), arguments.json);
+  if (!keep(render, job->scene, *render_options, outputs)) return ExitCode::BadInput;
+  print(summary_of(render, *render_options, outputs.front(), setup_seconds, job->scene), arguments.json);
   return interrupted ? ExitCode::Interrupted : ExitCode::Done;
 }
 

@@ -93,9 +93,11 @@ class OpReader {
     std::vector<std::string> values;
     for (std::size_t i = key_words; i < words.size(); ++i) values.push_back(words[i].text);
     const auto* path = std::get_if<PathOption>(&option->value);
-    if (path != nullptr && values.size() == 1) values[0] = grf::path_beside(path_, values[0]);
+    if (path != nullptr && values.size() == 1 && !path->means_none(values[0]))
+      values[0] = grf::path_beside(path_, values[0]);
+    const Word& place = words.size() > key_words ? words[key_words] : words[0];
+    options_.locations[option->key] = at(place);
     if (const auto problem = set_option(options_, *option, values)) {
-      const Word& place = words.size() > key_words ? words[key_words] : words[0];
       diagnostics_.error(at(place), fmt::format("{}: {}", option->key, *problem));
     }
   }

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "grf/keywords.h"
 #include "grf/math.h"
+#include "grf/source_location.h"
 
 namespace options {
 
@@ -20,7 +23,47 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-struct RenderOptions {
+struct IntegerPair {
+  int first = 0;
+  int second = 0;
+
+  bool operator==(const IntegerPair&) const = default;
+};
+
+/// Where options were given in a file, by their keys. Where a thing was written makes it no other thing.
+struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
+  bool operator==(const OptionLocations&) const { return true; }
+
+  /// Or that of nothing, for an option of the command line.
+  grf::SourceLocation of(std::string_view key) const {
+    const auto found = find(key);
+    return found == end() ? grf::SourceLocation() : found->second;
+  }
+};
+
+/// What is absent was not given, and has the default of the sampling scheme; see `scheme_options.h`.
+struct SchemeOptions {
+  std::string name;  ///< a word of the table; empty: what the scene says
+  std::optional<float> lobe_exponent;
+  std::optional<float> anisotropic_nu;
+  std::optional<float> anisotropic_nv;
+  std::optional<int> trees_over_theta;
+  std::optional<int> trees_over_phi;
+  std::optional<float> mean_tries;
+  std::optional<int> tree_resolution;
+  std::optional<bool> releases_table;
+  std::optional<IntegerPair> factors_u;  ///< theta, phi
+  std::optional<IntegerPair> factors_p;  ///< theta, phi
+  std::optional<IntegerPair> factors;    ///< J, K
+  std::optional<bool> factors_by_half_vector;
+  std::string factors_file;                   ///< without its endings
+  std::optional<IntegerPair> cdf_resolution;  ///< theta, phi
+  std::optional<bool> compresses_cdf;
+
+  bool operator==(const SchemeOptions&) const = default;
+};
+
+struct RenderOptions : SchemeOptions {
   std::string scene;   ///< path of the GRF file
   std::string output;  ///< path of the image; empty: the scene's name with .exr
   ImageSize size = {500, 400};
@@ -29,24 +72,51 @@ struct RenderOptions {
   grf::Vec3f up = grf::Vec3f(0, 1, 0);
   float field_of_view = 45;               ///< vertical, degrees
   grf::Vec3f background = grf::Vec3f(0);  ///< radiance, W/(sr m2)
+  std::string environment;                ///< path of an environment map or background image
+  std::string projection = "latlong";     ///< of that image: latlong or backplate
+  std::optional<IntegerPair> resampling;  ///< M and N
   int depth = 5;
   int samples = 100;  ///< a pixel
   std::uint32_t seed = 0;
-  int threads = 0;  ///< 0: all
+  int threads = 0;                     ///< 0: all
+  bool writes_memory = false;          ///< `mem.op` beside the image
+  bool writes_sampling_time = false;   ///< `samplingTime`
+  bool writes_rendering_time = false;  ///< `renderingTime`
+  bool writes_prebuild_time = false;   ///< `prebuildTime`
+  OptionLocations locations;
 
   bool operator==(const RenderOptions&) const = default;
 };
 
-/// A number with its legal values. Those of reals are open intervals where `open` says so.
-template <class Number>
+/// A number with its legal values. Those of reals are open intervals where `open` says so. The field may be
+/// one that knows whether it was given.
+template <class Number, class Field = Number>
 struct NumberOption {
-  Number RenderOptions::*field;
+  Field RenderOptions::*field;
   Number minimum;
   Number maximum;
   bool open = false;
 };
+template <class Field>
+struct BooleanOption {
+  Field RenderOptions::*field;
+};
+/// One of some words, of which the field gets the spelling of the table.
+struct WordOption {
+  std::string RenderOptions::*field;
+  std::vector<std::string_view> words;
+};
+struct PairOption {
+  std::optional<IntegerPair> RenderOptions::*field;
+  int minimum;  ///< of both
+  int maximum;
+  bool descending = false;  ///< the second is at most the first
+};
 struct PathOption {
   std::string RenderOptions::*field;
+  bool can_be_none = false;  ///< the word `none` means no file, and leaves the field empty
+
+  bool means_none(std::string_view word) const { return can_be_none && grf::same_keyword(word, "none"); }
 };
 struct SizeOption {
   ImageSize RenderOptions::*field;
@@ -63,7 +133,9 @@ struct OptionInfo {
   std::string_view key;   ///< of OP files, `BPT_Depth`
   std::string_view flag;  ///< of the command line, `--depth`; empty: only in files
   std::variant<PathOption, SizeOption, VectorOption, PlaceOption, NumberOption<int>,
-               NumberOption<std::uint32_t>, NumberOption<float>>
+               NumberOption<std::uint32_t>, NumberOption<float>, NumberOption<int, std::optional<int>>,
+               NumberOption<float, std::optional<float>>, BooleanOption<bool>,
+               BooleanOption<std::optional<bool>>, WordOption, PairOption>
       value;
   std::string_view values;         ///< what stands behind the key, `int int`
   std::string_view default_value;  ///< in words

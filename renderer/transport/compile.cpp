@@ -1,13 +1,9 @@
 #include <array>
-#include <map>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "grf/visit.h"
-#include "grf/write.h"
-#include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/compiled_scene.h"
 #include "renderer/transport/triangulation.h"
 
@@ -19,7 +15,6 @@ using grf::Matrix44d;
 using grf::Mesh;
 using grf::Placement;
 using grf::ResolvedSurface;
-using reflectance::Reflector;
 
 Vec3f transformed(const Vec3f& position, const Matrix44d& to_world) {
   return Vec3f(grf::Vec3d(position) * to_world);
@@ -38,7 +33,8 @@ bool mirrors(const Matrix44d& to_world) { return to_world.determinant() < 0; }
 
 class Compiler {
  public:
-  explicit Compiler(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics), brdfs_(diagnostics) {}
+  Compiler(const CompileSettings& settings, grf::Diagnostics& diagnostics)
+      : settings_(settings), diagnostics_(diagnostics), reflectors_(settings.scheme, diagnostics) {}
 
   void add(const Mesh& mesh, const Placement& placement);
   void add(const grf::MeshLight& light, const Placement& placement);
@@ -52,7 +48,7 @@ class Compiler {
     if (emitters_.empty()) geometry_.emitter_of_triangle.clear();
     for (const Vec3f& position : geometry_.positions) geometry_.bounds.extendBy(position);
     geometry_.positions.emplace_back(0.0F);  // padding, see RayCaster
-    return CompiledScene(std::move(geometry_), std::move(surfaces_), std::move(reflectors_),
+    return CompiledScene(std::move(geometry_), std::move(surfaces_), reflectors_.build(settings_.threads),
                          Emitters(std::move(emitters_)));
   }
 
@@ -67,15 +63,13 @@ class Compiler {
   void add_triangle(const std::array<std::uint32_t, 3>& corners, TriangleSurface surface,
                     std::uint32_t emitter);
   std::uint32_t reflector_of(const ResolvedSurface& surface);
-  std::uint32_t add_reflector(const ResolvedSurface& surface);
   std::uint32_t add_triangle_emitter(const std::array<std::uint32_t, 3>& corners, const Rgb& radiance);
 
+  const CompileSettings& settings_;
   grf::Diagnostics& diagnostics_;
-  reflectance::BrdfMaker brdfs_;
+  ReflectorSetBuilder reflectors_;
   Geometry geometry_;
   std::vector<CompiledSurface> surfaces_;
-  std::vector<Reflector> reflectors_;
-  std::map<std::string, std::uint32_t> reflector_by_text_;
   std::vector<Emitter> emitters_;
   std::size_t textured_faces_ = 0;
   bool is_too_large_ = false;
@@ -163,33 +157,7 @@ std::vector<std::uint32_t> Compiler::add_light_surfaces(const Mesh& mesh, const 
 // An emitter without a BRDF reflects nothing; any other face without one is diffuse.
 std::uint32_t Compiler::reflector_of(const ResolvedSurface& surface) {
   if (surface.brdf == nullptr && surface.emission) return None;
-  const std::string brdf =
-      surface.brdf != nullptr ? brdfs_.identity(*surface.brdf, surface.brdf_scope) : std::string();
-  const std::string text = brdf + " / " + (surface.pdf != nullptr ? to_text(*surface.pdf) : std::string());
-  const auto known = reflector_by_text_.find(text);
-  if (known != reflector_by_text_.end()) return known->second;
-  const std::uint32_t index = add_reflector(surface);
-  reflector_by_text_.emplace(text, index);
-  return index;
-}
-
-std::uint32_t Compiler::add_reflector(const ResolvedSurface& surface) {
-  const auto brdf = surface.brdf != nullptr ? brdfs_.make(*surface.brdf, surface.brdf_scope)
-                                            : std::optional(reflectance::default_brdf());
-  const auto scheme =
-      surface.pdf != nullptr ? reflectance::make_scheme(*surface.pdf) : reflectance::default_scheme();
-  if (!scheme) {
-    diagnostics_.error(surface.pdf->location, fmt::format("'{}' cannot be rendered", surface.pdf->keyword));
-  }
-  if (!brdf || !scheme) return None;
-  const std::string refusal = reflectance::refusal(*scheme, *brdf);
-  if (!refusal.empty()) {
-    diagnostics_.error(surface.pdf->location,
-                       fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}", surface.pdf->keyword,
-                                   surface.brdf != nullptr ? surface.brdf->keyword : "diffuse", refusal));
-  }
-  reflectors_.emplace_back(*brdf, *scheme);
-  return static_cast<std::uint32_t>(reflectors_.size() - 1);
+  return reflectors_.index_of(surface);
 }
 
 void Compiler::add_face(const Mesh& mesh, std::size_t face, std::uint32_t surface, std::uint32_t first_vertex,
@@ -256,9 +224,10 @@ void Compiler::add(const AreaLight& light, const Placement& placement) {
 
 }  // namespace
 
-std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
+std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
+                                     const CompileSettings& settings) {
   const std::size_t errors_before = diagnostics.error_count();
-  Compiler compiler(diagnostics);
+  Compiler compiler(settings, diagnostics);
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
     compiler.add(mesh, placement);

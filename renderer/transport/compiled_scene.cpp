@@ -29,7 +29,7 @@ std::vector<std::string> Effects::names() const {
 }
 
 CompiledScene::CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces,
-                             std::vector<reflectance::Reflector> reflectors, Emitters emitters)
+                             ReflectorSet reflectors, Emitters emitters)
     : geometry_(std::move(geometry)),
       surfaces_(std::move(surfaces)),
       reflectors_(std::move(reflectors)),
@@ -74,7 +74,7 @@ Effects CompiledScene::effects() const {
       std::any_of(geometry_.triangle_surfaces.begin(), geometry_.triangle_surfaces.end(),
                   [](const TriangleSurface& triangle) { return !triangle.is_flat; });
   effects.vertex_colours = !geometry_.colours.empty();
-  for (const reflectance::Reflector& reflector : reflectors_) {
+  for (const reflectance::Reflector& reflector : reflectors_.reflectors) {
     const reflectance::Brdf& brdf = reflector.brdf();
     if (reflectance::has_mirror(brdf)) effects.mirror_reflection = true;
     if (reflectance::has_diffuse_part(brdf)) effects.diffuse_reflection = true;

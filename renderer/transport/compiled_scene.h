@@ -10,10 +10,10 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
-#include "renderer/reflectance/reflector.h"
 #include "renderer/transport/emitter.h"
 #include "renderer/transport/ray_caster.h"
 #include "renderer/transport/ray_offset.h"
+#include "renderer/transport/reflector_set.h"
 
 namespace transport {
 
@@ -73,32 +73,44 @@ struct SurfacePoint {
 
 class CompiledScene {
  public:
-  CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces,
-                std::vector<reflectance::Reflector> reflectors, Emitters emitters);
+  CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
+                Emitters emitters);
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
   bool is_occluded(const Ray& ray) const { return caster_.is_occluded(ray); }
+  bool escapes(const Ray& ray) const { return caster_.escapes(ray); }
 
   const Emitters& emitters() const { return emitters_; }
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
-    return surface.reflector == None ? nullptr : &reflectors_[surface.reflector];
+    return surface.reflector == None ? nullptr : &reflectors_.reflectors[surface.reflector];
   }
   const grf::Box3f& bounds() const { return geometry_.bounds; }
   std::size_t triangle_count() const { return geometry_.triangle_surfaces.size(); }
   Effects effects() const;
+
+  /// What the tables of the sampling schemes hold, for each pair of BRDF and scheme.
+  const std::vector<TableInfo>& tables() const { return reflectors_.tables; }
+  /// How long building them took.
+  double table_seconds() const { return reflectors_.seconds; }
 
  private:
   SurfacePoint point_at(const TriangleHit& hit) const;
 
   Geometry geometry_;
   std::vector<CompiledSurface> surfaces_;
-  std::vector<reflectance::Reflector> reflectors_;
+  ReflectorSet reflectors_;
   Emitters emitters_;
   RayCaster caster_;  ///< shares the triangles of the geometry
 };
 
+struct CompileSettings {
+  std::optional<SchemeOverride> scheme;  ///< checked against the catalogue too
+  int threads = 0;                       ///< that make tables; 0: as many as the machine has
+};
+
 /// Compiles a scene that was checked against the catalogue. A sampling scheme that cannot serve the BRDF of
 /// its faces is an error, and nothing is returned.
-std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics);
+std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
+                                     const CompileSettings& settings = {});
 
 }  // namespace transport

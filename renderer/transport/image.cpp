@@ -101,11 +101,15 @@ const std::vector<ImageFormat>& image_formats() {
   return formats;
 }
 
+bool has_extension(const std::string& path, std::string_view extension) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return !ending.empty() && grf::same_keyword(ending.substr(1), extension);
+}
+
 const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics) {
-  const std::string extension = std::filesystem::path(path).extension().string();
   const auto& formats = image_formats();
   const auto found = std::find_if(formats.begin(), formats.end(), [&](const ImageFormat& format) {
-    return !extension.empty() && grf::same_keyword(extension.substr(1), format.extension);
+    return has_extension(path, format.extension);
   });
   if (found != formats.end()) return &*found;
   std::vector<std::string_view> known;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "renderer/transport/processor_clock.h"
+
 namespace transport {
 namespace {
 
@@ -43,22 +45,45 @@ struct Scattering {
 };
 
 /// The path so far.
-struct Path {
-  const CompiledScene& scene;
-  const PathSettings& settings;
-  PathNumbers& numbers;
-  RayCounter& counter;
-  Ray ray;
-  Rgb throughput = Rgb(1);
-  Rgb radiance = Rgb(0);
-  /// The solid-angle density with which the ray was drawn, where a light could have been sampled instead;
-  /// 0 for camera rays and mirror directions.
-  float density = 0;
+class Path {
+ public:
+  Path(const CompiledScene& scene, const PathSettings& settings, const Ray& ray, PathNumbers& numbers,
+       RayCounter& counter)
+      : scene_(scene), settings_(settings), numbers_(numbers), counter_(counter), ray_(ray) {
+    const bool has_environment = settings.environment && !settings.environment->is_black();
+    if (has_environment && !settings.resampling) environment_share_ = scene.emitters().empty() ? 1 : 0.5F;
+    resamples_ = has_environment && settings.resampling;
+  }
 
+  Rgb run(const std::optional<Rgb>& behind);
+
+ private:
+  Rgb radiance_from_outside() const;
   void add_emission(const SurfacePoint& point);
   void add_direct_light(const Scattering& scattering, const Uniform4& xi);
+  void add_area_light(const Scattering& scattering, float choice, const Vec2f& xi);
+  void add_environment_light(const Scattering& scattering, const Vec2f& xi);
+  void add_resampled_light(const Scattering& scattering);
+  std::optional<Rgb> lit_from(const Scattering& scattering, const Vec3f& direction,
+                              float light_density) const;
+  std::optional<reflectance::ScatterSample> sample(const Scattering& scattering, const Uniform4& xi);
   bool scatter(const Scattering& scattering, const Uniform4& xi);
-  Rgb run();
+
+  const CompiledScene& scene_;
+  const PathSettings& settings_;
+  PathNumbers& numbers_;
+  RayCounter& counter_;
+  Ray ray_;
+  Rgb throughput_ = Rgb(1);
+  Rgb radiance_ = Rgb(0);
+  /// The solid-angle density with which the ray was drawn, where a light could have been sampled instead;
+  /// 0 for camera rays and mirror directions.
+  float density_ = 0;
+  float environment_share_ = 0;  ///< the probability of sampling the map and not an emitter
+  bool resamples_ = false;
+  reflectance::Resampler resampler_;
+  /// The map's light along the ray was added where the ray starts.
+  bool has_environment_ = false;
 };
 
 /// Turns a density per area into one per solid angle, seen over a vector from the point that is lit.
@@ -70,67 +95,135 @@ float to_solid_angle(float area_density, const Vec3f& to_light, const Vec3f& lig
 
 void Path::add_emission(const SurfacePoint& point) {
   const Rgb& emission = point.surface->emission;
-  if (reflectance::is_black(emission) || ray.direction.dot(point.geometric_normal) >= 0) return;
+  if (reflectance::is_black(emission) || ray_.direction.dot(point.geometric_normal) >= 0) return;
   float weight = 1;
-  if (density > 0 && point.emitter != None) {
-    const float area_density = scene.emitters().area_density(point.emitter);
+  if (density_ > 0 && point.emitter != None) {
+    const float area_density = (1 - environment_share_) * scene_.emitters().area_density(point.emitter);
     weight = power_heuristic(
-        density, to_solid_angle(area_density, point.position - ray.origin, point.geometric_normal));
+        density_, to_solid_angle(area_density, point.position - ray_.origin, point.geometric_normal));
   }
-  radiance += throughput * emission * weight;
+  radiance_ += throughput_ * emission * weight;
+}
+
+Rgb Path::radiance_from_outside() const {
+  if (!settings_.environment) return settings_.background;
+  if (has_environment_) return Rgb(0);
+  float weight = 1;
+  if (density_ > 0 && environment_share_ > 0) {
+    weight = power_heuristic(density_, environment_share_ * settings_.environment->density(ray_.direction));
+  }
+  return settings_.environment->radiance(ray_.direction) * weight;
 }
 
 void Path::add_direct_light(const Scattering& scattering, const Uniform4& xi) {
-  if (scene.emitters().empty() || !scattering.reflector.has_density()) return;
-  const LightSample light = scene.emitters().sample(xi.z, xi.xy());
+  if (!scattering.reflector.has_density()) return;
+  if (xi.z < environment_share_) {
+    add_environment_light(scattering, xi.xy());
+  } else if (!scene_.emitters().empty()) {
+    add_area_light(scattering, (xi.z - environment_share_) / (1 - environment_share_), xi.xy());
+  }
+}
+
+/// What a light of radiance 1 that was sampled with this density adds, weighted against the BRDF's own
+/// sampling; nothing if that is 0.
+std::optional<Rgb> Path::lit_from(const Scattering& scattering, const Vec3f& direction,
+                                  float light_density) const {
+  const Vec3f v = scattering.frame.to_local(direction);
+  if (v.z <= 0 || !(light_density > 0) || !std::isfinite(light_density)) return std::nullopt;
+  const Rgb reflected = scattering.reflector.evaluate(scattering.u, v) * v.z;
+  if (reflectance::is_black(reflected)) return std::nullopt;
+  const float weight = power_heuristic(light_density, scattering.reflector.density(scattering.u, v));
+  return throughput_ * scattering.point.colour * reflected * (weight / light_density);
+}
+
+void Path::add_area_light(const Scattering& scattering, float choice, const Vec2f& xi) {
+  const LightSample light = scene_.emitters().sample(choice, xi);
   const Vec3f to_light = light.position - scattering.point.position;
   if (to_light.dot(light.normal) >= 0 || !scattering.is_above(to_light)) return;
   const Vec3f direction = to_light.normalized();
-  const Vec3f v = scattering.frame.to_local(direction);
-  if (v.z <= 0) return;
-  const Rgb reflected = scattering.reflector.evaluate(scattering.u, v) * v.z;
-  if (reflectance::is_black(reflected)) return;
-  const float light_density = to_solid_angle(light.density, to_light, light.normal);
-  if (!(light_density > 0) || !std::isfinite(light_density)) return;
-  const float weight = power_heuristic(light_density, scattering.reflector.density(scattering.u, v));
+  const float area_density = (1 - environment_share_) * light.density;
+  const auto lit = lit_from(scattering, direction, to_solid_angle(area_density, to_light, light.normal));
+  if (!lit) return;
   const Vec3f origin = scattering.point.origin_towards(direction);
   const Vec3f end = offset_towards(light.position, light.error, light.normal, -direction);
-  ++counter.rays;
-  if (scene.is_occluded({origin, end - origin})) return;
-  radiance += throughput * scattering.point.colour * reflected * light.radiance * (weight / light_density);
+  ++counter_.rays;
+  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light.radiance;
+}
+
+void Path::add_environment_light(const Scattering& scattering, const Vec2f& xi) {
+  const auto light = settings_.environment->sample(xi);
+  if (!light || !scattering.is_above(light->direction)) return;
+  const auto lit = lit_from(scattering, light->direction, environment_share_ * light->density);
+  if (!lit) return;
+  ++counter_.rays;
+  if (scene_.escapes({scattering.point.origin_towards(light->direction), light->direction})) {
+    radiance_ += *lit * light->radiance;
+  }
+}
+
+// Besides the candidates, the path goes on with a direction of its own: one that was chosen by the map's
+// light would be a poor one for what comes from other surfaces.
+void Path::add_resampled_light(const Scattering& scattering) {
+  const float xi = numbers_.next().x;
+  const PointSet points = numbers_.next_set(settings_.resampling->candidates);
+  const auto draw = [&](int j) { return sample(scattering, points[j]); };
+  const auto radiance = [&](const Vec3f& v) {
+    const Vec3f direction = scattering.frame.to_world(v);
+    return scattering.is_above(direction) ? settings_.environment->radiance(direction) : Rgb(0);
+  };
+  const auto add_if_visible = [&](const Vec3f& v, const Rgb& estimate) {
+    const Vec3f direction = scattering.frame.to_world(v);
+    ++counter_.rays;
+    if (!scene_.escapes({scattering.point.origin_towards(direction), direction})) return;
+    radiance_ += throughput_ * scattering.point.colour * estimate;
+  };
+  reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
+}
+
+std::optional<reflectance::ScatterSample> Path::sample(const Scattering& scattering, const Uniform4& xi) {
+  if (!settings_.measures_sampling) return scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
+  const std::uint64_t start = processor_ticks();
+  const auto drawn = scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
+  counter_.sampling_ticks += processor_ticks() - start;
+  return drawn;
 }
 
 bool Path::scatter(const Scattering& scattering, const Uniform4& xi) {
-  const auto sample = scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
-  if (!sample) return false;
-  const Vec3f direction = scattering.frame.to_world(sample->direction);
+  const auto drawn = sample(scattering, xi);
+  if (!drawn) return false;
+  const Vec3f direction = scattering.frame.to_world(drawn->direction);
   if (!scattering.is_above(direction)) return false;
-  throughput *= sample->weight * scattering.point.colour;
-  if (reflectance::is_black(throughput)) return false;
-  density = sample->is_mirror ? 0 : sample->density;
-  ray = {scattering.point.origin_towards(direction), direction};
+  throughput_ *= drawn->weight * scattering.point.colour;
+  if (reflectance::is_black(throughput_)) return false;
+  density_ = drawn->is_mirror ? 0 : drawn->density;
+  ray_ = {scattering.point.origin_towards(direction), direction};
   return true;
 }
 
-Rgb Path::run() {
+Rgb Path::run(const std::optional<Rgb>& behind) {
   for (int events = 0;; ++events) {
-    ++counter.rays;
-    const auto point = scene.intersect(ray);
-    if (!point) return radiance + throughput * settings.background;
+    ++counter_.rays;
+    const auto point = scene_.intersect(ray_);
+    if (!point) {
+      return radiance_ + throughput_ * (behind && events == 0 ? *behind : radiance_from_outside());
+    }
     add_emission(*point);
-    const Reflector* reflector = scene.reflector(*point->surface);
-    if (reflector == nullptr || events >= settings.depth) return radiance;
-    const Scattering scattering(*point, *reflector, -ray.direction);
-    add_direct_light(scattering, numbers.next());
-    if (!scatter(scattering, numbers.next())) return radiance;
+    const Reflector* reflector = scene_.reflector(*point->surface);
+    if (reflector == nullptr || events >= settings_.depth) return radiance_;
+    const Scattering scattering(*point, *reflector, -ray_.direction);
+    add_direct_light(scattering, numbers_.next());
+    // A mirror's candidates would all be the same one.
+    has_environment_ = resamples_ && reflector->has_density();
+    if (has_environment_) add_resampled_light(scattering);
+    if (!scatter(scattering, numbers_.next())) return radiance_;
   }
 }
 
 }  // namespace
 
 Rgb path_radiance(const CompiledScene& scene, const PathSettings& settings, const Ray& ray,
-                  PathNumbers& numbers, RayCounter& counter) {
-  return Path{scene, settings, numbers, counter, ray}.run();
+                  const std::optional<Rgb>& behind, PathNumbers& numbers, RayCounter& counter) {
+  return Path(scene, settings, ray, numbers, counter).run(behind);
 }
 
 }  // namespace transport

@@ -49,6 +49,14 @@ struct RayCaster::Scene {
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
   }
+
+  bool meets_anything(const Ray& ray, float farthest) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay query = to_embree(ray, farthest);
+    rtcOccluded1(scene, &context, &query);
+    return query.tfar < 0;
+  }
 };
 
 RayCaster::RayCaster(std::span<const Vec3f> positions, std::span<const std::uint32_t> triangles)
@@ -83,12 +91,10 @@ std::optional<TriangleHit> RayCaster::intersect(const Ray& ray) const {
   return TriangleHit{query.hit.primID, query.hit.u, query.hit.v};
 }
 
-bool RayCaster::is_occluded(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRay query = to_embree(ray, 1 - 1e-4F);
-  rtcOccluded1(scene_->scene, &context, &query);
-  return query.tfar < 0;
+bool RayCaster::is_occluded(const Ray& ray) const { return scene_->meets_anything(ray, 1 - 1e-4F); }
+
+bool RayCaster::escapes(const Ray& ray) const {
+  return !scene_->meets_anything(ray, std::numeric_limits<float>::infinity());
 }
 
 }  // namespace transport

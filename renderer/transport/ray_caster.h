@@ -39,6 +39,9 @@ class RayCaster {
   /// the ray ends on is not in its own way.
   bool is_occluded(const Ray& ray) const;
 
+  /// True if nothing is in front of the origin, however far.
+  bool escapes(const Ray& ray) const;
+
  private:
   struct Scene;
   std::unique_ptr<Scene> scene_;

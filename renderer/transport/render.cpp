@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include <tbb/blocked_range2d.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
+#include "renderer/transport/processor_clock.h"
 #include "renderer/transport/thread_sanitizer.h"
+#include "renderer/transport/threads.h"
 
 namespace transport {
 namespace {
@@ -26,15 +25,11 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
       settings_(settings),
       camera_(settings.view, settings.width, settings.height),
       film_(settings.width, settings.height),
-      start_(std::chrono::steady_clock::now()) {}
+      start_(std::chrono::steady_clock::now()),
+      start_ticks_(processor_ticks()) {}
 
 void Render::run() {
-  // Without this, TBB would start no more threads than there are cores, whatever was asked for.
-  const int threads = settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute([this] {
+  run_with_threads(settings_.threads, [this] {
     int pass = 1;
     for (int sample = 0; sample < settings_.samples && !stopped_;) {
       const int last = std::min(sample + pass, settings_.samples);
@@ -44,7 +39,10 @@ void Render::run() {
     }
   });
   seconds_ = elapsed();
+  ticks_per_second_ = static_cast<double>(processor_ticks() - start_ticks_) / seconds_;
 }
+
+double Render::sampling_seconds() const { return static_cast<double>(sampling_ticks_) / ticks_per_second_; }
 
 void Render::run_pass(int first_sample, int last_sample) {
   const int tiles_x = (settings_.width + TileSize - 1) / TileSize;
@@ -77,6 +75,7 @@ void Render::render_tile(int tile_x, int tile_y, int first_sample, int last_samp
   }
   paths_ += paths;
   rays_ += counter.rays;
+  sampling_ticks_ += counter.sampling_ticks;
   rejected_ += static_cast<std::uint64_t>(rejected);
 }
 
@@ -90,11 +89,23 @@ int Render::render_pixel(int x, int y, int first_sample, int last_sample, RayCou
     PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)),
                         static_cast<std::uint32_t>(sample / Film::Scramblings));
     const Uniform4 place = numbers.next();
-    const Ray ray = camera_.ray(static_cast<float>(x) + place.x, static_cast<float>(y) + place.y);
-    const Rgb radiance = path_radiance(scene_, settings_.path, ray, numbers, counter);
+    const float image_x = static_cast<float>(x) + place.x;
+    const float image_y = static_cast<float>(y) + place.y;
+    const Rgb radiance = path_radiance(scene_, settings_.path, camera_.ray(image_x, image_y),
+                                       behind(image_x, image_y), numbers, counter);
     if (!film_.add(x, y, scrambling, radiance)) ++rejected;
   }
   return rejected;
+}
+
+std::optional<Rgb> Render::behind(float x, float y) const {
+  if (!settings_.backplate) return std::nullopt;
+  const auto index_of = [](float place, int size, int count) {
+    return std::min(static_cast<int>(place / static_cast<float>(size) * static_cast<float>(count)),
+                    count - 1);
+  };
+  const Image& plate = *settings_.backplate;
+  return plate.at(index_of(x, settings_.width, plate.width), index_of(y, settings_.height, plate.height));
 }
 
 double Render::elapsed() const {

@@ -15,7 +15,8 @@ struct RenderSettings {
   int height = 400;
   View view;
   PathSettings path;
-  int samples = 100;  ///< a pixel
+  std::shared_ptr<const Image> backplate;  ///< seen behind the scene, fitted to the image; null: none
+  int samples = 100;                       ///< a pixel
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: as many as the machine has
 };
@@ -49,6 +50,9 @@ class Render {
   double seconds() const { return seconds_; }
   std::uint64_t ray_count() const { return rays_; }
   std::uint64_t path_count() const { return paths_; }
+  /// Spent in sampling schemes to draw directions, by all threads together, if PathSettings asks to measure
+  /// it; else 0.
+  double sampling_seconds() const;
   /// Samples that were not finite, and count as black.
   std::uint64_t rejected_samples() const { return rejected_; }
 
@@ -56,6 +60,7 @@ class Render {
   void run_pass(int first_sample, int last_sample);
   void render_tile(int tile_x, int tile_y, int first_sample, int last_sample);
   int render_pixel(int x, int y, int first_sample, int last_sample, RayCounter& counter);
+  std::optional<Rgb> behind(float x, float y) const;
   double elapsed() const;
 
   const CompiledScene& scene_;
@@ -63,10 +68,13 @@ class Render {
   Camera camera_;
   Film film_;
   const std::chrono::steady_clock::time_point start_;
+  const std::uint64_t start_ticks_;
   double seconds_ = 0;
+  double ticks_per_second_ = 1;
   std::atomic<bool> stopped_ = false;
   std::atomic<std::uint64_t> paths_ = 0;
   std::atomic<std::uint64_t> rays_ = 0;
+  std::atomic<std::uint64_t> sampling_ticks_ = 0;
   std::atomic<std::uint64_t> rejected_ = 0;
 };
 

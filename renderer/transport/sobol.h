@@ -23,6 +23,20 @@ struct Uniform4 {
 /// (Burley 2020, "Practical hash-based Owen scrambling", section 5).
 Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed);
 
+/// Some points for one purpose, that are well spread together.
+class PointSet {
+ public:
+  PointSet(std::uint32_t first, std::uint32_t seed) : first_(first), seed_(seed) {}
+
+  Uniform4 operator[](int index) const {
+    return sobol_point(first_ + static_cast<std::uint32_t>(index), seed_);
+  }
+
+ private:
+  std::uint32_t first_;
+  std::uint32_t seed_;
+};
+
 /// The random numbers of one path, a function of what was counted alone: image seed, pixel, scrambling,
 /// sample, and how many points of it were taken.
 class PathNumbers {
@@ -30,6 +44,12 @@ class PathNumbers {
   PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample) : seed_(sequence_seed), sample_(sample) {}
 
   Uniform4 next() { return sobol_point(sample_, hash(seed_, group_++)); }
+
+  /// As many points for one purpose. Those of all samples together are the points of one sequence, if each
+  /// sample asks for as many.
+  PointSet next_set(int count) {
+    return {sample_ * static_cast<std::uint32_t>(count), hash(seed_, group_++)};
+  }
 
  private:
   std::uint32_t seed_;

@@ -1,5 +1,6 @@
 // The program `bpt` as its users meet it.
 #include <filesystem>
+#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -155,6 +156,78 @@ TEST_F(Bpt, KeepsTheImageWhenItIsInterrupted) {
     const double samples = nlohmann::json::parse(outcome.out)["samples"].get<double>();
     EXPECT_GT(samples, 1);
     EXPECT_LT(samples, 1e8);
+  }
+}
+
+/// An environment map of two texels, 1 and 2.
+const std::string SmallMap = std::string("Pf 2 1 -1\n\0\0\x80\x3f\0\0\0\x40", 18);
+
+TEST_F(Bpt, LightsByAnEnvironmentMap) {
+  write("maps/sky.pfm", SmallMap);
+  write("scene.grf", Quad);
+  const std::string op = write("scene.op",
+                               "BPT_Scene scene.grf\nBPT_EM_Background maps/sky.pfm\n"
+                               "BPT_Image_Resolution 16 16\nBPT_Samples 4\nBPT_RIS 8 2\n");
+  EXPECT_EQ(bpt({op}).err, "");
+  const std::string with_map = test::bytes_of(path("scene.exr"));
+  ASSERT_NE(with_map, "");
+  EXPECT_EQ(bpt({"render", op, "--environment", "none"}).err,
+            path("scene.op") + ":5:9: warning: BPT_RIS has no effect: no BPT_EM_Background is given\n" +
+                "  BPT_RIS 8 2\n          ^\n");
+  EXPECT_NE(test::bytes_of(path("scene.exr")), with_map);
+  EXPECT_EQ(bpt({"render", op, "--ris", "8"}).exit_code, 2);
+  EXPECT_EQ(bpt({"render", op, "--ris", "16x4"}).exit_code, 0);
+}
+
+TEST_F(Bpt, ReportsEnvironmentMapsThatAreNone) {
+  write("scene.grf", Quad);
+  write("cut.pfm", SmallMap.substr(0, 15));
+  expect_bad_input(write("a.op", "BPT_Scene scene.grf\nBPT_EM_Background cut.pfm\n"),
+                   path("a.op") + ":2:19: error: cannot read the image '" + path("cut.pfm") +
+                       "': it is broken (it ends early)");
+  expect_bad_input(write("b.op", "BPT_Scene scene.grf\nBPT_EM_Background none.exr\n"),
+                   path("b.op") + ":2:19: error: cannot read '" + path("none.exr") + "': No such file");
+}
+
+TEST_F(Bpt, TakesTheSchemeFromOptions) {
+  write("scene.grf", Quad);
+  const std::string op = write("scene.op",
+                               "BPT_Scene scene.grf\nBPT_Pdf_Name Diffuse\nBPT_QT_avgnmax 2\n"
+                               "BPT_Image_Resolution 8 8\nBPT_Samples 2\nBPT_Pdf_memstat true\n");
+  EXPECT_EQ(bpt({op}).err,
+            path("scene.op") +
+                ":3:16: warning: BPT_QT_avgnmax has no effect: the scheme 'diffuse' does not use "
+                "it\n  BPT_QT_avgnmax 2\n                 ^\n");
+  EXPECT_EQ(test::bytes_of(path("mem.op")), "# brdf\tpdf\tbytes\ndiffuse kd=0.5\tdiffuse\t0\nsum\t\t0\n");
+  const Outcome refused = bpt({"render", op, "--pdf", "Specular"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("error: the scheme 'specular' cannot sample the BRDF 'diffuse'"),
+            std::string::npos)
+      << refused.err;
+  EXPECT_EQ(bpt({"render", op, "--pdf", "auto"}).exit_code, 0);
+  EXPECT_NE(test::bytes_of(path("mem.op")).find("\tauto\t"), std::string::npos);
+  EXPECT_EQ(bpt({"render", op, "--pdf", "best"}).exit_code, 2);
+}
+
+TEST_F(Bpt, AppendsTheSecondsThatItTook) {
+  write("scene.grf", Quad);
+  const std::string op =
+      write("scene.op",
+            "BPT_Scene scene.grf\nBPT_Image_Resolution 16 16\nBPT_Samples 8\n"
+            "BPT_Output_Image out/image.png\n"
+            "BPT_Chrono_Sampling true\nBPT_Chrono_Rendering true\nBPT_Chrono_Prebuild true\n");
+  write("out/samplingTime", "1\n");
+  ASSERT_EQ(bpt({op}).exit_code, 0);
+  ASSERT_EQ(bpt({op}).exit_code, 0);
+  for (const auto& [name, lines] :
+       {std::pair("samplingTime", 3), {"renderingTime", 2}, {"prebuildTime", 2}}) {
+    std::istringstream file(test::bytes_of(path(std::string("out/") + name)));
+    int count = 0;
+    for (double seconds = 0; file >> seconds; ++count) {
+      EXPECT_GT(seconds, 0) << name;
+      EXPECT_LT(seconds, 60) << name;
+    }
+    EXPECT_EQ(count, lines) << name;
   }
 }
 

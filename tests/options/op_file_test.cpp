@@ -47,6 +47,13 @@ TEST_F(OpFile, SetsEveryOption) {
       "BPT_Depth 0\n"
       "BPT_Samples 7\n"
       "BPT_Seed 4294967295\n"
+      "BPT_EM_Background maps/sky.exr\n"
+      "BPT_EM_Projection BackPlate\n"
+      "BPT_RIS 64 4\n"
+      "BPT_Pdf_memstat true\n"
+      "BPT_Chrono_Sampling true\n"
+      "BPT_Chrono_Rendering True\n"
+      "BPT_Chrono_Prebuild true\n"
       "BPT_Threads 3");
   ASSERT_TRUE(read_options) << diagnostics_.to_text();
   EXPECT_EQ(read_options->scene, folder_.path("scene.grf"));
@@ -61,6 +68,13 @@ TEST_F(OpFile, SetsEveryOption) {
   EXPECT_EQ(read_options->samples, 7);
   EXPECT_EQ(read_options->seed, 4294967295U);
   EXPECT_EQ(read_options->threads, 3);
+  EXPECT_EQ(read_options->environment, folder_.path("maps/sky.exr"));
+  EXPECT_EQ(read_options->projection, "backplate");
+  EXPECT_EQ(read_options->resampling, (options::IntegerPair{64, 4}));
+  EXPECT_TRUE(read_options->writes_memory && read_options->writes_sampling_time &&
+              read_options->writes_rendering_time && read_options->writes_prebuild_time);
+  EXPECT_EQ(read_options->locations.of("BPT_Viewer").line, 6U);
+  EXPECT_FALSE(read_options->locations.of("BPT_Pdf_Name").file);
 }
 
 TEST_F(OpFile, HasDefaultsForTheRest) {
@@ -110,6 +124,22 @@ TEST_F(OpFile, ReportsEveryWrongValueAtItsPlace) {
             "           ^\n");
 }
 
+TEST_F(OpFile, ReportsWordsBooleansAndPairsThatAreNone) {
+  EXPECT_FALSE(
+      read("BPT_Scene a.grf\nBPT_Pdf_Name Dsik\nBPT_EM_Projection flat\nBPT_Pdf_memstat 1\n"
+           "BPT_RIS 4 8\nBPT_Pdf_CDF_Res 0 8\nBPT_QT_avgnmax 1\n"));
+  std::string messages;
+  for (const grf::Diagnostic& entry : diagnostics_.entries()) messages += entry.message + "\n";
+  EXPECT_EQ(messages,
+            "BPT_Pdf_Name: found 'Dsik', expected one of Diffuse, Specular, Hemisphere, Sphere, Anisotropic, "
+            "Disk, Adaptive, Factored, CascadeCDF, Reject, Auto: did you mean 'Disk'?\n"
+            "BPT_EM_Projection: found 'flat', expected one of latlong, backplate\n"
+            "BPT_Pdf_memstat: found '1', expected true or false\n"
+            "BPT_RIS: found '4 8', expected two whole numbers from 1 to 65536, the second at most the first\n"
+            "BPT_Pdf_CDF_Res: found '0 8', expected two whole numbers from 1 to 65536\n"
+            "BPT_QT_avgnmax: found '1', expected a number between 1 and 1000000\n");
+}
+
 TEST_F(OpFile, ReportsAKeyGivenTwice) {
   EXPECT_EQ(errors_of("BPT_Scene a.grf\nBPT_Depth 1\nBPT Depth 2\n"),
             "OP:3:1: error: BPT_Depth is given twice, first in line 2\n"
@@ -135,8 +165,10 @@ TEST(OptionTable, KeysAndFlagsAreDistinctAndExplained) {
 
 // The words of the table say what the struct has.
 TEST(OptionTable, DefaultsAreThoseOfTheStruct) {
-  for (const char* key : {"BPT_Image_Resolution", "BPT_Up", "BPT_FieldOfView", "BPT_Background", "BPT_Depth",
-                          "BPT_Samples", "BPT_Seed", "BPT_Threads"}) {
+  for (const char* key :
+       {"BPT_Image_Resolution", "BPT_Up", "BPT_FieldOfView", "BPT_Background", "BPT_Depth", "BPT_Samples",
+        "BPT_Seed", "BPT_Threads", "BPT_EM_Background", "BPT_EM_Projection", "BPT_Pdf_memstat",
+        "BPT_Pdf_Factors_File", "BPT_Chrono_Sampling", "BPT_Chrono_Rendering", "BPT_Chrono_Prebuild"}) {
     const options::OptionInfo& option = *options::find_option(key);
     std::istringstream stream{std::string(option.default_value)};
     const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};

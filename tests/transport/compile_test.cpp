@@ -78,6 +78,38 @@ TEST(Compile, SharesReflectorsAndLooksNamesUpInTheirScope) {
   EXPECT_EQ(scene.reflector(*down_at(scene, 2.5F, 0.5F)->surface)->evaluate(u, u).x, 0);
 }
 
+TEST(Compile, MakesOneReflectorForEachPairOfBrdfAndScheme) {
+  const CompiledScene scene =
+      test::scene_of(test::quad("brdf ward sx=0.1", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)") +
+                     test::quad("brdf ward sx=0.1 pdf diffuse", "(2,0,0) (3,0,0) (3,1,0) (2,1,0)") +
+                     test::quad("brdf ward sx=0.1 pdf diffuse", "(4,0,0) (5,0,0) (5,1,0) (4,1,0)"));
+  ASSERT_EQ(scene.tables().size(), 2U);
+  EXPECT_EQ(scene.tables()[0].scheme, "auto");
+  EXPECT_EQ(scene.tables()[1].brdf, "ward sx=0.1");
+  EXPECT_EQ(scene.tables()[1].scheme, "diffuse");
+  EXPECT_EQ(scene.tables()[1].bytes, 0U);
+  EXPECT_EQ(scene.reflector(*down_at(scene, 2.5F, 0.5F)->surface),
+            scene.reflector(*down_at(scene, 4.5F, 0.5F)->surface));
+}
+
+TEST(Compile, TakesASchemeInPlaceOfTheScenes) {
+  grf::Diagnostics diagnostics;
+  const auto scene =
+      grf::read_text(test::quad("brdf ward sx=0.1", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)") +
+                         test::quad("brdf phong n=5 pdf auto", "(2,0,0) (3,0,0) (3,1,0) (2,1,0)"),
+                     "test.grf", diagnostics);
+  transport::CompileSettings settings;
+  settings.scheme.emplace();
+  settings.scheme->model.keyword = "diffuse";
+  const auto compiled = transport::compile(scene.value(), diagnostics, settings);
+  ASSERT_TRUE(compiled) << diagnostics.to_text();
+  ASSERT_EQ(compiled->tables().size(), 2U);
+  for (const transport::TableInfo& table : compiled->tables()) EXPECT_EQ(table.scheme, "diffuse");
+  settings.scheme->model.keyword = "specular";
+  EXPECT_FALSE(transport::compile(scene.value(), diagnostics, settings));
+  EXPECT_EQ(diagnostics.error_count(), 2U);
+}
+
 TEST(Compile, SaysThatItShowsNoTextures) {
   grf::Diagnostics diagnostics;
   const auto scene =

@@ -1,0 +1,137 @@
+#include "renderer/transport/environment_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace transport {
+namespace {
+
+using grf::Vec2f;
+using grf::Vec3f;
+using reflectance::Rgb;
+
+/// Of linear RGB with the primaries of sRGB. In double: three channels near the largest float add up to more.
+double luminance(const Rgb& rgb) {
+  return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
+}
+
+/// Turns weights into the cumulative shares up to and including each, and gives their sum. The last is 1.
+double accumulate(std::span<const double> weights, float* shares) {
+  double total = 0;
+  for (const double weight : weights) total += weight;
+  double sum = 0;
+  for (const double weight : weights) {
+    sum += weight;
+    *shares++ = total > 0 ? static_cast<float>(sum / total) : 1.0F;
+  }
+  return total;
+}
+
+struct Chosen {
+  std::size_t index = 0;
+  float place = 0;  ///< within it, 0..1
+};
+
+/// The first whose cumulative share is over xi: its own share is not 0, since the one before is at most xi.
+Chosen choose(const float* shares, std::size_t count, float xi) {
+  const float* above = std::upper_bound(shares, shares + count, xi);
+  const float before = above == shares ? 0.0F : *(above - 1);
+  return {static_cast<std::size_t>(above - shares), (xi - before) / (*above - before)};
+}
+
+}  // namespace
+
+EnvironmentMap::EnvironmentMap(Image image) : image_(std::move(image)) {
+  repair();
+  build();
+}
+
+void EnvironmentMap::repair() {
+  for (Rgb& texel : image_.pixels) {
+    bool is_wrong = false;
+    for (int k = 0; k < 3; ++k) {
+      if (std::isfinite(texel[k]) && texel[k] >= 0) continue;
+      texel[k] = 0;
+      is_wrong = true;
+    }
+    if (is_wrong) ++wrong_texels_;
+  }
+}
+
+void EnvironmentMap::build() {
+  const auto width = static_cast<std::size_t>(image_.width);
+  const auto height = static_cast<std::size_t>(image_.height);
+  for (std::size_t row = 0; row <= height; ++row) {
+    cosines_.push_back(std::cos(std::numbers::pi * double(row) / double(height)));
+  }
+  rows_.resize(height);
+  columns_.resize(width * height);
+  std::vector<double> luminances(width);
+  std::vector<double> row_sums(height);
+  for (std::size_t row = 0; row < height; ++row) {
+    const double solid_angle = 2 * std::numbers::pi / double(width) * (cosines_[row] - cosines_[row + 1]);
+    for (std::size_t x = 0; x < width; ++x) luminances[x] = luminance(image_.pixels[row * width + x]);
+    row_sums[row] = accumulate(luminances, &columns_[row * width]) * solid_angle;
+  }
+  total_ = accumulate(row_sums, rows_.data());
+}
+
+std::size_t EnvironmentMap::texel_at(const Vec3f& direction) const {
+  // By the arc tangent and not the arc cosine, which has few digits at the poles.
+  const double theta = std::atan2(std::hypot(double(direction.x), double(direction.z)), double(direction.y));
+  const double phi = std::atan2(double(direction.x), -double(direction.z));
+  const auto index_of = [](double share, int count) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(share * count), 0, count - 1));
+  };
+  const std::size_t row = index_of(theta / std::numbers::pi, image_.height);
+  const std::size_t column = index_of(0.5 + phi / (2 * std::numbers::pi), image_.width);
+  return row * static_cast<std::size_t>(image_.width) + column;
+}
+
+Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Vec2f& place) const {
+  const double cosine = cosines_[row] + double(place.y) * (cosines_[row + 1] - cosines_[row]);
+  const double sine = std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));
+  const double phi = 2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5);
+  return {static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine),
+          static_cast<float>(-sine * std::cos(phi))};
+}
+
+std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
+  if (is_black()) return std::nullopt;
+  const auto width = static_cast<std::size_t>(image_.width);
+  const Chosen row = choose(rows_.data(), rows_.size(), xi.y);
+  const Chosen column = choose(&columns_[row.index * width], width, xi.x);
+  Vec3f direction = direction_in(row.index, column.index, {column.place, row.place});
+  const std::size_t texel = row.index * width + column.index;
+  // Rounding may put a direction at the border across it. That one counts as from the middle, so that light
+  // beside black is not lost and what is said of a direction is what `radiance` and `density` say.
+  if (texel_at(direction) != texel) direction = direction_in(row.index, column.index, Vec2f(0.5F));
+  return EnvironmentSample{direction, image_.pixels[texel], density(direction)};
+}
+
+float EnvironmentMap::density(const Vec3f& direction) const {
+  return is_black() ? 0 : static_cast<float>(luminance(radiance(direction)) / total_);
+}
+
+std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
+                                                   const grf::SourceLocation& asked_for_at) {
+  auto image = read_image(path, diagnostics, asked_for_at);
+  if (!image) return std::nullopt;
+  EnvironmentMap map(std::move(*image));
+  if (map.wrong_texels() > 0) {
+    diagnostics.warning(
+        asked_for_at.file ? asked_for_at : grf::whole_file(path),
+        fmt::format(
+            "{} of {} texels of the environment map are negative or no finite numbers there, and count "
+            "as 0",
+            map.wrong_texels(), map.image().pixels.size()));
+  }
+  return map;
+}
+
+}  // namespace transport

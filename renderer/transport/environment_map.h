@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grf/math.h"
+#include "renderer/transport/image.h"
+
+namespace transport {
+
+/// Radiance from infinitely far away.
+struct EnvironmentSample {
+  grf::Vec3f direction;  ///< towards where the light comes from, in the world
+  reflectance::Rgb radiance;
+  float density = 0;  ///< per solid angle, over 0
+};
+
+/// A latitude-longitude image around the scene: y is up, the centre looks down -z, and right of it is +x.
+///
+/// A texel is a rectangle of directions with one radiance: nothing is interpolated, so that a density can be
+/// exactly the luminance, over 0 wherever there is light. Directions are drawn in proportion to luminance
+/// times solid angle, row by a marginal and column by a conditional distribution, and evenly over the texel's
+/// solid angle: sin(theta) is not taken at its centre, or texels at the poles would have more noise than
+/// others.
+class EnvironmentMap {
+ public:
+  /// Texels that are negative or not finite count as 0 in that channel.
+  explicit EnvironmentMap(Image image);
+
+  reflectance::Rgb radiance(const grf::Vec3f& direction) const { return image_.pixels[texel_at(direction)]; }
+
+  /// Inverts the distributions: one pair in [0,1), one direction, and near pairs give near directions unless
+  /// there is black between them. Nothing if the whole map is black.
+  std::optional<EnvironmentSample> sample(const grf::Vec2f& xi) const;
+
+  /// The density of `sample` per solid angle.
+  float density(const grf::Vec3f& direction) const;
+
+  bool is_black() const { return !(total_ > 0); }
+  const Image& image() const { return image_; }
+
+  /// Texels of which a channel was negative or not finite.
+  std::size_t wrong_texels() const { return wrong_texels_; }
+
+ private:
+  std::size_t texel_at(const grf::Vec3f& direction) const;
+  grf::Vec3f direction_in(std::size_t row, std::size_t column, const grf::Vec2f& place) const;
+  void repair();
+  void build();
+
+  Image image_;
+  std::size_t wrong_texels_ = 0;
+  double total_ = 0;             ///< luminance over the whole sphere
+  std::vector<float> rows_;      ///< cumulative share of rows, up to and including each
+  std::vector<float> columns_;   ///< of columns within their row, row after row; all 1 in a black one
+  std::vector<double> cosines_;  ///< of the angles from the y axis between rows, one more than rows
+};
+
+/// Reads a map, and warns of texels that count as 0.
+std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
+                                                   const grf::SourceLocation& asked_for_at = {});
+
+}  // namespace transport

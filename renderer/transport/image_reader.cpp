@@ -1,0 +1,278 @@
+// Decoders of images. Each throws for what it cannot read; `read_image` makes a diagnostic of that.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <fmt/format.h>
+#include <png.h>
+#include <turbojpeg.h>
+
+#include "grf/text_file.h"
+#include "renderer/transport/image.h"
+#include "renderer/transport/image_decoders.h"
+
+namespace transport {
+namespace {
+
+using reflectance::Rgb;
+
+// OpenEXR
+
+class MemoryInput : public Imf::IStream {
+ public:
+  explicit MemoryInput(std::string_view bytes) : IStream("image"), bytes_(bytes) {}
+
+  bool read(char* to, int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (position_ > bytes_.size() || size > bytes_.size() - position_) {
+      throw std::runtime_error("it ends early");
+    }
+    std::memcpy(to, bytes_.data() + position_, size);
+    position_ += size;
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  std::string_view bytes_;
+  std::uint64_t position_ = 0;
+};
+
+// Of the data window: what lies outside of it has no pixels.
+Image decode_exr(std::string_view bytes) {
+  MemoryInput stream(bytes);
+  Imf::InputFile file(stream);
+  const Imath::Box2i window = file.header().dataWindow();
+  Image image = blank_image(std::int64_t(window.max.x) - window.min.x + 1,
+                            std::int64_t(window.max.y) - window.min.y + 1);
+  const Imf::ChannelList& channels = file.header().channels();
+  const bool has_colour = channels.findChannel("R") != nullptr || channels.findChannel("G") != nullptr ||
+                          channels.findChannel("B") != nullptr;
+  const bool is_grey = !has_colour && channels.findChannel("Y") != nullptr;
+  if (!has_colour && (!is_grey || channels.findChannel("RY") != nullptr)) {
+    throw std::runtime_error("its channels are not R, G and B, nor Y alone");
+  }
+  Imf::FrameBuffer buffer;
+  char* first = reinterpret_cast<char*>(image.pixels.data());
+  const auto add = [&](const char* name, std::size_t offset) {
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, first + offset, window.min, image.width, image.height,
+                                         sizeof(Rgb), sizeof(Rgb) * static_cast<std::size_t>(image.width)));
+  };
+  add(is_grey ? "Y" : "R", 0);
+  if (!is_grey) add("G", sizeof(float));
+  if (!is_grey) add("B", 2 * sizeof(float));
+  file.setFrameBuffer(buffer);
+  file.readPixels(window.min.y, window.max.y);
+  if (is_grey) {
+    for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.x);
+  }
+  return image;
+}
+
+// Portable float map: three lines of text, then rows from the bottom. A negative scale says that the floats
+// are little-endian.
+
+std::string_view next_word(std::string_view& bytes) {
+  constexpr std::string_view Space = " \t\r\n";
+  const std::size_t start = std::min(bytes.find_first_not_of(Space), bytes.size());
+  const std::size_t end = std::min(bytes.find_first_of(Space, start), bytes.size());
+  const std::string_view word = bytes.substr(start, end - start);
+  bytes.remove_prefix(std::min(end + 1, bytes.size()));  // one space alone: the next byte may be a pixel's
+  return word;
+}
+
+template <class Number>
+Number next_number(std::string_view& bytes) {
+  const std::string_view word = next_word(bytes);
+  Number number = {};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    throw std::runtime_error("its first lines are not a kind, a width, a height and a scale");
+  }
+  return number;
+}
+
+float float_of(const char* bytes, bool is_little_endian) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return std::bit_cast<float>(is_little_endian ? bits : __builtin_bswap32(bits));
+}
+
+Image decode_pfm(std::string_view bytes) {
+  const std::size_t channels = next_word(bytes) == "PF" ? 3 : 1;
+  const auto width = next_number<std::int32_t>(bytes);
+  const auto height = next_number<std::int32_t>(bytes);
+  const auto scale = next_number<float>(bytes);
+  const std::size_t row = std::size_t(std::max(width, 0)) * channels * sizeof(float);
+  if (width > 0 && height > 0 && bytes.size() / row < static_cast<std::size_t>(height)) {
+    throw std::runtime_error("it ends early");
+  }
+  Image image = blank_image(width, height);
+  for (int y = 0; y < height; ++y) {
+    const char* from = bytes.data() + row * static_cast<std::size_t>(height - 1 - y);
+    for (int x = 0; x < width; ++x, from += channels * sizeof(float)) {
+      Rgb& pixel = image.pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+      for (std::size_t k = 0; k < 3; ++k) {
+        pixel[static_cast<int>(k)] = float_of(from + (channels == 3 ? k * sizeof(float) : 0), scale < 0);
+      }
+    }
+  }
+  return image;
+}
+
+// PNG: 16-bit files keep their 16 bits.
+
+Image decode_png(std::string_view bytes) {
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> owner(&png, png_image_free);
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
+    throw std::runtime_error(png.message);
+  }
+  // Of one bit at least each, and zlib makes at most 1032 bytes of one.
+  Image image = blank_image(png.width, png.height, bytes, std::size_t(8) * 1032);
+  const bool is_deep = (png.format & PNG_FORMAT_FLAG_LINEAR) != 0;
+  png.format = is_deep ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;
+  // What is transparent is laid over these, so black.
+  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0) {
+    throw std::runtime_error(png.message);
+  }
+  if (!is_deep) {
+    decode_srgb(pixels.data(), image);
+    return image;
+  }
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    std::array<std::uint16_t, 3> pixel = {};
+    std::memcpy(pixel.data(), pixels.data() + i * sizeof(pixel), sizeof(pixel));
+    image.pixels[i] = Rgb(pixel[0], pixel[1], pixel[2]) / 65535.0F;
+  }
+  return image;
+}
+
+Image decode_jpeg(std::string_view bytes) {
+  struct Destroy {
+    void operator()(void* handle) const { tjDestroy(handle); }
+  };
+  const std::unique_ptr<void, Destroy> decoder(tjInitDecompress());
+  if (!decoder) throw std::bad_alloc();
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int colours = 0;
+  const auto check = [&](int result) {
+    if (result != 0) throw std::runtime_error(tjGetErrorStr2(decoder.get()));
+  };
+  check(tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &colours));
+  Image image = blank_image(width, height);
+  std::vector<std::uint8_t> pixels(3 * image.pixels.size());
+  // A warning, such as of an early end, is a failure too.
+  check(tjDecompress2(decoder.get(), data, bytes.size(), pixels.data(), width, 0, height, TJPF_RGB,
+                      TJFLAG_ACCURATEDCT));
+  decode_srgb(pixels.data(), image);
+  return image;
+}
+
+struct Decoder {
+  std::string_view start;  ///< of all such files; empty: only the name tells them
+  std::string_view extension;
+  Image (*decode)(std::string_view);
+};
+
+constexpr std::array Decoders = {
+    Decoder{"\x76\x2f\x31\x01", "exr", decode_exr},
+    Decoder{"#?", "hdr", decode_radiance},
+    Decoder{"PF", "pfm", decode_pfm},
+    Decoder{"Pf", "pfm", decode_pfm},
+    Decoder{"\x89PNG", "png", decode_png},
+    Decoder{"\xff\xd8\xff", "jpg", decode_jpeg},
+    Decoder{"", "tga", decode_tga},
+};
+
+/// By what the file holds: names are wrong at times.
+const Decoder* decoder_of(std::string_view bytes, const std::string& path) {
+  const auto found = std::find_if(Decoders.begin(), Decoders.end(), [&](const Decoder& decoder) {
+    return decoder.start.empty() ? has_extension(path, decoder.extension) : bytes.starts_with(decoder.start);
+  });
+  return found == Decoders.end() ? nullptr : &*found;
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
+
+Image blank_image(std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t MostPixels = std::int64_t(1) << 27;
+  if (width < 1 || height < 1) throw std::runtime_error("it has no pixels");
+  if (width > MostPixels / height) {
+    throw std::runtime_error(fmt::format("it has {} x {} pixels, expected at most {} million", width, height,
+                                         MostPixels / 1'000'000));
+  }
+  Image image{static_cast<int>(width), static_cast<int>(height), {}};
+  image.pixels.resize(static_cast<std::size_t>(width * height), Rgb(0));
+  return image;
+}
+
+Image blank_image(std::int64_t width, std::int64_t height, std::string_view file, std::size_t pixels_a_byte) {
+  // A few bytes that are garbled must not ask for gigabytes. Larger numbers are for the other check.
+  const bool is_plain = width > 0 && height > 0 && width < (1 << 30) && height < (1 << 30);
+  if (is_plain && static_cast<std::size_t>(width * height) / pixels_a_byte > file.size()) {
+    throw std::runtime_error("it ends early");
+  }
+  return blank_image(width, height);
+}
+
+void decode_srgb(const std::uint8_t* bytes, Image& image) {
+  std::array<float, 256> linear = {};
+  for (std::size_t i = 0; i < linear.size(); ++i) {
+    const double encoded = static_cast<double>(i) / 255;
+    linear[i] =
+        static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+  }
+  for (Rgb& pixel : image.pixels) {
+    pixel = {linear[bytes[0]], linear[bytes[1]], linear[bytes[2]]};
+    bytes += 3;
+  }
+}
+
+std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
+                                const grf::SourceLocation& asked_for_at) {
+  const auto bytes = grf::map_file(path, diagnostics, asked_for_at);
+  if (!bytes) return std::nullopt;
+  const auto fail = [&](const std::string& why) {
+    if (asked_for_at.file) {
+      diagnostics.error(asked_for_at, fmt::format("cannot read the image '{}': {}", path, why));
+    } else {
+      diagnostics.error(grf::whole_file(path), fmt::format("cannot read the image: {}", why));
+    }
+    return std::nullopt;
+  };
+  if (bytes->empty()) return fail("the file is empty");
+  const Decoder* decoder = decoder_of(*bytes, path);
+  if (decoder == nullptr) return fail("expected OpenEXR, Radiance (hdr), pfm, PNG, JPEG or TGA");
+  try {
+    return decoder->decode(*bytes);
+  } catch (const std::bad_alloc&) {
+    return fail("it needs more memory than there is");
+  } catch (const std::exception& problem) {
+    return fail(fmt::format("it is broken ({})", one_line(problem.what())));
+  }
+}
+
+}  // namespace transport

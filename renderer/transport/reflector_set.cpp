@@ -1,0 +1,102 @@
+#include "renderer/transport/reflector_set.h"
+
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "grf/write.h"
+#include "renderer/transport/thread_sanitizer.h"
+#include "renderer/transport/threads.h"
+
+namespace transport {
+namespace {
+
+using reflectance::Reflector;
+using reflectance::Scheme;
+
+void set_factors_file(Scheme& scheme, const std::string& path) {
+  std::visit(
+      [&](auto& chosen) {
+        if constexpr (requires { chosen.file = path; }) chosen.file = path;
+      },
+      scheme);
+}
+
+}  // namespace
+
+std::uint32_t ReflectorSetBuilder::index_of(const grf::ResolvedSurface& surface) {
+  const grf::PdfModel* pdf = scheme_of(surface);
+  const std::string brdf =
+      surface.brdf != nullptr ? brdfs_.identity(*surface.brdf, surface.brdf_scope) : std::string();
+  const std::string text = brdf + " / " + (pdf != nullptr ? to_text(*pdf) : std::string());
+  const auto [known, is_new] = index_by_text_.emplace(text, 0);
+  if (is_new) known->second = add(surface);
+  return known->second;
+}
+
+std::optional<Scheme> ReflectorSetBuilder::make_scheme(const grf::PdfModel* model) const {
+  if (model == nullptr) return reflectance::default_scheme();
+  auto scheme = reflectance::make_scheme(*model);
+  if (scheme && override_) set_factors_file(*scheme, override_->factors_file);
+  return scheme;
+}
+
+std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface) {
+  const grf::PdfModel* pdf = scheme_of(surface);
+  const auto brdf = surface.brdf != nullptr ? brdfs_.make(*surface.brdf, surface.brdf_scope)
+                                            : std::optional(reflectance::default_brdf());
+  const auto scheme = make_scheme(pdf);
+  if (!scheme) diagnostics_.error(pdf->location, fmt::format("'{}' cannot be rendered", pdf->keyword));
+  if (!brdf || !scheme) return 0;
+  Pair pair{*brdf, *scheme, {}, {}, {}, {}};
+  pair.brdf_keyword = surface.brdf != nullptr ? surface.brdf->keyword : "diffuse";
+  pair.info.brdf = surface.brdf != nullptr ? to_text(*surface.brdf) : "diffuse";
+  pair.scheme_keyword = pdf != nullptr ? pdf->keyword : "auto";
+  pair.info.scheme = pdf != nullptr ? to_text(*pdf) : "auto";
+  if (pdf != nullptr) pair.scheme_location = pdf->location;
+  const std::string refusal = reflectance::refusal(*scheme, *brdf);
+  if (!refusal.empty()) {
+    diagnostics_.error(pair.scheme_location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
+                                                         pair.scheme_keyword, pair.brdf_keyword, refusal));
+  }
+  pairs_.push_back(std::move(pair));
+  return static_cast<std::uint32_t>(pairs_.size() - 1);
+}
+
+ReflectorSet ReflectorSetBuilder::build(int threads) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<std::optional<Reflector>> made(pairs_.size());
+  run_with_threads(threads, [&] {
+    publish(&made);
+    tbb::parallel_for(std::size_t(0), pairs_.size(), [&](std::size_t i) {
+      see(&made);
+      made[i].emplace(pairs_[i].brdf, pairs_[i].scheme);
+      publish(&made);
+    });
+    see(&made);
+  });
+  ReflectorSet set;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    pair.info.bytes = made[i]->bytes();
+    pair.info.cosine_share = made[i]->cosine_share();
+    if (pair.info.cosine_share > 0) warn_of_what_is_missed(pair, pair.info.cosine_share);
+    set.tables.push_back(std::move(pair.info));
+    set.reflectors.push_back(std::move(*made[i]));
+  }
+  set.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return set;
+}
+
+void ReflectorSetBuilder::warn_of_what_is_missed(const Pair& pair, float cosine_share) {
+  diagnostics_.warning(
+      pair.scheme_location,
+      fmt::format(
+          "the scheme '{}' hardly draws part of what '{}' reflects: {:.0f} % of its samples are drawn "
+          "by cosine",
+          pair.scheme_keyword, pair.brdf_keyword, 100 * cosine_share));
+}
+
+}  // namespace transport

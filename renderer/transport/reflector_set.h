@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/visit.h"
+#include "renderer/reflectance/brdf_maker.h"
+#include "renderer/reflectance/reflector.h"
+
+namespace transport {
+
+/// A sampling scheme in place of those of the scene.
+struct SchemeOverride {
+  grf::PdfModel model;
+  std::string factors_file;  ///< of the scheme `factored`: what it loads instead of factoring; empty: nothing
+};
+
+/// What a reflector's tables hold.
+struct TableInfo {
+  std::string brdf;    ///< as a scene writes it
+  std::string scheme;  ///< likewise
+  std::size_t bytes = 0;
+  float cosine_share = 0;  ///< see Reflector
+};
+
+/// The reflectors of a scene, one for each pair of BRDF and scheme that is in use.
+struct ReflectorSet {
+  std::vector<reflectance::Reflector> reflectors;
+  std::vector<TableInfo> tables;  ///< of each of them
+  double seconds = 0;             ///< that building them took
+};
+
+/// Collects pairs of BRDFs and schemes, and then makes their reflectors.
+class ReflectorSetBuilder {
+ public:
+  ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, grf::Diagnostics& diagnostics)
+      : override_(scheme), diagnostics_(diagnostics), brdfs_(diagnostics) {}
+
+  /// Which reflector will serve a surface; after an error, any.
+  std::uint32_t index_of(const grf::ResolvedSurface& surface);
+
+  /// Makes the tables of all of them, in parallel, and warns of schemes that miss part of their BRDF. There
+  /// must have been no error.
+  ReflectorSet build(int threads);
+
+ private:
+  struct Pair {
+    reflectance::Brdf brdf;
+    reflectance::Scheme scheme;
+    std::string brdf_keyword;
+    TableInfo info;
+    std::string scheme_keyword;
+    grf::SourceLocation scheme_location;
+  };
+
+  const grf::PdfModel* scheme_of(const grf::ResolvedSurface& surface) const {
+    return override_ ? &override_->model : surface.pdf;
+  }
+  std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel* model) const;
+  std::uint32_t add(const grf::ResolvedSurface& surface);
+  void warn_of_what_is_missed(const Pair& pair, float cosine_share);
+
+  std::optional<SchemeOverride> override_;
+  grf::Diagnostics& diagnostics_;
+  reflectance::BrdfMaker brdfs_;
+  std::map<std::string, std::uint32_t> index_by_text_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace transport

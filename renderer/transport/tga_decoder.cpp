@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+#include "renderer/transport/image_decoders.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_ONLY_TGA
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#include <stb/stb_image.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace transport {
+namespace {
+
+/// Hands bytes to stb_image, and knows if it asked for more than there were: it takes those for zeros.
+class Source {
+ public:
+  explicit Source(std::string_view bytes) : bytes_(bytes) {}
+
+  bool ended_early() const { return ended_early_; }
+
+  static stbi_io_callbacks callbacks() {
+    return {[](void* source, char* to, int count) { return static_cast<Source*>(source)->read(to, count); },
+            [](void* source, int count) { static_cast<Source*>(source)->skip(count); },
+            [](void* source) { return static_cast<Source*>(source)->at_end() ? 1 : 0; }};
+  }
+
+ private:
+  // stb_image fills its own buffer with as much as there is, and begins with that; only into other places
+  // does it read what must be there in full.
+  int read(char* to, int count) {
+    if (buffer_ == nullptr) buffer_ = to;
+    const std::size_t given =
+        std::min(static_cast<std::size_t>(std::max(count, 0)), bytes_.size() - position_);
+    if (given == 0 || (to != buffer_ && given < static_cast<std::size_t>(count))) ended_early_ = true;
+    std::memcpy(to, bytes_.data() + position_, given);
+    position_ += given;
+    return static_cast<int>(given);
+  }
+  void skip(int count) {
+    const std::size_t rest = bytes_.size() - position_;
+    if (count < 0 || static_cast<std::size_t>(count) > rest) ended_early_ = true;
+    position_ += std::min(static_cast<std::size_t>(std::max(count, 0)), rest);
+  }
+  bool at_end() const { return position_ == bytes_.size(); }
+
+  std::string_view bytes_;
+  std::size_t position_ = 0;
+  const char* buffer_ = nullptr;
+  bool ended_early_ = false;
+};
+
+struct Free {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+[[noreturn]] void fail() {
+  const char* reason = stbi_failure_reason();
+  throw std::runtime_error(reason != nullptr ? reason : "it is of another kind");
+}
+
+}  // namespace
+
+Image decode_tga(std::string_view bytes) {
+  const stbi_io_callbacks callbacks = Source::callbacks();
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  Source header(bytes);
+  if (stbi_info_from_callbacks(&callbacks, &header, &width, &height, &channels) == 0) fail();
+  Image image = blank_image(width, height, bytes, 128);  // the longest run
+  Source source(bytes);
+  const std::unique_ptr<stbi_uc, Free> pixels(
+      stbi_load_from_callbacks(&callbacks, &source, &width, &height, &channels, 3));
+  if (source.ended_early()) throw std::runtime_error("it ends early");
+  if (!pixels) fail();
+  decode_srgb(pixels.get(), image);
+  return image;
+}
+
+}  // namespace transport

@@ -1,0 +1,250 @@
+#include "renderer/transport/environment_map.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "renderer/transport/sobol.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using grf::Vec2f;
+using grf::Vec3f;
+using reflectance::Rgb;
+using transport::EnvironmentMap;
+using transport::Image;
+
+constexpr double Pi = std::numbers::pi;
+
+template <class Function>
+Image image_of(int width, int height, Function texel) {
+  Image image{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) image.pixels.push_back(Rgb(texel(x, y)));
+  }
+  return image;
+}
+
+/// Towards the texel's place (x, y), in texels from the upper left corner, by the definition.
+Vec3f direction_at(const Image& image, double x, double y) {
+  const double theta = Pi * y / image.height;
+  const double phi = 2 * Pi * (x / image.width - 0.5);
+  return {static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)),
+          static_cast<float>(-std::sin(theta) * std::cos(phi))};
+}
+
+/// A sky with a gradient, black ground, noise and a sun.
+Image sky(int width, int height) {
+  std::mt19937 random(5);
+  return image_of(width, height, [&](int x, int y) {
+    if (y > height * 2 / 3) return 0.0F;
+    if (x == width / 3 && y == height / 4) return 2000.0F;
+    return 1.0F + static_cast<float>(y) + static_cast<float>(random() % 100) / 100;
+  });
+}
+
+std::vector<EnvironmentMap> hard_maps() {
+  std::vector<EnvironmentMap> maps;
+  maps.emplace_back(image_of(1, 1, [](int, int) { return 3.0F; }));
+  maps.emplace_back(image_of(1, 7, [](int, int y) { return static_cast<float>(y % 3); }));
+  maps.emplace_back(image_of(9, 1, [](int x, int) { return static_cast<float>(x); }));
+  maps.emplace_back(image_of(64, 32, [](int x, int y) { return x == 40 && y == 7 ? 1e30F : 0.0F; }));
+  maps.emplace_back(image_of(64, 32, [](int x, int y) { return x == 63 && y == 31 ? 1e-30F : 0.0F; }));
+  maps.emplace_back(image_of(8, 4, [](int, int) { return std::numeric_limits<float>::max(); }));
+  maps.emplace_back(sky(64, 32));
+  return maps;
+}
+
+TEST(EnvironmentMap, LooksWhereItSays) {
+  Image image = image_of(4, 3, [](int x, int y) { return static_cast<float>(10 * y + x); });
+  const EnvironmentMap map(image);
+  const float tiny = 1e-3F;
+  EXPECT_EQ(map.radiance({tiny, 0, -1}).x, 12);   // the centre, just right of it
+  EXPECT_EQ(map.radiance({-tiny, 0, -1}).x, 11);  // and left
+  EXPECT_EQ(map.radiance({1, 0, -tiny}).x, 12);   // +x is a quarter right of the centre
+  EXPECT_EQ(map.radiance({1, 0, tiny}).x, 13);
+  EXPECT_EQ(map.radiance({-1, 0, tiny}).x, 10);
+  EXPECT_EQ(map.radiance({tiny, 1, -tiny}).x, 2);
+  EXPECT_EQ(map.radiance({tiny, -1, -tiny}).x, 22);
+  EXPECT_LT(map.radiance({0, 1, 0}).x, 4);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      EXPECT_EQ(map.radiance(direction_at(image, x + 0.5, y + 0.5)), image.at(x, y)) << x << ", " << y;
+    }
+  }
+}
+
+TEST(EnvironmentMap, DensityIntegratesToOne) {
+  for (const EnvironmentMap& map : hard_maps()) {
+    const Image& image = map.image();
+    double sum = 0;
+    for (int y = 0; y < image.height; ++y) {
+      const double solid_angle =
+          2 * Pi / image.width * (std::cos(Pi * y / image.height) - std::cos(Pi * (y + 1) / image.height));
+      for (int x = 0; x < image.width; ++x) {
+        sum += solid_angle * double(map.density(direction_at(image, x + 0.5, y + 0.5)));
+      }
+    }
+    EXPECT_NEAR(sum, 1, 1e-5) << image.width << " x " << image.height;
+  }
+}
+
+TEST(EnvironmentMap, SaysOfItsSamplesWhatItSaysOfTheirDirections) {
+  for (const EnvironmentMap& map : hard_maps()) {
+    for (std::uint32_t i = 0; i < 100000; ++i) {
+      const auto sample = map.sample(transport::sobol_point(i, 3).xy());
+      ASSERT_TRUE(sample);
+      ASSERT_NEAR(sample->direction.length(), 1, 1e-6);
+      ASSERT_EQ(sample->density, map.density(sample->direction)) << sample->direction;
+      ASSERT_EQ(sample->radiance, map.radiance(sample->direction));
+      ASSERT_GT(sample->density, 0);
+      ASSERT_GT(sample->radiance.x, 0);
+    }
+  }
+}
+
+TEST(EnvironmentMap, TakesTheEndsOfTheUnitInterval) {
+  constexpr float Last = 0x1.fffffep-1F;
+  for (const EnvironmentMap& map : hard_maps()) {
+    for (const Vec2f& xi : {Vec2f(0, 0), Vec2f(Last, 0), Vec2f(0, Last), Vec2f(Last, Last)}) {
+      const auto sample = map.sample(xi);
+      ASSERT_TRUE(sample && std::isfinite(sample->density));
+      EXPECT_GT(sample->density, 0);
+    }
+  }
+}
+
+/// The probability of counts at least as far off what a density says, for cells of which each texel has four.
+double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samples) {
+  const Image& image = says.image();
+  const int rows = 2 * image.height;
+  const int columns = 2 * image.width;
+  std::vector<double> counts(std::size_t(rows) * std::size_t(columns), 0.0);
+  std::mt19937 random(9);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8U) * 0x1p-24F; };
+  for (int i = 0; i < samples; ++i) {
+    const float x = uniform();
+    const Vec3f d = draws.sample({x, uniform()})->direction;
+    const double theta = std::atan2(std::hypot(d.x, d.z), d.y);
+    const double phi = std::atan2(d.x, -d.z);
+    const int row = std::clamp(static_cast<int>(theta / Pi * rows), 0, rows - 1);
+    const int column = std::clamp(static_cast<int>((0.5 + phi / (2 * Pi)) * columns), 0, columns - 1);
+    counts[std::size_t(row) * std::size_t(columns) + std::size_t(column)] += 1;
+  }
+  double statistic = 0;
+  int terms = 0;
+  double pooled_expected = 0;
+  double pooled_count = 0;
+  for (int row = 0; row < rows; ++row) {
+    const double solid_angle =
+        2 * Pi / columns * (std::cos(Pi * row / rows) - std::cos(Pi * (row + 1) / rows));
+    for (int column = 0; column < columns; ++column) {
+      const Vec3f direction = direction_at(image, (column + 0.5) / 2, (row + 0.5) / 2);
+      const double expected = samples * solid_angle * double(says.density(direction));
+      const double counted = counts[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
+      if (expected < 5) {
+        pooled_expected += expected;
+        pooled_count += counted;
+        continue;
+      }
+      statistic += (counted - expected) * (counted - expected) / expected;
+      ++terms;
+    }
+  }
+  if (pooled_expected > 1) {
+    statistic += (pooled_count - pooled_expected) * (pooled_count - pooled_expected) / pooled_expected;
+    ++terms;
+  } else if (pooled_count > 20) {
+    return 0;
+  }
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(terms - 1), statistic));
+}
+
+TEST(EnvironmentMap, SamplesFollowTheirDensity) {
+  const std::vector<EnvironmentMap> maps = hard_maps();
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    EXPECT_GT(p_value(maps[i], maps[i], 400000), 0.01 / double(maps.size())) << i;
+  }
+  // The test of the test.
+  Image other = sky(64, 32);
+  for (int x = 0; x < 64; ++x) other.pixels[std::size_t(64 * 10 + x)] *= 3;
+  EXPECT_LT(p_value(maps.back(), EnvironmentMap(other), 400000), 1e-6);
+}
+
+// Between neighbours on a fine line of xi lies no more than the image has of it.
+TEST(EnvironmentMap, InvertsContinuously) {
+  const EnvironmentMap map(image_of(32, 16, [](int x, int y) { return 1.0F + float(x % 5) + float(y % 3); }));
+  const int steps = 4096;
+  for (const float other : {0.1F, 0.5F, 0.93F}) {
+    for (int i = 1; i < steps; ++i) {
+      const float before = static_cast<float>(i - 1) / steps;
+      const float after = static_cast<float>(i) / steps;
+      // Along a row. From row to row, columns may shift by as much as their distributions differ.
+      const Vec3f step = map.sample({after, other})->direction - map.sample({before, other})->direction;
+      ASSERT_LT(step.length(), 2 * Pi / steps * 8) << i;
+    }
+  }
+}
+
+TEST(EnvironmentMap, StratifiedPointsHaveLessVariance) {
+  const EnvironmentMap map(sky(64, 32));
+  const auto squared_error = [&](auto pair_of) {
+    const Vec3f axis = Vec3f(0.3F, 1, -0.2F).normalized();
+    std::vector<double> means;
+    for (std::uint32_t run = 0; run < 64; ++run) {
+      double sum = 0;
+      for (std::uint32_t i = 0; i < 256; ++i) {
+        const auto sample = map.sample(pair_of(i, run));
+        sum += std::max(0.0F, sample->direction.dot(axis)) * sample->radiance.x / sample->density / 256;
+      }
+      means.push_back(sum);
+    }
+    double mean = 0;
+    for (const double value : means) mean += value / 64;
+    double variance = 0;
+    for (const double value : means) variance += (value - mean) * (value - mean) / 63;
+    return variance;
+  };
+  std::mt19937 random(4);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8U) * 0x1p-24F; };
+  const double independent = squared_error([&](std::uint32_t, std::uint32_t) {
+    const float x = uniform();
+    return Vec2f(x, uniform());
+  });
+  const double stratified =
+      squared_error([](std::uint32_t i, std::uint32_t run) { return transport::sobol_point(i, run).xy(); });
+  EXPECT_LT(stratified, independent / 20);
+}
+
+TEST(EnvironmentMap, ThatIsBlackHasNoSamples) {
+  const EnvironmentMap map(image_of(4, 2, [](int, int) { return 0.0F; }));
+  EXPECT_TRUE(map.is_black());
+  EXPECT_FALSE(map.sample({0.5F, 0.5F}));
+  EXPECT_EQ(map.density({0, 1, 0}), 0);
+  EXPECT_EQ(map.radiance({0, 1, 0}), Rgb(0));
+}
+
+TEST(EnvironmentMap, ReportsTexelsThatCannotBe) {
+  test::TemporaryFolder folder;
+  const float texels[4] = {1, -1, std::nanf(""), std::numeric_limits<float>::infinity()};
+  std::string pfm = "Pf\n4 1\n-1\n";
+  pfm.append(reinterpret_cast<const char*>(texels), sizeof(texels));
+  const std::string path = folder.add("map.pfm", pfm);
+  grf::Diagnostics diagnostics;
+  const auto map = transport::read_environment_map(path, diagnostics);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(diagnostics.to_text(), path +
+                                       ": warning: 3 of 4 texels of the environment map are negative or no "
+                                       "finite numbers there, and count as 0\n");
+  EXPECT_EQ(map->image().pixels, (std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(0), Rgb(0)}));
+  EXPECT_NEAR(map->density({-1e-3F, 0, 1}), 1 / Pi, 1e-6);  // a quarter of the sphere
+}
+
+}  // namespace

@@ -1,0 +1,298 @@
+// Images of each kind, whole and broken.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <gtest/gtest.h>
+#include <png.h>
+#include <turbojpeg.h>
+
+#include "renderer/transport/image.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using reflectance::Rgb;
+using transport::Image;
+
+template <class... Bytes>
+std::string bytes(Bytes... values) {
+  return {static_cast<char>(values)...};
+}
+
+Image gradient(int width, int height) {
+  Image image{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      image.pixels.emplace_back(float(x) / float(width), float(y) / float(height), 0.25F);
+    }
+  }
+  return image;
+}
+
+std::string pfm_of(const Image& image) {
+  std::string file = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
+  for (int y = image.height - 1; y >= 0; --y) {
+    for (int x = 0; x < image.width; ++x) {
+      const Rgb pixel = image.at(x, y);
+      file.append(reinterpret_cast<const char*>(&pixel.x), sizeof(Rgb));
+    }
+  }
+  return file;
+}
+
+std::string big_endian_grey_pfm() {
+  return "Pf 2 1 1.0\n" + bytes(0x3f, 0x80, 0, 0) + bytes(0x40, 0, 0, 0);  // 1 and 2
+}
+
+/// Rows of 4 bytes a pixel, without run lengths: (0.5, 1, 2) everywhere.
+std::string radiance_file(int width, int height) {
+  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+                     std::to_string(width) + "\n";
+  for (int i = 0; i < width * height; ++i) file += bytes(32, 64, 128, 130);
+  return file;
+}
+
+/// With run lengths, as most files are.
+std::string radiance_rle_file(int width, int height) {
+  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+                     std::to_string(width) + "\n";
+  for (int y = 0; y < height; ++y) {
+    file += bytes(2, 2, width >> 8, width & 255);
+    for (const int value : {32, 64, 128, 130}) file += bytes(128 + width, value);
+  }
+  return file;
+}
+
+/// Uncompressed, rows from the top, blue first.
+std::string tga_file(int width, int height) {
+  std::string file =
+      bytes(0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, width & 255, width >> 8, height & 255, height >> 8, 24, 0x20);
+  for (int i = 0; i < width * height; ++i) file += bytes(0, 128, 255);
+  return file;
+}
+
+std::string tga_rle_file(int width, int height) {
+  std::string file = bytes(0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, width & 255, width >> 8, height & 255,
+                           height >> 8, 24, 0x20);
+  for (int y = 0; y < height; ++y) file += bytes(127 + width, 0, 128, 255);
+  return file;
+}
+
+std::string jpeg_file(int width, int height) {
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < width * height; ++i) pixels.insert(pixels.end(), {255, 128, 0});
+  void* encoder = tjInitCompress();
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  tjCompress2(encoder, pixels.data(), width, 0, height, TJPF_RGB, &data, &size, TJSAMP_444, 100, 0);
+  std::string file(reinterpret_cast<const char*>(data), size);
+  tjFree(data);
+  tjDestroy(encoder);
+  return file;
+}
+
+std::string deep_png_file(std::uint16_t value) {
+  const std::vector<std::uint16_t> pixels(3 * 6 * 4, value);
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = 6;
+  png.height = 4;
+  png.format = PNG_FORMAT_LINEAR_RGB;
+  std::string file(10000, '\0');
+  png_alloc_size_t size = file.size();
+  png_image_write_to_memory(&png, file.data(), &size, 0, pixels.data(), 0, nullptr);
+  file.resize(size);
+  return file;
+}
+
+class ImageReader : public testing::Test {
+ protected:
+  std::optional<Image> read(const std::string& name, const std::string& file) {
+    diagnostics_ = {};
+    return transport::read_image(folder_.add(name, file), diagnostics_);
+  }
+
+  std::string encoded(const Image& image, const std::string& name) {
+    EXPECT_TRUE(transport::write_image(image, folder_.path(name), diagnostics_));
+    return test::bytes_of(folder_.path(name));
+  }
+
+  void expect_everywhere(const std::optional<Image>& image, const Rgb& expected, float tolerance = 0) {
+    ASSERT_TRUE(image) << diagnostics_.to_text();
+    for (const Rgb& pixel : image->pixels) {
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(pixel[k], expected[k], tolerance);
+    }
+  }
+
+  void expect_error(const std::string& name, const std::string& file, const std::string& why) {
+    EXPECT_FALSE(read(name, file)) << name;
+    EXPECT_EQ(diagnostics_.error_count(), 1U) << name;
+    EXPECT_NE(diagnostics_.to_text().find(folder_.path(name) + ": error: cannot read the image: " + why),
+              std::string::npos)
+        << diagnostics_.to_text();
+  }
+
+  test::TemporaryFolder folder_;
+  grf::Diagnostics diagnostics_;
+};
+
+const Rgb Orange(1, 0.2158605F, 0);  // 255, 128, 0
+
+TEST_F(ImageReader, ReadsWhatTheWriterWrites) {
+  const Image image = gradient(13, 7);
+  EXPECT_EQ(read("a.exr", encoded(image, "image.exr"))->pixels, image.pixels);
+  const auto png = read("a.png", encoded(image, "image.png"));
+  ASSERT_TRUE(png);
+  ASSERT_EQ(png->width, 13);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    EXPECT_NEAR((png->pixels[i] - image.pixels[i]).length(), 0, 0.01);
+  }
+}
+
+TEST_F(ImageReader, ReadsPortableFloatMaps) {
+  const Image image = gradient(5, 3);
+  EXPECT_EQ(read("a.pfm", pfm_of(image))->pixels, image.pixels);
+  EXPECT_EQ(read("b.pfm", big_endian_grey_pfm())->pixels, (std::vector<Rgb>{Rgb(1), Rgb(2)}));
+}
+
+TEST_F(ImageReader, ReadsRadianceTgaJpegAndDeepPng) {
+  const Rgb radiance(0.5F, 1, 2);
+  expect_everywhere(read("a.hdr", radiance_file(4, 3)), radiance);
+  expect_everywhere(read("b.hdr", radiance_rle_file(20, 3)), radiance);
+  expect_everywhere(read("c.tga", tga_file(4, 3)), Orange, 1e-6F);
+  expect_everywhere(read("d.tga", tga_rle_file(20, 3)), Orange, 1e-6F);
+  expect_everywhere(read("e.jpg", jpeg_file(20, 30)), Orange, 0.01F);
+  expect_everywhere(read("f.png", deep_png_file(6554)), Rgb(0.100008F), 1e-4F);
+}
+
+TEST_F(ImageReader, ReadsWhatElseRadianceFilesSay) {
+  const std::string pixels = bytes(64, 0, 0, 129) + bytes(1, 1, 1, 2) + bytes(128, 0, 0, 129);
+  const auto image =
+      read("a.hdr", "#?RADIANCE\nEXPOSURE=0.5\nEXPOSURE= 2\nEXPOSURE=4\n\n+Y 1 -X 4\n" + pixels);
+  ASSERT_TRUE(image) << diagnostics_.to_text();
+  const Rgb half(0.125F, 0, 0);
+  EXPECT_EQ(image->pixels, (std::vector<Rgb>{half * 2, half, half, half}));
+  expect_error("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n", "it is broken (its colours");
+  expect_error("c.hdr", "#?RADIANCE\n\n+X 1 +Y 4\n", "it is broken (its size is not said as rows and");
+}
+
+TEST_F(ImageReader, TellsFilesByWhatTheyHold) {
+  expect_everywhere(read("a.jpg", radiance_file(4, 3)), Rgb(0.5F, 1, 2));
+  expect_everywhere(read("without", jpeg_file(20, 30)), Orange, 0.01F);
+}
+
+std::string exr_with(const std::string& path, const std::vector<const char*>& channels) {
+  const std::vector<float> values(12, 0.5F);
+  {
+    Imf::Header header(4, 3);
+    Imf::FrameBuffer buffer;
+    for (const char* channel : channels) {
+      header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+      char* data = const_cast<char*>(reinterpret_cast<const char*>(values.data()));
+      buffer.insert(channel, Imf::Slice(Imf::FLOAT, data, sizeof(float), 4 * sizeof(float)));
+    }
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(buffer);
+    file.writePixels(3);
+  }
+  return test::bytes_of(path);
+}
+
+TEST_F(ImageReader, ReadsOpenExrByItsChannels) {
+  const std::string path = folder_.path("made.exr");
+  expect_everywhere(read("a.exr", exr_with(path, {"Y"})), Rgb(0.5F));
+  expect_everywhere(read("b.exr", exr_with(path, {"R", "G", "B", "A", "Z"})), Rgb(0.5F));
+  expect_everywhere(read("c.exr", exr_with(path, {"G"})), Rgb(0, 0.5F, 0));
+  expect_error("d.exr", exr_with(path, {"Z"}), "it is broken (its channels are not R, G and B, nor Y alone)");
+}
+
+TEST_F(ImageReader, RefusesHugeImages) {
+  const std::string path = folder_.path("made.exr");
+  Imf::Header header(100000, 200000);
+  header.channels().insert("R", Imf::Channel(Imf::HALF));
+  { const Imf::OutputFile file(path.c_str(), header); }
+  expect_error("a.exr", test::bytes_of(path),
+               "it is broken (it has 100000 x 200000 pixels, expected at most 134 million)");
+}
+
+TEST_F(ImageReader, SaysWhatIsWrong) {
+  expect_error("a.exr", "", "the file is empty");
+  expect_error("b.bmp", "BM something", "expected OpenEXR, Radiance (hdr), pfm, PNG, JPEG or TGA");
+  expect_error("c.pfm", "PF\n2 2\n", "it is broken (its first lines are not a kind, a width, a height");
+  expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is broken (it ends early)");
+  expect_error("e.pfm", "PF\n0 2\n-1\n", "it is broken (it has no pixels)");
+  expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is broken (it has no pixels)");
+  expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is broken (it ends early)");
+  expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is broken (it ends early)");
+  expect_error("i.tga", "some text", "it is broken (");
+  EXPECT_FALSE(transport::read_image(folder_.path("none.exr"), diagnostics_ = {}));
+  EXPECT_EQ(diagnostics_.error_count(), 1U);
+  EXPECT_FALSE(transport::read_image(folder_.path(), diagnostics_ = {}));
+  EXPECT_EQ(diagnostics_.error_count(), 1U);
+}
+
+TEST_F(ImageReader, SaysItAtThePlaceThatNamesTheFile) {
+  const std::string path = folder_.add("a.exr", "\x76\x2f\x31\x01 and no more");
+  const auto file = std::make_shared<grf::SourceFile>();
+  file->path = "scene.op";
+  EXPECT_FALSE(transport::read_image(path, diagnostics_, {file, 3, 20}));
+  EXPECT_TRUE(diagnostics_.to_text().starts_with("scene.op:3:20: error: cannot read the image '" + path +
+                                                 "': it is broken ("))
+      << diagnostics_.to_text();
+}
+
+class BrokenImages : public ImageReader {
+ protected:
+  std::vector<std::pair<std::string, std::string>> files() {
+    const Image image = gradient(24, 10);
+    return {{"a.exr", encoded(image, "image.exr")},
+            {"a.png", encoded(image, "image.png")},
+            {"a.pfm", pfm_of(image)},
+            {"a.hdr", radiance_file(4, 3)},
+            {"b.hdr", radiance_rle_file(20, 9)},
+            {"a.tga", tga_file(4, 3)},
+            {"b.tga", tga_rle_file(20, 9)},
+            {"a.jpg", jpeg_file(20, 30)},
+            {"b.png", deep_png_file(6554)}};
+  }
+};
+
+// What is cut off in a file's last bytes need not matter: PNG's end mark, JPEG's.
+TEST_F(BrokenImages, ThatEndEarlyAreRefused) {
+  for (const auto& [name, file] : files()) {
+    const std::size_t last = file.size() - 16;
+    const std::size_t step = std::max<std::size_t>(1, last / 60);
+    for (std::size_t size = 1; size < file.size(); size += size < last ? step : 1) {
+      const auto image = read(name, file.substr(0, size));
+      if (image && size >= last) continue;
+      EXPECT_FALSE(image) << name << " " << size << " of " << file.size();
+      EXPECT_EQ(diagnostics_.error_count(), 1U) << name << " " << size;
+    }
+  }
+}
+
+TEST_F(BrokenImages, ThatAreGarbledDoNoHarm) {
+  std::mt19937 random(3);
+  for (const auto& [name, file] : files()) {
+    for (int i = 0; i < 80; ++i) {
+      std::string garbled = file;
+      for (std::uint32_t k = 0; k <= random() % 8; ++k) {
+        // The first bytes say the most.
+        const std::size_t range = random() % 2 == 0 ? std::min<std::size_t>(64, file.size()) : file.size();
+        garbled[random() % range] = static_cast<char>(random());
+      }
+      const auto image = read(name, garbled);
+      EXPECT_EQ(diagnostics_.error_count(), image ? 0U : 1U) << name;
+      if (image) {
+        EXPECT_EQ(image->pixels.size(), std::size_t(image->width) * std::size_t(image->height));
+      }
+    }
+  }
+}
+
+}  // namespace
