@@ -25,14 +25,19 @@ const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 struct Case {
   std::string brdf;
   std::string scheme;
-  int depth = 0;  ///< that quadratures have at least
+  int depth = 0;          ///< that quadratures of the BRDF have at least
+  int density_depth = 0;  ///< and of the density
 };
 
 std::vector<Case> cases() {
+  constexpr int CellDepth = 3;  // of densities that are constant in the cells of a grid
   std::vector<Case> list;
   const auto add = [&](const std::vector<std::string>& brdfs, int depth) {
     for (const std::string& brdf : brdfs) {
-      for (const std::string scheme : {"auto", "diffuse"}) list.push_back({brdf, scheme, depth});
+      for (const std::string scheme : {"auto", "diffuse", "hemisphere", "sphere", "anisotropic"})
+        list.push_back({brdf, scheme, depth, depth});
+      for (const std::string scheme : {"adaptive mode=reject nQT=20 res=100", "reject nQT=20 res=100"})
+        list.push_back({brdf, scheme, depth, std::max(depth, CellDepth)});
     }
   };
   add(test::plain_cases(), 0);
@@ -69,7 +74,7 @@ TEST_P(Sampling, FollowsItsDensity) {
   for (const double angle : Angles) {
     const Vec3f u = test::direction(angle, 25);
     const auto density = [&](const Vec3f& v) { return static_cast<double>(subject.density(u, v)); };
-    const statistics::ChiSquareTest test(density, reflectance::mirrored(u), GetParam().depth);
+    const statistics::ChiSquareTest test(density, reflectance::mirrored(u), GetParam().density_depth);
     RandomNumbers random(7);
     const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
     EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
