@@ -10,6 +10,7 @@
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/scheme_cases.h"
 #include "tests/statistics/chi_square.h"
+#include "tests/statistics/disc_chi_square.h"
 
 namespace {
 
@@ -25,19 +26,18 @@ const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 struct Case {
   std::string brdf;
   std::string scheme;
-  int depth = 0;          ///< that quadratures of the BRDF have at least
-  int density_depth = 0;  ///< and of the density
+  int depth = 0;       ///< that quadratures have at least
+  int resolution = 0;  ///< of the grid over the disc in whose cells the density is constant; 0: it is smooth
 };
 
 std::vector<Case> cases() {
-  constexpr int CellDepth = 3;  // of densities that are constant in the cells of a grid
   std::vector<Case> list;
   const auto add = [&](const std::vector<std::string>& brdfs, int depth) {
     for (const std::string& brdf : brdfs) {
       for (const std::string scheme : {"auto", "diffuse", "hemisphere", "sphere", "anisotropic"})
-        list.push_back({brdf, scheme, depth, depth});
+        list.push_back({brdf, scheme, depth});
       for (const std::string scheme : {"adaptive mode=reject nQT=20 res=100", "reject nQT=20 res=100"})
-        list.push_back({brdf, scheme, depth, std::max(depth, CellDepth)});
+        list.push_back({brdf, scheme, depth, 100});
     }
   };
   add(test::plain_cases(), 0);
@@ -69,16 +69,25 @@ class Sampling : public testing::TestWithParam<Case> {
   }
 };
 
+void expect_to_follow(const auto& test, const Reflector& subject, double angle) {
+  RandomNumbers random(7);
+  const Vec3f u = test::direction(angle, 25);
+  const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
+  EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
+  EXPECT_LT(test.mass(), 1.001) << angle;
+}
+
 TEST_P(Sampling, FollowsItsDensity) {
   const Reflector subject = reflector();
   for (const double angle : Angles) {
     const Vec3f u = test::direction(angle, 25);
     const auto density = [&](const Vec3f& v) { return static_cast<double>(subject.density(u, v)); };
-    const statistics::ChiSquareTest test(density, reflectance::mirrored(u), GetParam().density_depth);
-    RandomNumbers random(7);
-    const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
-    EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
-    EXPECT_LT(test.mass(), 1.001) << angle;
+    if (GetParam().resolution > 0) {
+      expect_to_follow(statistics::DiscChiSquareTest(density, u, GetParam().resolution), subject, angle);
+    } else {
+      const Vec3f peak = reflectance::mirrored(u);
+      expect_to_follow(statistics::ChiSquareTest(density, peak, GetParam().depth), subject, angle);
+    }
   }
 }
 
