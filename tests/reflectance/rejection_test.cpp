@@ -1,7 +1,6 @@
 // Rejection trees: geometry of the disc, exact densities, the bounds of rejection, and degenerate tables.
-#include <chrono>
 #include <cmath>
-#include <numeric>
+#include <functional>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -228,7 +227,7 @@ TEST(RejectionTrees, AreNearlyExactWithoutTheirTables) {
   for (const std::string text :
        {"phong n=100 ks=0.4 kd=0.6", "lewis n=100 ks=1 kd=0", "ward sx=0.2",
         "torrance rough=0.35 nreal=0.617 nimag=2.63 ks=0.7 kd=0.3", "minnaert k=0.8 kd=1",
-        "ashikhmin ex=25 Rs=0.39 Rd=0.6", "schlick SC=0.7 Sr=0.31", "he"}) {
+        "ashikhmin ex=25 Rs=0.39 Rd=0.6", "schlick SC=0.7 Sr=0.31", "oren s=0.3"}) {
     const reflectance::Brdf brdf = test::brdf_of(text);
     settings.phis = 1;
     const RejectionTrees trees(brdf, settings);
@@ -237,7 +236,6 @@ TEST(RejectionTrees, AreNearlyExactWithoutTheirTables) {
       // At the horizon this one has a pole, which a grid does not resolve.
       const double tolerance = text.starts_with("schlick") ? 0.08 : 0.01;
       EXPECT_NEAR(mass, 1, tolerance) << text << degrees;
-      std::printf("%s %g: mass %.4f\n", text.c_str(), degrees, mass);
     }
   }
 }
@@ -363,7 +361,8 @@ void expect_albedo(const std::string& brdf, const std::string& scheme, double de
   const double mean = sum / Samples;
   const double deviation = std::sqrt(std::max(0.0, squares / Samples - mean * mean) / Samples);
   const double exact = quadrature.over_hemisphere() + reflectance::mirror(subject.brdf(), u).x;
-  EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact + 1e-9) << brdf << " / " << scheme << " " << degrees;
+  EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact + 1e-9)
+      << brdf << " / " << scheme << " " << degrees;
 }
 
 TEST(Degenerate, OneTreeIsUnbiasedForAllViews) {
