@@ -22,6 +22,27 @@ struct AshikhminFormula {
 
 namespace reflectance {
 
+/// u reflected at a half vector that is drawn by its anisotropic power (Ashikhmin and Shirley 2000); all of
+/// its azimuths come from one number, so no quadrant is chosen. It may be under the horizon. The print has
+/// v = u + 2(u.h)h, which is right for a u that points into the surface.
+inline Vec3f anisotropic_lobe_direction(const Vec3f& u, const LobeExponents& e, const Vec2f& xi) {
+  // tan(phi_h) = sqrt((ex+1)/(ey+1)) tan(psi), of which the cosine and sine are enough.
+  const float psi = 2 * Pi * xi.y;
+  const float x = std::sqrt(e.y + 1) * std::cos(psi);
+  const float y = std::sqrt(e.x + 1) * std::sin(psi);
+  const float length2 = x * x + y * y;
+  const float exponent = (e.x * x * x + e.y * y * y) / length2;
+  const float below_one = -std::expm1(std::log1p(-xi.x) / (exponent + 1));
+  const float sine = std::sqrt(below_one * (2 - below_one) / length2);
+  return reflected(u, Vec3f(sine * x, sine * y, 1 - below_one));
+}
+
+/// Its density per solid angle.
+inline float anisotropic_lobe_density(const Vec3f& u, const Vec3f& v, const LobeExponents& e) {
+  return std::sqrt((e.x + 1) * (e.y + 1)) / (8 * Pi) *
+         glsl::AshikhminFormula<float>().ashikhmin_power(u + v, e.x, e.y) / cosine_of_half(u, v);
+}
+
 /// An anisotropic Phong lobe with Fresnel over a matte part that has what the lobe leaves.
 struct Ashikhmin : CosineAndLobe<Ashikhmin> {
   float ex = 25;
@@ -72,21 +93,11 @@ e = ex cos(phi)^2 + ey sin(phi)^2, phi: the azimuth of h;  F = Rs + (1-Rs) (1-u.
   }
   float matte_albedo(const Vec3f&) const { return mean(rd * (Rgb(1) - rs)); }
 
-  // The print has v = u + 2(u.h)h, which is right for a u that points into the surface.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
-    // tan(phi_h) = sqrt((ex+1)/(ey+1)) tan(psi), of which the cosine and sine are enough.
-    const float psi = 2 * Pi * xi.y;
-    const float x = std::sqrt(ey + 1) * std::cos(psi);
-    const float y = std::sqrt(ex + 1) * std::sin(psi);
-    const float length2 = x * x + y * y;
-    const float exponent = (ex * x * x + ey * y * y) / length2;
-    const float below_one = -std::expm1(std::log1p(-xi.x) / (exponent + 1));
-    const float sine = std::sqrt(below_one * (2 - below_one) / length2);
-    return reflected(u, Vec3f(sine * x, sine * y, 1 - below_one));
+    return anisotropic_lobe_direction(u, {ex, ey}, xi);
   }
   float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    return std::sqrt((ex + 1) * (ey + 1)) / (8 * Pi) * formula<float>().ashikhmin_power(u + v, ex, ey) /
-           cosine_of_half(u, v);
+    return anisotropic_lobe_density(u, v, {ex, ey});
   }
   Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
     return formula<float>().schlick_fresnel(rs, 1 - std::min(1.0F, cosine_of_half(u, v))) *

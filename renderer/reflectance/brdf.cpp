@@ -56,6 +56,22 @@ bool is_anisotropic(const Brdf& brdf) {
       brdf);
 }
 
+std::optional<LobeExponents> lobe_exponents(const Brdf& brdf) {
+  return std::visit(
+      [](const auto& model) -> std::optional<LobeExponents> {
+        if constexpr (requires { model.lobe_exponents(); }) {
+          return model.lobe_exponents();
+        } else if constexpr (requires { model.ex + model.ey; }) {
+          return LobeExponents{model.ex, model.ey};
+        } else if constexpr (requires { model.n; }) {
+          return LobeExponents{model.n, model.n};
+        } else {
+          return std::nullopt;
+        }
+      },
+      brdf);
+}
+
 std::vector<grf::ModelInfo> brdf_infos() {
   std::vector<grf::ModelInfo> infos = infos_of<Brdf>();
   for (grf::ModelInfo& info : infos) {

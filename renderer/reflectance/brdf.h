@@ -101,6 +101,10 @@ bool has_glossy_part(const Brdf& brdf);
 /// True if turning both directions about the normal changes the value: guessed from the table.
 bool is_anisotropic(const Brdf& brdf);
 
+/// The exponents of a BRDF's cosine lobe, or nothing if it has none: guessed from `ex` and `ey`, or from `n`,
+/// as of a lobe about the half vector. Of a sum, those of its widest lobe.
+std::optional<LobeExponents> lobe_exponents(const Brdf& brdf);
+
 std::vector<grf::ModelInfo> brdf_infos();
 
 }  // namespace reflectance

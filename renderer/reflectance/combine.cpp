@@ -96,4 +96,14 @@ bool Combine::is_anisotropic() const {
   return any_part(parts, [](const Brdf& brdf) { return reflectance::is_anisotropic(brdf); });
 }
 
+std::optional<LobeExponents> Combine::lobe_exponents() const {
+  std::optional<LobeExponents> widest;
+  if (!parts) return widest;
+  for (const CombinedBrdf& part : *parts) {
+    const auto own = reflectance::lobe_exponents(part.brdf);
+    if (own && part.weight > 0 && (!widest || own->about_mirror() < widest->about_mirror())) widest = own;
+  }
+  return widest;
+}
+
 }  // namespace reflectance

@@ -42,6 +42,7 @@ struct Combine {
   bool has_diffuse_part() const;
   bool has_glossy_part() const;
   bool is_anisotropic() const;
+  std::optional<LobeExponents> lobe_exponents() const;
 };
 
 }  // namespace reflectance

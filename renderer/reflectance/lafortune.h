@@ -76,6 +76,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
   bool has_diffuse_part() const { return !is_black(kp); }
   bool has_glossy_part() const { return true; }
   bool is_anisotropic() const { return cx != cy; }
+  LobeExponents lobe_exponents() const { return LobeExponents::about_mirror(n); }
 
   Rgb matte_weight(const Vec3f&, const Vec3f&) const { return kp; }
   float matte_albedo(const Vec3f&) const { return mean(kp); }

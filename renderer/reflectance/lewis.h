@@ -54,6 +54,8 @@ struct Lewis : DiffuseAndLobe<Lewis> {
     return glsl::LewisFormula<Real>().lewis(u, v, Real(n), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
+  LobeExponents lobe_exponents() const { return LobeExponents::about_mirror(n); }
+
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return cosine_lobe_direction(u, n, xi); }
   float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
   float lobe_ratio(const Vec3f&, const Vec3f& v) const { return (n + 2) / (n + 1) * v.z; }

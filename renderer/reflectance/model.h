@@ -55,6 +55,17 @@ struct DirectionSample {
   float density = 0;
 };
 
+/// The exponents of a lobe (n.h)^e about the half vector h, along the tangent and across it.
+struct LobeExponents {
+  float x = 0;
+  float y = 0;
+
+  /// Those of about the lobe (v.r)^n, r the mirror direction: h turns by half of what v does, so a quarter
+  /// of the exponent does for v.
+  static LobeExponents about_mirror(float n) { return {4 * n, 4 * n}; }
+  float about_mirror() const { return (x + y) / 8; }
+};
+
 /// One row of a model's table: the field, and all that is said of it but its default, which is the field's.
 template <class Model>
 struct Parameter {
@@ -118,6 +129,17 @@ inline void assign(int& field, const grf::Value& value, const grf::ParameterInfo
   }
 }
 
+/// Calls visit(field) for the field of a row. What a model is too small for it has none of, and g++ 12 warns
+/// of an access that is never made.
+template <class Model, class Visit>
+void visit_field(const Parameter<Model>& parameter, Visit visit) {
+  std::visit(
+      [&]<class Field>(Field Model::*field) {
+        if constexpr (sizeof(Field) <= sizeof(Model)) visit(field);
+      },
+      parameter.field);
+}
+
 /// A model from its data, which `grf::check` found right: values that are left out take their defaults.
 template <class Model>
 Model make(const grf::Model& data) {
@@ -135,7 +157,7 @@ Model make(const grf::Model& data) {
       argument = argument_of(parameter.info.default_from);
     }
     if (argument == nullptr) continue;
-    std::visit([&](auto field) { assign(model.*field, argument->value, parameter.info); }, parameter.field);
+    visit_field(parameter, [&](auto field) { assign(model.*field, argument->value, parameter.info); });
   }
   return model;
 }
@@ -160,7 +182,7 @@ grf::ModelInfo info_of() {
   for (const Parameter<Model>& parameter : table.parameters) {
     info.parameters.push_back(parameter.info);
     grf::ParameterInfo& entry = info.parameters.back();
-    std::visit([&](auto field) { describe(entry, defaults.*field); }, parameter.field);
+    visit_field(parameter, [&](auto field) { describe(entry, defaults.*field); });
   }
   if constexpr (requires { defaults.wrong_together(); }) {
     info.wrong_together = [](const grf::Model& data) { return make<Model>(data).wrong_together(); };

@@ -37,6 +37,21 @@ bool may_miss(const Scheme& scheme) {
       scheme);
 }
 
+void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
+                 std::vector<DirectionSample>& out) {
+  std::visit(
+      [&](const auto& chosen) {
+        if constexpr (requires { chosen.sample_many(brdf, u, xi, out); }) {
+          chosen.sample_many(brdf, u, xi, out);
+        } else {
+          for (const Uniforms& one : xi) {
+            if (const auto drawn = chosen.sample(brdf, u, one)) out.push_back(*drawn);
+          }
+        }
+      },
+      scheme);
+}
+
 std::vector<grf::ModelInfo> scheme_infos() { return infos_of<Scheme>(); }
 
 grf::Catalogue catalogue() { return {brdf_infos(), scheme_infos()}; }

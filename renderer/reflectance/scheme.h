@@ -8,9 +8,14 @@
 #include <vector>
 
 #include "grf/catalogue.h"
+#include "renderer/reflectance/schemes/adaptive_scheme.h"
+#include "renderer/reflectance/schemes/anisotropic_scheme.h"
 #include "renderer/reflectance/schemes/auto_scheme.h"
 #include "renderer/reflectance/schemes/diffuse_scheme.h"
+#include "renderer/reflectance/schemes/hemisphere_scheme.h"
+#include "renderer/reflectance/schemes/reject_scheme.h"
 #include "renderer/reflectance/schemes/specular_scheme.h"
+#include "renderer/reflectance/schemes/sphere_scheme.h"
 
 namespace reflectance {
 
@@ -24,7 +29,8 @@ namespace reflectance {
 /// `MayMiss` says that some BRDFs reflect light into directions that the scheme draws never or hardly ever:
 /// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
 /// cost less than as many single ones.
-using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme>;
+using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
+                            AnisotropicScheme, RejectScheme, AdaptiveScheme>;
 
 /// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);
@@ -50,6 +56,12 @@ inline std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& b
 inline float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
   return std::visit([&](const auto& chosen) { return chosen.density(brdf, u, v); }, scheme);
 }
+
+/// Adds a sample for each xi, without those that are empty, all for one view: cheaper or spread more evenly
+/// than one by one with schemes that have a `sample_many`. Each alone has the scheme's density, and an
+/// estimate is their sum over the number of xi.
+void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
+                 std::vector<DirectionSample>& out);
 
 std::vector<grf::ModelInfo> scheme_infos();
 

@@ -10,6 +10,7 @@
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/scheme_cases.h"
 #include "tests/statistics/chi_square.h"
+#include "tests/statistics/disc_chi_square.h"
 
 namespace {
 
@@ -25,18 +26,42 @@ const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 struct Case {
   std::string brdf;
   std::string scheme;
-  int depth = 0;  ///< that quadratures have at least
+  int depth = 0;       ///< that quadratures have at least
+  int resolution = 0;  ///< of the grid over the disc in whose cells the density is constant; 0: it is smooth
 };
+
+struct SchemeCase {
+  std::string text;
+  int resolution = 0;
+};
+
+const std::vector<SchemeCase> Schemes = {
+    {"auto"},
+    {"diffuse"},
+    {"hemisphere"},
+    {"sphere"},
+    {"anisotropic"},
+    {"adaptive mode=reject nQT=20 res=100", 100},
+    {"reject nQT=20 res=100", 100},
+};
+
+struct BrdfCase {
+  std::string text;
+  int depth = 0;
+};
+
+std::vector<BrdfCase> brdf_cases() {
+  std::vector<BrdfCase> list;
+  for (const std::string& text : test::plain_cases()) list.push_back({text, 0});
+  for (const std::string& text : test::stepped_cases()) list.push_back({text, 4});
+  return list;
+}
 
 std::vector<Case> cases() {
   std::vector<Case> list;
-  const auto add = [&](const std::vector<std::string>& brdfs, int depth) {
-    for (const std::string& brdf : brdfs) {
-      for (const std::string scheme : {"auto", "diffuse"}) list.push_back({brdf, scheme, depth});
-    }
-  };
-  add(test::plain_cases(), 0);
-  add(test::stepped_cases(), 4);
+  for (const auto& [brdf, depth] : brdf_cases()) {
+    for (const auto& [scheme, resolution] : Schemes) list.push_back({brdf, scheme, depth, resolution});
+  }
   return list;
 }
 
@@ -64,16 +89,25 @@ class Sampling : public testing::TestWithParam<Case> {
   }
 };
 
+void expect_to_follow(const auto& test, const Reflector& subject, double angle) {
+  RandomNumbers random(7);
+  const Vec3f u = test::direction(angle, 25);
+  const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
+  EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
+  EXPECT_LT(test.mass(), 1.001) << angle;
+}
+
 TEST_P(Sampling, FollowsItsDensity) {
   const Reflector subject = reflector();
   for (const double angle : Angles) {
     const Vec3f u = test::direction(angle, 25);
     const auto density = [&](const Vec3f& v) { return static_cast<double>(subject.density(u, v)); };
-    const statistics::ChiSquareTest test(density, reflectance::mirrored(u), GetParam().depth);
-    RandomNumbers random(7);
-    const double p = test.p_value([&] { return direction_of(subject, u, random.next()); }, 100000);
-    EXPECT_GT(p, statistics::significance(static_cast<int>(cases().size() * Angles.size()))) << angle;
-    EXPECT_LT(test.mass(), 1.001) << angle;
+    if (GetParam().resolution > 0) {
+      expect_to_follow(statistics::DiscChiSquareTest(density, u, GetParam().resolution), subject, angle);
+    } else {
+      const Vec3f peak = reflectance::mirrored(u);
+      expect_to_follow(statistics::ChiSquareTest(density, peak, GetParam().depth), subject, angle);
+    }
   }
 }
 
@@ -97,27 +131,36 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
   }
 }
 
-TEST_P(Sampling, HasTheAlbedoOfQuadrature) {
-  const Reflector subject = reflector();
+void expect_albedo(const Reflector& subject, const Vec3f& u, double exact, const std::string& scheme) {
   constexpr int Samples = 100000;
+  RandomNumbers random(9);
+  double sum = 0;
+  double squares = 0;
+  for (int i = 0; i < Samples; ++i) {
+    const auto sample = subject.sample(u, random.next());
+    const double weight = sample ? sample->weight.x : 0;
+    sum += weight;
+    squares += weight * weight;
+  }
+  const double mean = sum / Samples;
+  const double deviation = std::sqrt(std::max(0.0, squares / Samples - mean * mean) / Samples);
+  EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact) << scheme << u;
+}
+
+// By all schemes at once: the quadrature takes longest.
+class Albedo : public testing::TestWithParam<BrdfCase> {};
+
+TEST_P(Albedo, IsThatOfQuadratureByAnyScheme) {
+  const Brdf brdf = test::brdf_of(GetParam().text);
+  std::vector<Reflector> subjects;
+  for (const SchemeCase& scheme : Schemes) subjects.emplace_back(brdf, test::scheme_of(scheme.text));
   for (const double angle : {0.0, 30.0, 60.0, 85.0}) {
     const Vec3f u = test::direction(angle, 25);
     const statistics::Quadrature quadrature(
-        [&](const Vec3f& v) { return subject.evaluate(u, v).x * double(v.z); }, reflectance::mirrored(u),
+        [&](const Vec3f& v) { return evaluate(brdf, u, v).x * double(v.z); }, reflectance::mirrored(u),
         GetParam().depth > 0 ? 1e-7 : 1e-8, GetParam().depth);
-    const double exact = quadrature.over_hemisphere() + reflectance::mirror(subject.brdf(), u).x;
-    RandomNumbers random(9);
-    double sum = 0;
-    double squares = 0;
-    for (int i = 0; i < Samples; ++i) {
-      const auto sample = subject.sample(u, random.next());
-      const double weight = sample ? sample->weight.x : 0;
-      sum += weight;
-      squares += weight * weight;
-    }
-    const double mean = sum / Samples;
-    const double deviation = std::sqrt(std::max(0.0, squares / Samples - mean * mean) / Samples);
-    EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact) << angle;
+    const double exact = quadrature.over_hemisphere() + reflectance::mirror(brdf, u).x;
+    for (std::size_t i = 0; i < Schemes.size(); ++i) expect_albedo(subjects[i], u, exact, Schemes[i].text);
   }
 }
 
@@ -136,6 +179,10 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Sampling, testing::ValuesIn(cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Cases, Albedo, testing::ValuesIn(brdf_cases()),
+                         [](const testing::TestParamInfo<BrdfCase>& brdf) {
+                           return first_word(brdf.param.text) + "_" + std::to_string(brdf.index);
+                         });
 
 // The test of the test: a sampler that is a little off must not pass.
 TEST(ChiSquareTest, RejectsAWrongSampler) {

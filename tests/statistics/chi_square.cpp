@@ -52,6 +52,10 @@ double ChiSquareTest::p_value(const Sampler& sampler, int samples) const {
     }
     counts[cell] += 1;
   }
+  return chi_square_p_value(expectation, counts);
+}
+
+double chi_square_p_value(const std::vector<double>& expectation, const std::vector<double>& counts) {
   double statistic = 0;
   int terms = 0;
   Pool pool;

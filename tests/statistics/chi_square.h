@@ -31,6 +31,10 @@ class ChiSquareTest {
   std::vector<double> probabilities_;  ///< of the cells, and last of no sample
 };
 
+/// The probability that counts are at least this far off their expectations, which have the same sum. Cells
+/// of small expectation are pooled.
+double chi_square_p_value(const std::vector<double>& expectation, const std::vector<double>& counts);
+
 /// The significance to ask of each of `tests` tests so that all together raise a false alarm in 1 % of runs
 /// (Sidak's correction).
 double significance(int tests);

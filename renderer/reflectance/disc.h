@@ -1,0 +1,49 @@
+// The unit disc, of which a direction's x and y are a point and projected solid angle the area.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace reflectance {
+
+struct Box {
+  double x0 = -1, y0 = -1, x1 = 1, y1 = 1;
+
+  double area() const { return (x1 - x0) * (y1 - y0); }
+};
+
+/// The smallest box about the part of a box that is inside the disc; its area is at most twice that part's if
+/// the box has it. Section 5.3.3 of the thesis has eight cases, by which corners are inside, and takes the
+/// rim's height at the wrong corner where a box with two corners inside is left of or under the disc's
+/// middle. The rim is farthest out where the other coordinate is nearest to 0, which serves all cases.
+inline Box inside_disc(const Box& box) {
+  const double x = std::clamp(0.0, box.x0, box.x1);
+  const double y = std::clamp(0.0, box.y0, box.y1);
+  const double width = std::sqrt(std::max(0.0, 1 - y * y));
+  const double height = std::sqrt(std::max(0.0, 1 - x * x));
+  return {std::max(box.x0, -width), std::max(box.y0, -height), std::min(box.x1, width),
+          std::min(box.y1, height)};
+}
+
+/// The area of the part of the disc that is left of x and under y, both from -1 to 1.
+inline double disc_area_below(double x, double y) {
+  const auto half_segment = [](double t) { return (t * std::sqrt(1 - t * t) + std::asin(t)) / 2; };
+  constexpr double Quarter = std::numbers::pi / 4;
+  if (x * x + y * y <= 1) return Quarter + half_segment(x) + half_segment(y) + x * y;
+  if (x < 0 && y < 0) return 0;
+  if (x < 0) return 2 * (Quarter + half_segment(x));
+  if (y < 0) return 2 * (Quarter + half_segment(y));
+  return 2 * (half_segment(x) + half_segment(y));
+}
+
+/// The area of the part of a box that is inside the disc.
+inline double disc_area(const Box& box) {
+  const double x = std::max(std::abs(box.x0), std::abs(box.x1));
+  const double y = std::max(std::abs(box.y0), std::abs(box.y1));
+  if (x * x + y * y <= 1) return box.area();
+  return std::max(0.0, disc_area_below(box.x1, box.y1) - disc_area_below(box.x0, box.y1) -
+                           disc_area_below(box.x1, box.y0) + disc_area_below(box.x0, box.y0));
+}
+
+}  // namespace reflectance

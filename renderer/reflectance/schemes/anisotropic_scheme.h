@@ -1,0 +1,49 @@
+#pragma once
+
+#include "renderer/reflectance/ashikhmin.h"
+#include "renderer/reflectance/schemes/lobe_exponent.h"
+#include "renderer/reflectance/schemes/weighted.h"
+
+namespace reflectance {
+
+/// Half vectors by the anisotropic power of Ashikhmin and Shirley. What is reflected under the horizon is
+/// drawn and counts as zero, so the density's mass is under 1.
+struct AnisotropicScheme {
+  static constexpr bool MayMiss = true;
+
+  float nu = OwnExponent;
+  float nv = OwnExponent;
+
+  static ModelTable<AnisotropicScheme> table() {
+    constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
+    return {
+        "anisotropic",
+        "Anisotropic half vectors",
+        "Ashikhmin and Shirley 2000",
+        {number_parameter(&AnisotropicScheme::nu, "nu", OwnExponent, 1e6F,
+                          "exponent along x; below 0: the BRDF's own, or 40 if it has none", Logarithmic),
+         number_parameter(&AnisotropicScheme::nv, "nv", OwnExponent, 1e6F,
+                          "exponent along y; below 0: the BRDF's own, or 40 if it has none", Logarithmic)}};
+  }
+
+  static std::string refusal(const Brdf&) { return {}; }
+
+  void build(const Brdf& brdf) {
+    exponents_ = own_exponents(brdf);
+    if (nu >= 0) exponents_.x = nu;
+    if (nv >= 0) exponents_.y = nv;
+  }
+
+  std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
+    const Vec3f v = anisotropic_lobe_direction(u, exponents_, xi.direction);
+    return weighted(brdf, u, v, density(brdf, u, v));
+  }
+  float density(const Brdf&, const Vec3f& u, const Vec3f& v) const {
+    return u.z > 0 && v.z > 0 ? anisotropic_lobe_density(u, v, exponents_) : 0;
+  }
+
+ private:
+  LobeExponents exponents_ = PlainExponents;
+};
+
+}  // namespace reflectance

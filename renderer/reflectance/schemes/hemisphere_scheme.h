@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+
+#include "renderer/reflectance/cosine_lobe.h"
+#include "renderer/reflectance/lobe_over_horizon.h"
+#include "renderer/reflectance/more_uniforms.h"
+#include "renderer/reflectance/schemes/lobe_exponent.h"
+#include "renderer/reflectance/schemes/weighted.h"
+
+namespace reflectance {
+
+/// A cosine lobe about the mirror direction, cut at the horizon: a direction under it is drawn again.
+struct HemisphereScheme {
+  static constexpr bool MayMiss = true;
+
+  float exponent = OwnExponent;
+
+  static ModelTable<HemisphereScheme> table() {
+    return {"hemisphere",
+            "Cosine lobe on the hemisphere",
+            "Arvo 1995",
+            {number_parameter(&HemisphereScheme::exponent, "exp", OwnExponent, 1e6F,
+                              "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
+                              grf::ParameterScale::Logarithmic)}};
+  }
+
+  static std::string refusal(const Brdf&) { return {}; }
+
+  void build(const Brdf& brdf) {
+    n_ = exponent >= 0 ? exponent : own_exponents(brdf).about_mirror();
+    over_horizon_ = std::make_shared<const LobeOverHorizon>(n_);
+  }
+  std::size_t bytes() const { return over_horizon_ ? sizeof(LobeOverHorizon) : 0; }
+
+  std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
+    constexpr int MostTries = 64;  // of which each succeeds more often than not
+    if (!(u.z > 0)) return std::nullopt;
+    Vec3f v = cosine_lobe_direction(u, n_, xi.direction);
+    MoreUniforms more(xi);
+    for (int tries = 1; !(v.z > 0) && tries < MostTries; ++tries) {
+      v = cosine_lobe_direction(u, n_, more.next_pair());
+    }
+    return weighted(brdf, u, v, density(brdf, u, v));
+  }
+  float density(const Brdf&, const Vec3f& u, const Vec3f& v) const {
+    if (!(u.z > 0 && v.z > 0) || !over_horizon_) return 0;
+    return cosine_lobe_density(u, v, n_) / over_horizon_->share(u.z);
+  }
+
+ private:
+  float n_ = PlainExponents.about_mirror();
+  std::shared_ptr<const LobeOverHorizon> over_horizon_;
+};
+
+}  // namespace reflectance

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+
+#include "renderer/reflectance/schemes/rejection_sampler.h"
+
+namespace reflectance {
+
+/// Rejection over the whole disc: trees of which none is split. A sharp lobe needs many tries, and where
+/// RejectionTree::Bound is met a sample is empty: the density's mass is under 1 by as much.
+struct RejectScheme : RejectionSampler {
+  float nqt = 90;
+  float naniso_qt = 0;
+  float resolution = 800;
+  bool release = false;
+
+  static ModelTable<RejectScheme> table() {
+    using Self = RejectScheme;
+    return {"reject",
+            "Rejection over the disc",
+            "Montes, Urena, Garcia and Lastra 2008",
+            {number_parameter(&Self::nqt, "nQT", 1, 1000, "tables over the view's angle to the normal"),
+             number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
+                              "tables over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
+             number_parameter(&Self::resolution, "res", 2, 8192, "cells of the disc's grid along an edge"),
+             boolean_parameter(&Self::release, "release",
+                               "free the tables: less memory, and a density that is not quite exact")}};
+  }
+
+  void build(const Brdf& brdf) {
+    RejectionSettings settings;
+    settings.thetas = static_cast<int>(std::lround(nqt));
+    settings.phis = static_cast<int>(std::lround(naniso_qt));
+    settings.most_tries = AnyTries;
+    settings.resolution = static_cast<int>(std::lround(resolution));
+    settings.keep_table = !release;
+    RejectionSampler::build(brdf, settings);
+  }
+};
+
+}  // namespace reflectance

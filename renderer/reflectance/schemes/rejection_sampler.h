@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "renderer/reflectance/rejection_trees.h"
+#include "renderer/reflectance/schemes/weighted.h"
+
+namespace reflectance {
+
+/// Sampling from rejection trees: what the schemes that use them share.
+class RejectionSampler {
+ public:
+  static std::string refusal(const Brdf& brdf) {
+    return has_density(brdf) || !has_mirror(brdf)
+               ? ""
+               : "it reflects into the mirror direction alone: use 'specular' or 'auto'";
+  }
+
+  void build(const Brdf& brdf, const RejectionSettings& settings) {
+    trees_ = std::make_shared<const RejectionTrees>(brdf, settings);
+  }
+
+  std::size_t bytes() const { return trees_ ? trees_->bytes() : 0; }
+
+  std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
+    const auto drawn = trees_ ? trees_->draw(brdf, u, xi) : std::nullopt;
+    if (!drawn) return std::nullopt;
+    return weighted(brdf, u, drawn->direction, drawn->density);
+  }
+  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    return trees_ ? trees_->density(brdf, u, v) : 0;
+  }
+
+  /// See reflectance::sample_many.
+  void sample_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
+                   std::vector<DirectionSample>& out) const {
+    if (!trees_) return;
+    for (const RejectionTrees::Drawn& drawn : trees_->draw_many(brdf, u, xi)) {
+      if (const auto sample = weighted(brdf, u, drawn.direction, drawn.density)) out.push_back(*sample);
+    }
+  }
+
+  /// Null before `build`.
+  const RejectionTrees* trees() const { return trees_.get(); }
+
+ private:
+  std::shared_ptr<const RejectionTrees> trees_;
+};
+
+}  // namespace reflectance
