@@ -9,7 +9,9 @@
 
 #include "grf/catalogue.h"
 #include "renderer/reflectance/schemes/auto_scheme.h"
+#include "renderer/reflectance/schemes/cascade_scheme.h"
 #include "renderer/reflectance/schemes/diffuse_scheme.h"
+#include "renderer/reflectance/schemes/factored_scheme.h"
 #include "renderer/reflectance/schemes/specular_scheme.h"
 
 namespace reflectance {
@@ -24,7 +26,7 @@ namespace reflectance {
 /// `MayMiss` says that some BRDFs reflect light into directions that the scheme draws never or hardly ever:
 /// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
 /// cost less than as many single ones.
-using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme>;
+using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme, FactoredScheme, CascadeScheme>;
 
 /// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);
