@@ -20,11 +20,9 @@ struct Pool {
 
 }  // namespace
 
-ChiSquareTest::ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth,
-                             double tolerance) {
+ChiSquareTest::ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth) {
   // Along a step the error has no direction, and cells of a greater one add up to less.
-  if (!(tolerance > 0)) tolerance = depth > 0 ? 1e-7 : 1e-9;
-  const Quadrature quadrature(density, peak, tolerance, depth);
+  const Quadrature quadrature(density, peak, depth > 0 ? 1e-7 : 1e-9, depth);
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) {
       probabilities_.push_back(quadrature.over({double(row) / Rows, double(row + 1) / Rows,

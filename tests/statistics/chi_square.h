@@ -16,9 +16,8 @@ class ChiSquareTest {
  public:
   using Sampler = std::function<std::optional<Vec3f>()>;
 
-  /// `depth` is the quadrature's: over 0 for a density with steps. So is `tolerance`; 0: what suits the
-  /// depth.
-  ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth = 0, double tolerance = 0);
+  /// `depth` is the quadrature's: over 0 for a density with steps.
+  ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth = 0);
 
   double p_value(const Sampler& sampler, int samples) const;
 

@@ -33,9 +33,8 @@ struct CascadeScheme {
                                          "keep only the points that the curves need")},
         .about =
             "Samples any BRDF by tables of its values times the cosine, as a distribution of the half "
-            "vector. "
-            "Lobes that are narrower than a cell are sampled badly. Compressed tables are about a tenth as "
-            "large and nearly as good.",
+            "vector. Lobes that are narrower than a cell are sampled badly. Compressed tables are about a "
+            "twentieth as large and nearly as good.",
     };
   }
 

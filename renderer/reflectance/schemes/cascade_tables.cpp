@@ -73,7 +73,11 @@ CascadeTables::CascadeTables(const Brdf& brdf, const Size& size, bool compress)
 CascadeTables::Curves CascadeTables::make_view(const Brdf& brdf, std::size_t view, bool compress) const {
   Curves curves;
   const std::vector<double> cells = masses(brdf, view);
-  compress ? append_compressed(curves, cells) : append_plain(curves, cells);
+  if (compress) {
+    append_compressed(curves, cells);
+  } else {
+    append_plain(curves, cells);
+  }
   return curves;
 }
 

@@ -14,8 +14,9 @@ class CascadeTables {
   static constexpr std::size_t ViewAngles = 32;
   static constexpr std::size_t ViewAzimuths = 16;  ///< of an anisotropic BRDF
 
-  // The greatest errors of compressed curves, in probability. The estimates' variance rises by a few per
-  // cent; curves of a tenth of these errors need three times the memory and gain next to nothing.
+  // The greatest errors of compressed curves, in probability. With these, tables of 256 x 32 cells need about
+  // a twentieth of the memory, and the weights' standard deviation, in albedos, grows from 0.16 to 0.19 for
+  // Ward's model with sx=0.2 and from 0.37 to 0.38 for Lewis' with n=100.
   static constexpr float MarginalTolerance = 0.002F;
   static constexpr float ConditionalTolerance = 0.005F;
 

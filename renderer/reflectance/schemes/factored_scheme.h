@@ -46,9 +46,8 @@ struct FactoredScheme {
                                "over the half vector, for lobes about the mirror direction")},
         .about =
             "Samples a BRDF by the sum of a few lobes that are fitted to it. All parameters are to be found "
-            "by "
-            "trial; matte BRDFs want `half=false` and glossy ones `half=true`. A hundredth of the samples is "
-            "spread evenly, so that nothing is missed.",
+            "by trial; matte BRDFs want `half=false` and glossy ones `half=true`. A hundredth of the samples "
+            "is spread evenly, so that nothing is missed.",
     };
   }
 
