@@ -215,7 +215,7 @@ TEST_F(Files, AreBothNeeded) {
 
 TEST_F(Files, HaveNumbersThatMakeSense) {
   const std::string weights = test::bytes_of(files_.weights_path());
-  for (const std::string number : {"nan", "inf", "-1", "-0", "1e99", "x", "0x1", "", "1.0.0"}) {
+  for (const std::string number : {"nan", "inf", "-1", "-0", "1e99", "1.5", "x", "0x1", "", "1.0.0"}) {
     replace(files_.weights_path(), weights);
     change_line(files_.weights_path(), 5, number);
     EXPECT_EQ(failure().location.line, 5U) << number;

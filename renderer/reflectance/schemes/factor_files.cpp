@@ -54,7 +54,7 @@ class Reader {
 
   bool expect_end() { return expect(End) && (rest_.empty() || fail("there is more behind the end", 1)); }
 
-  /// So many numbers that are finite and >= 0, and nothing else.
+  /// So many numbers in [0,1], and nothing else.
   bool read(std::size_t count, std::vector<float>& numbers) {
     const auto line = next_line();
     if (!line) return fail(fmt::format("the file ends too early: expected {} numbers", count));
@@ -66,8 +66,8 @@ class Reader {
       const auto [behind, error] = std::from_chars(place, end, number);
       if (error != std::errc() || (behind != end && *behind != ' '))
         return fail(fmt::format("expected {} numbers, and number {} is none", count, i + 1));
-      if (!std::isfinite(number) || std::signbit(number))
-        return fail(fmt::format("number {} is not finite or under 0", i + 1));
+      if (!(number >= 0 && number <= 1) || std::signbit(number))
+        return fail(fmt::format("number {} is not in [0,1]", i + 1));
       numbers.push_back(number);
       place = behind;
     }

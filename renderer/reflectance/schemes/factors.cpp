@@ -12,6 +12,9 @@
 namespace reflectance {
 namespace {
 
+/// Views whose lobes weigh less, as between one that sees light and one that sees none, have none.
+constexpr float LeastWeight = 1e-6F;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 
@@ -101,9 +104,10 @@ Factors Factors::make(const Brdf& brdf, const FactorSize& size) {
                     [&](std::size_t j) { lobes[j] = split(outer.left.row(static_cast<Index>(j)), size); });
   std::vector<float> weights;
   for (Index view = 0; view < outer.right.cols(); ++view) {
+    const Eigen::VectorXd energies = outer.right.col(view).cwiseProduct(outer.left.rowwise().sum());
+    const double whole = energies.sum();
     for (std::size_t j = 0; j < lobes.size(); ++j) {
-      const auto row = static_cast<Index>(j);
-      const double energy = outer.right(row, view) * outer.left.row(row).sum();
+      const double energy = whole > 0 ? energies(static_cast<Index>(j)) / whole : 0;
       for (const double share : lobes[j].shares) weights.push_back(static_cast<float>(energy * share));
     }
   }
@@ -145,9 +149,10 @@ Factors::Weights Factors::lobe_weights(const Vec3f& u) const {
   }
   float sum = 0;
   for (std::size_t i = 0; i < lobes; ++i) sum += weights[i];
-  const float scale = sum > 0 ? (1 - Floor) / sum : 0;
+  const bool has_lobes = sum > LeastWeight;
+  const float scale = has_lobes ? (1 - Floor) / sum : 0;
   for (std::size_t i = 0; i < lobes; ++i) weights[i] *= scale;
-  weights[lobes] = sum > 0 ? Floor : 1;
+  weights[lobes] = has_lobes ? Floor : 1;
   return weights;
 }
 

@@ -39,14 +39,14 @@ class Factors {
   /// each of these, as a matrix of theta and phi, are then split into `factors` products.
   static Factors make(const Brdf& brdf, const FactorSize& size);
 
-  /// From what `view_weights` and `curves` say: the sizes fit, weights are finite and >= 0, and curves rise
-  /// from 0 to 1.
+  /// From what `view_weights` and `curves` say: the sizes fit, weights are in [0,1], and curves rise from 0
+  /// to 1.
   Factors(const FactorSize& size, std::vector<float> view_weights, std::vector<float> curves);
 
   const FactorSize& size() const { return size_; }
 
-  /// F: for each azimuth of u each angle theta_u, and for that each lobe. The views are the centres of as
-  /// many even parts of the range.
+  /// F: for each azimuth of u each angle theta_u, and for that each lobe; as shares of the view's light. The
+  /// views are the centres of as many even parts of the range.
   const std::vector<float>& view_weights() const { return view_weights_; }
 
   /// For each lobe the cumulative distribution of theta_w, at `rows` + 1 edges, and that of phi_w.
