@@ -11,7 +11,9 @@
 #include "renderer/reflectance/schemes/adaptive_scheme.h"
 #include "renderer/reflectance/schemes/anisotropic_scheme.h"
 #include "renderer/reflectance/schemes/auto_scheme.h"
+#include "renderer/reflectance/schemes/cascade_scheme.h"
 #include "renderer/reflectance/schemes/diffuse_scheme.h"
+#include "renderer/reflectance/schemes/factored_scheme.h"
 #include "renderer/reflectance/schemes/hemisphere_scheme.h"
 #include "renderer/reflectance/schemes/reject_scheme.h"
 #include "renderer/reflectance/schemes/specular_scheme.h"
@@ -30,7 +32,7 @@ namespace reflectance {
 /// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
 /// cost less than as many single ones.
 using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
-                            AnisotropicScheme, RejectScheme, AdaptiveScheme>;
+                            AnisotropicScheme, RejectScheme, AdaptiveScheme, FactoredScheme, CascadeScheme>;
 
 /// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);

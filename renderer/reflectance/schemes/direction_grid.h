@@ -1,0 +1,140 @@
+// What schemes with tables over spherical coordinates share: a grid of cells, the turn of isotropic BRDFs,
+// half vectors, and the values that tables follow.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "renderer/reflectance/brdf.h"
+
+namespace reflectance {
+
+/// 1 - cos(theta) of a unit vector over the horizon, with all its digits near the normal.
+inline float versine_of(const Vec3f& w) { return (w.x * w.x + w.y * w.y) / (1 + w.z); }
+
+/// The azimuth in [0, 1], in turns.
+inline float turns_of(const Vec3f& w) {
+  const float turns = std::atan2(w.y, w.x) / (2 * Pi);
+  return turns < 0 ? turns + 1 : turns;
+}
+
+/// Theta in units of a right angle, 0 to 1.
+inline float right_angles_of(float versine) {
+  return std::asin(std::min(1.0F, std::sqrt(versine / 2))) * (4 / Pi);
+}
+
+/// Cells of the hemisphere between evenly spaced angles theta (rows) and phi (columns). Within a cell, solid
+/// angle is what counts: 1 - cos(theta) times phi.
+class DirectionGrid {
+ public:
+  DirectionGrid() = default;
+  DirectionGrid(std::size_t rows, std::size_t columns) : columns_(columns) {
+    for (std::size_t i = 0; i <= rows; ++i) {
+      const double sine = std::sin(Pi / 4 * static_cast<double>(i) / static_cast<double>(rows));
+      versines_.push_back(i == rows ? 1 : static_cast<float>(2 * sine * sine));
+    }
+  }
+
+  std::size_t rows() const { return versines_.size() - 1; }
+  std::size_t columns() const { return columns_; }
+  std::size_t bytes() const { return versines_.size() * sizeof(float); }
+
+  /// 1 - cos(theta) of the edges, from 0 to 1.
+  const std::vector<float>& versines() const { return versines_; }
+
+  std::size_t row_of(const Vec3f& w) const {
+    const float versine = versine_of(w);
+    const float place = right_angles_of(versine) * static_cast<float>(rows());
+    std::size_t row = std::min(static_cast<std::size_t>(place), rows() - 1);
+    while (row > 0 && versine < versines_[row]) --row;  // the angle is rounded, and the edges are the truth
+    while (row + 1 < rows() && versine >= versines_[row + 1]) ++row;
+    return row;
+  }
+  std::size_t column_of(const Vec3f& w) const {
+    return std::min(static_cast<std::size_t>(turns_of(w) * static_cast<float>(columns_)), columns_ - 1);
+  }
+
+  /// The direction at a fraction of the way from edge `row` to `row_end`, in 1 - cos(theta), and as many
+  /// columns around.
+  Vec3f direction(std::size_t row, std::size_t row_end, float fraction, float column) const {
+    const float versine = versines_[row] + fraction * (versines_[row_end] - versines_[row]);
+    const float sine = std::sqrt(versine * (2 - versine));
+    return from_angles(1 - versine, sine, 2 * Pi * column / static_cast<float>(columns_));
+  }
+
+  /// In sr, of so many columns between two edges.
+  float solid_angle(std::size_t row, std::size_t row_end, std::size_t columns) const {
+    return (versines_[row_end] - versines_[row]) * 2 * Pi * static_cast<float>(columns) /
+           static_cast<float>(columns_);
+  }
+
+  friend bool operator==(const DirectionGrid&, const DirectionGrid&) = default;
+
+ private:
+  std::vector<float> versines_;
+  std::size_t columns_ = 0;
+};
+
+/// Where to look at a function in each cell of a grid: at least so many points over all theta and phi, so
+/// that lobes that are narrower than a cell are not missed, and at least 2 x 2 in a cell.
+class CellPoints {
+ public:
+  CellPoints(const DirectionGrid& grid, std::size_t least_rows, std::size_t least_columns)
+      : grid_(grid),
+        down_(std::max<std::size_t>(2, least_rows / grid.rows())),
+        across_(std::max<std::size_t>(2, least_columns / grid.columns())) {}
+
+  std::size_t down() const { return down_; }
+  std::size_t across() const { return across_; }
+
+  Vec3f direction(std::size_t row, std::size_t column, std::size_t i, std::size_t k) const {
+    const float fraction = (static_cast<float>(i) + 0.5F) / static_cast<float>(down_);
+    const float turned =
+        static_cast<float>(column) + (static_cast<float>(k) + 0.5F) / static_cast<float>(across_);
+    return grid_.direction(row, row + 1, fraction, turned);
+  }
+
+ private:
+  const DirectionGrid& grid_;
+  std::size_t down_;
+  std::size_t across_;
+};
+
+/// The turn about the normal that takes u into the plane y = 0, x >= 0: isotropic BRDFs need tables for that
+/// plane alone.
+class Turn {
+ public:
+  Turn() = default;
+  explicit Turn(const Vec3f& u) {
+    const float radius = std::sqrt(u.x * u.x + u.y * u.y);
+    if (!(radius > 0)) return;
+    cosine_ = u.x / radius;
+    sine_ = u.y / radius;
+  }
+
+  Vec3f to_plane(const Vec3f& w) const {
+    return {cosine_ * w.x + sine_ * w.y, cosine_ * w.y - sine_ * w.x, w.z};
+  }
+  Vec3f from_plane(const Vec3f& w) const {
+    return {cosine_ * w.x - sine_ * w.y, cosine_ * w.y + sine_ * w.x, w.z};
+  }
+
+ private:
+  float cosine_ = 1;
+  float sine_ = 0;
+};
+
+/// f cos(theta_v) at v, mean over RGB: a density over v but for a factor.
+inline float scalar_of_direction(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return u.z > 0 && v.z > 0 ? mean(evaluate(brdf, u, v)) * v.z : 0;
+}
+
+/// The same as a density over h, which reflects u into v: a solid angle of v is 4 u.h times that of h.
+inline float scalar_of_half(const Brdf& brdf, const Vec3f& u, const Vec3f& h) {
+  const float cosine = u.dot(h);
+  return cosine > 0 ? scalar_of_direction(brdf, u, reflected(u, h)) * 4 * cosine : 0;
+}
+
+}  // namespace reflectance

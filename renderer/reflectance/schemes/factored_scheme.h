@@ -1,0 +1,111 @@
+#pragma once
+
+#include <memory>
+
+#include "renderer/reflectance/schemes/factor_files.h"
+#include "renderer/reflectance/schemes/weighted.h"
+
+namespace reflectance {
+
+/// Lobes that are products of a function of theta and one of phi, found by two non-negative factorisations
+/// of the BRDF times the cosine (Lawrence, Rusinkiewicz and Ramamoorthi 2004, "Efficient BRDF importance
+/// sampling using a factored representation"; thesis section 4.4.1). A lobe is picked by its weight for the
+/// view, blended between the nearest views that have one; then theta and phi are drawn. For isotropic BRDFs
+/// u is turned into the plane y = 0 and needs no phi_u. With `half` the lobes are of h, and where h reflects
+/// u under the horizon the sample carries nothing, so that the density's integral is below 1.
+struct FactoredScheme {
+  static constexpr bool MayMiss = true;
+
+  float view_angles = 16;
+  float view_azimuths = 16;
+  float rows = 32;
+  float columns = 16;
+  float view_factors = 2;
+  float lobe_factors = 1;
+  bool by_half = false;
+  std::shared_ptr<const Factors> given = {};  ///< what `build` takes in place of new ones: see `use_files`
+  std::shared_ptr<const Factors> factors = {};
+
+  static ModelTable<FactoredScheme> table() {
+    using Scheme = FactoredScheme;
+    constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
+    return {
+        .keyword = "factored",
+        .title = "Non-negative factors of the BRDF",
+        .paper = "Lawrence, Rusinkiewicz and Ramamoorthi 2004",
+        .parameters =
+            {number_parameter(&Scheme::view_angles, "uTh", 1, 256, "views over theta_u", Logarithmic),
+             number_parameter(&Scheme::view_azimuths, "uPh", 1, 256,
+                              "views over phi_u; 1, and for any isotropic BRDF: u is turned to the x axis",
+                              Logarithmic),
+             number_parameter(&Scheme::rows, "pTh", 1, 1024, "cells over theta", Logarithmic),
+             number_parameter(&Scheme::columns, "pPh", 1, 1024, "cells over phi", Logarithmic),
+             number_parameter(&Scheme::view_factors, "J", 1, 8, "products of a function of u"),
+             number_parameter(&Scheme::lobe_factors, "K", 1, 8, "products of theta and phi in each of these"),
+             boolean_parameter(&Scheme::by_half, "half",
+                               "over the half vector, for lobes about the mirror direction")},
+        .about =
+            "Samples a BRDF by the sum of a few lobes that are fitted to it. All parameters are to be found "
+            "by trial; matte BRDFs want `half=false` and glossy ones `half=true`. A hundredth of the samples "
+            "is spread evenly, so that nothing is missed.",
+    };
+  }
+
+  std::string wrong_together() const {
+    for (const float count : {view_angles, view_azimuths, rows, columns, view_factors, lobe_factors}) {
+      if (count != std::round(count)) return "uTh, uPh, pTh, pPh, J and K are whole numbers";
+    }
+    constexpr float MostElements = 0x1p24F;  // 128 MB, and as much again for the transposed matrix
+    if (view_angles * view_azimuths * rows * columns <= MostElements) return {};
+    return "uTh times uPh times pTh times pPh is over 16,777,216";
+  }
+
+  static std::string refusal(const Brdf&) { return {}; }
+
+  void build(const Brdf& brdf) {
+    factors = given ? given : std::make_shared<const Factors>(Factors::make(brdf, size_for(brdf)));
+  }
+  std::size_t bytes() const { return factors ? factors->bytes() : 0; }
+
+  /// Loads the factors for a BRDF from NAME.txt and NAME_cdf.txt if there is such a file; else makes them and
+  /// writes these. `build` then takes them, so it must be for the same BRDF. False after an error.
+  bool use_files(const std::string& name, const Brdf& brdf, const std::string& brdf_identity,
+                 grf::Diagnostics& diagnostics) {
+    const FactorFiles files = {name, brdf_identity, size_for(brdf)};
+    if (files.exist()) {
+      const auto loaded = files.load(diagnostics);
+      if (loaded) given = std::make_shared<const Factors>(*loaded);
+      return loaded.has_value();
+    }
+    given = std::make_shared<const Factors>(Factors::make(brdf, files.size));
+    return files.save(*given, diagnostics);
+  }
+
+  std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
+    if (u.z <= 0 || !has_density(brdf)) return std::nullopt;
+    const Vec3f w = factors->direction(u, xi);
+    if (by_half && u.dot(w) <= 0) return std::nullopt;
+    const Vec3f v = by_half ? reflected(u, w).normalized() : w;
+    return weighted(brdf, u, v, density(brdf, u, v));
+  }
+
+  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    if (u.z <= 0 || v.z <= 0 || !has_density(brdf)) return 0;
+    if (!by_half) return factors->density(u, v);
+    return factors->density(u, (u + v).normalized()) / (4 * cosine_of_half(u, v));
+  }
+
+ private:
+  FactorSize size_for(const Brdf& brdf) const {
+    const auto whole = [](float number) { return static_cast<std::size_t>(number); };
+    return {whole(view_angles),
+            is_anisotropic(brdf) ? whole(view_azimuths) : 1,
+            whole(rows),
+            whole(columns),
+            whole(view_factors),
+            whole(lobe_factors),
+            by_half};
+  }
+};
+
+}  // namespace reflectance
