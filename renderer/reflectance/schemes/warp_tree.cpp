@@ -27,6 +27,7 @@ Vec2f place_on_grid(int place) {
 }
 
 struct Cell {
+  std::size_t column = 0;
   std::uint32_t x = 0, y = 0;  ///< of the lower left corner, in sides
   int depth = 0;
   int children = -1;  ///< the first of four
@@ -47,24 +48,27 @@ struct Cell {
 
 class Builder {
  public:
-  Builder(const SquareFunction& function, const WarpTreeLimits& limits)
-      : function_(function), limits_(limits) {
-    Cell root;
-    for (int place = 0; place < 9; ++place) evaluate(root, place);
-    measure(root);
-    cells_.push_back(root);
+  Builder(const ColumnFunction& function, const std::array<float, 4>& widths, const WarpTreeLimits& limits)
+      : function_(function), widths_(widths), limits_(limits) {
+    for (std::size_t column = 0; column < widths_.size(); ++column) {
+      Cell root;
+      root.column = column;
+      for (int place = 0; place < 9; ++place) evaluate(root, place);
+      measure(root);
+      cells_.push_back(root);
+    }
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (cells_[i].depth < limits_.least_depth) split(i);
     }
   }
 
-  void look_at(const Vec2f& probe) {
+  void look_at(const ColumnPoint& probe) {
     constexpr float Missed = 1.5F;
     for (;;) {
       const std::size_t leaf = leaf_at(probe);
       Cell& cell = cells_[leaf];
       const float value = function_(probe, cell.side());
-      const float ratio = ratio_of(value, value_at(cell.patch(), cell.to_local(probe)));
+      const float ratio = ratio_of(value, value_at(cell.patch(), cell.to_local(probe.local)));
       if (!(ratio > Missed)) return;
       if (!may_split(cell)) {
         cell.largest_ratio = std::max(cell.largest_ratio, ratio);
@@ -80,7 +84,7 @@ class Builder {
     std::priority_queue<std::pair<float, std::size_t>> worst;
     const auto add = [&](std::size_t i) {
       error += cells_[i].error;
-      sum += mean(cells_[i].patch()) * cells_[i].side() * cells_[i].side();
+      sum += mean(cells_[i].patch()) * area(cells_[i]);
       if (may_split(cells_[i])) worst.emplace(cells_[i].error, i);
     };
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -90,7 +94,7 @@ class Builder {
       const std::size_t i = worst.top().second;
       worst.pop();
       error -= cells_[i].error;
-      sum -= mean(cells_[i].patch()) * cells_[i].side() * cells_[i].side();
+      sum -= mean(cells_[i].patch()) * area(cells_[i]);
       split(i);
       for (std::size_t k = 0; k < 4; ++k) add(static_cast<std::size_t>(cells_[i].children) + k);
     }
@@ -106,10 +110,13 @@ class Builder {
     constexpr float LargestHalf = 60000;
     tree.scale = largest / LargestHalf;
     float sum = 0;
+    float room = 0;
     for (const Cell& cell : cells_) {
-      if (cell.is_leaf()) sum += mean(final_patch(cell, 0)) * cell.side() * cell.side();
+      if (!cell.is_leaf()) continue;
+      sum += mean(final_patch(cell, 0)) * area(cell);
+      room += area(cell);
     }
-    append(tree, 0, FloorShare * sum);
+    append(tree, 0, FloorShare * sum / room);
     return tree;
   }
 
@@ -125,12 +132,14 @@ class Builder {
     return table > 0 ? value / table : std::numeric_limits<float>::max();
   }
 
+  float area(const Cell& cell) const { return widths_[cell.column] * cell.side() * cell.side(); }
+
   bool may_grow() const { return cells_.size() / 4 < static_cast<std::size_t>(limits_.most_quads); }
   bool may_split(const Cell& cell) const { return cell.depth < limits_.most_depth && may_grow(); }
 
   void evaluate(Cell& cell, int place) const {
     cell.values[static_cast<std::size_t>(place)] =
-        function_(cell.to_square(place_on_grid(place)), cell.side());
+        function_({cell.column, cell.to_square(place_on_grid(place))}, cell.side());
   }
 
   /// How much the leaf adds to the variance of f/g, from the five points that are no corners.
@@ -149,7 +158,7 @@ class Builder {
     // Too small a density costs more than too large a one: it makes single samples of large weight.
     constexpr float LargeWeight = 1.2F;
     if (cell.largest_ratio > LargeWeight) error *= 4;
-    cell.error = error * cell.side() * cell.side();
+    cell.error = error * area(cell);
   }
 
   void split(std::size_t i) {
@@ -158,6 +167,7 @@ class Builder {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const Cell& parent = cells_[i];
       Cell child;
+      child.column = parent.column;
       child.x = 2 * parent.x + k % 2;
       child.y = 2 * parent.y + k / 2;
       child.depth = parent.depth + 1;
@@ -179,10 +189,10 @@ class Builder {
     return point.x <= 0 || point.x >= 1 || point.y <= 0 || point.y >= 1;
   }
 
-  std::size_t leaf_at(const Vec2f& point) const {
-    std::size_t i = 0;
+  std::size_t leaf_at(const ColumnPoint& point) const {
+    std::size_t i = point.column;
     while (!cells_[i].is_leaf()) {
-      const Vec2f local = cells_[i].to_local(point);
+      const Vec2f local = cells_[i].to_local(point.local);
       i = static_cast<std::size_t>(cells_[i].children) + (local.x >= 0.5F ? 1 : 0) +
           (local.y >= 0.5F ? 2 : 0);
     }
@@ -200,20 +210,20 @@ class Builder {
     return patch;
   }
 
-  // Returns the mean of the node's children, as halves have it.
-  float append(WarpTree& tree, std::size_t i, float floor) const {
+  // The group of four cells from `first` on. Returns their mean, as halves have it.
+  float append(WarpTree& tree, std::size_t first, float floor) const {
     const std::size_t quad = tree.quads.size();
     tree.quads.emplace_back();
     float sum = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t child = static_cast<std::size_t>(cells_[i].children) + k;
+      const std::size_t child = first + k;
       if (cells_[child].is_leaf()) {
         BilinearPatch patch = final_patch(cells_[child], floor);
         for (float& value : patch) value /= tree.scale;
         tree.quads[quad][k] = WarpNode::leaf(patch);
       } else {
         const auto next = static_cast<std::uint16_t>(tree.quads.size());
-        const float mean_of_child = append(tree, child, floor);
+        const float mean_of_child = append(tree, static_cast<std::size_t>(cells_[child].children), floor);
         tree.quads[quad][k] = WarpNode::inner(mean_of_child, next);
       }
       sum += tree.quads[quad][k].mean();
@@ -221,7 +231,8 @@ class Builder {
     return sum / 4;
   }
 
-  const SquareFunction& function_;
+  const ColumnFunction& function_;
+  std::array<float, 4> widths_;
   WarpTreeLimits limits_;
   std::vector<Cell> cells_;
 };
@@ -249,10 +260,10 @@ WarpNode WarpNode::inner(float mean, std::uint16_t children) {
   return node;
 }
 
-WarpTree WarpTree::build(const SquareFunction& function, std::span<const Vec2f> probes,
-                         const WarpTreeLimits& limits) {
-  Builder builder(function, limits);
-  for (const Vec2f& probe : probes) builder.look_at(probe);
+WarpTree WarpTree::build(const ColumnFunction& function, const std::array<float, 4>& widths,
+                         std::span<const ColumnPoint> probes, const WarpTreeLimits& limits) {
+  Builder builder(function, widths, limits);
+  for (const ColumnPoint& probe : probes) builder.look_at(probe);
   builder.refine();
   return builder.result();
 }

@@ -9,7 +9,7 @@
 
 #include <Imath/half.h>
 
-#include "renderer/reflectance/geometry.h"
+#include "renderer/reflectance/schemes/view_square.h"
 
 namespace reflectance {
 
@@ -53,31 +53,32 @@ class WarpNode {
   std::array<std::uint16_t, 4> words_ = {};
 };
 
-/// The four children of a node.
+/// Four nodes side by side: the children of one, in the order of a patch's corners.
 using WarpQuad = std::array<WarpNode, 4>;
 
-/// A function of a point of the unit square. `size` is the side of the square that the point is a corner of:
-/// where the function has a pole or drops to 0 at the border, it may be evaluated so much further inside.
-using SquareFunction = std::function<float(const Vec2f& point, float size)>;
+/// A function of a point of four columns. `size` is the side of the square that the point is a corner of:
+/// where the function drops to 0 at a border, or has a pole there, it may be evaluated a part of that further
+/// inside.
+using ColumnFunction = std::function<float(const ColumnPoint& point, float size)>;
 
 struct WarpTreeLimits {
-  float error = 3e-3F;  ///< the variance of f/g over g's density, f being the function and g the tree
-  int most_quads = 4096;
-  int least_depth = 3;
+  float error = 7e-3F;  ///< the variance of f/g over g's density, f being the function and g the tree
+  int most_quads = 1024;
+  int least_depth = 2;
   int most_depth = 14;
 };
 
-/// A quadtree on the unit square whose leaves are bilinear: a table g of a function f >= 0 that can be
-/// sampled exactly. Leaves are split where the error of the integral is largest; `probes` are points where f
-/// must not be missed, however narrow it is there. g has a floor, a small share of its mean. The first group
-/// is that of the root's children. A function that is 0 everywhere gives an empty tree. Values are in units
-/// of `scale`.
+/// A table g of a function f >= 0 that can be sampled exactly: a quadtree with bilinear leaves in each of
+/// four columns. Leaves are split where the error of the integral is largest. g has a floor, a small share of
+/// its mean. The first group is that of the columns. A function that is 0 everywhere gives an empty tree.
 struct WarpTree {
   std::vector<WarpQuad> quads;
-  float scale = 0;
+  float scale = 0;  ///< what the quads' values are in units of
 
-  static WarpTree build(const SquareFunction& function, std::span<const Vec2f> probes,
-                        const WarpTreeLimits& limits);
+  /// `widths` say how much room each column stands for; `probes` are points where f must not be missed,
+  /// however narrow it is there.
+  static WarpTree build(const ColumnFunction& function, const std::array<float, 4>& widths,
+                        std::span<const ColumnPoint> probes, const WarpTreeLimits& limits);
 };
 
 }  // namespace reflectance

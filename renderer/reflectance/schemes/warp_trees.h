@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
@@ -24,14 +26,11 @@ struct WarpTreesSettings {
 /// The adaptive method of the thesis (chapter 5) with its two faults mended: one uniform pair gives one
 /// direction, by inversion and not by rejection, continuously but for the lines where a tree splits; and the
 /// horizon has as much room as the rest. For that the quadtrees are not on the disc of projected directions,
-/// where f cos/cos grows without bound at the rim, but on the square that Lambert's azimuthal projection (in
-/// which area is solid angle) and Shirley and Chiu's map of disc to square (1997) make of the hemisphere, and
-/// they hold f cos.
+/// where f grows without bound at the rim, but on the square of view_square.h, and hold f cos.
 ///
 /// There is a tree for each of some views. Between them, tables are blended linearly: a sample walks down all
-/// trees around its view at once, so that what it draws from is exactly the blend. Directions are relative to
-/// the azimuth of the view, so that the mirror direction stays in one place. Of an isotropic BRDF one half
-/// space is stored, the other mirrors it.
+/// trees around its view at once, so that what it draws from is exactly the blend. Of an isotropic BRDF one
+/// half space is stored, the other mirrors it.
 class WarpTrees {
  public:
   WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings);
@@ -45,44 +44,44 @@ class WarpTrees {
   std::size_t bytes() const;
 
  private:
+  /// What an anisotropic BRDF does not change with. Both hold of fibres and scratches along an axis.
+  struct Symmetry {
+    bool half_turn = false;  ///< of view and light about the normal
+    bool mirror = false;     ///< of view and light, at the plane of x and z
+  };
+  struct Tree {
+    std::size_t first_quad = 0;
+    float scale = 0;  ///< 0: black
+  };
+  /// A view's azimuth among those of the trees.
+  struct Azimuth {
+    std::size_t low = 0;
+    std::size_t high = 0;
+    float high_share = 0;
+    bool is_mirrored = false;
+  };
   /// One of the trees around a view, and its part in the blend.
   struct Part {
     const WarpQuad* quads = nullptr;
     float weight = 0;
   };
   struct Blend {
-    std::array<Part, 4> parts;
+    ViewColumns columns;
+    std::array<Part, 4> parts = {};
     std::size_t count = 0;
-    float mean = 0;            ///< of the blend over the square
-    bool is_mirrored = false;  ///< at the plane of the view
+    std::array<float, 4> masses = {};  ///< of the columns
+    bool is_mirrored = false;          ///< at the plane of the view
 
-    std::span<const Part> all() const { return {parts.data(), count}; }
-  };
-  struct Tree {
-    std::size_t first_quad = 0;
-    float scale = 0;  ///< 0: black
-    float mean = 0;
-  };
-
-  /// What an anisotropic BRDF does not change with: both are true of all fibres and scratches along an axis.
-  struct Symmetry {
-    bool half_turn = false;  ///< of view and light about the normal
-    bool mirror = false;     ///< of view and light, at the plane of x and z
-  };
-  /// A view azimuth among those of the trees.
-  struct Column {
-    std::size_t low = 0;
-    std::size_t high = 0;
-    float high_share = 0;
-    bool is_mirrored = false;
+    float mass() const { return masses[0] + masses[1] + masses[2] + masses[3]; }
   };
 
   static Symmetry symmetry_of(const Brdf& brdf);
-  float azimuth(std::size_t column) const;
-  Column column_of(const Vec3f& u) const;
+  WarpTree make_tree(const Brdf& brdf, std::size_t index) const;
+  float radius_step() const;
+  float azimuth(std::size_t index) const;
+  Azimuth azimuth_of(const Vec3f& u) const;
   Blend blend_for(const Vec3f& u) const;
   void add(Blend& blend, std::size_t theta, std::size_t phi, float weight) const;
-  void append(const WarpTree& tree);
 
   WarpTreesSettings settings_;
   bool is_isotropic_;
