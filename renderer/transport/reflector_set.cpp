@@ -14,15 +14,6 @@ namespace transport {
 namespace {
 
 using reflectance::Reflector;
-using reflectance::Scheme;
-
-void set_factors_file(Scheme& scheme, const std::string& path) {
-  std::visit(
-      [&](auto& chosen) {
-        if constexpr (requires { chosen.file = path; }) chosen.file = path;
-      },
-      scheme);
-}
 
 }  // namespace
 
@@ -36,18 +27,11 @@ std::uint32_t ReflectorSetBuilder::index_of(const grf::ResolvedSurface& surface)
   return known->second;
 }
 
-std::optional<Scheme> ReflectorSetBuilder::make_scheme(const grf::PdfModel* model) const {
-  if (model == nullptr) return reflectance::default_scheme();
-  auto scheme = reflectance::make_scheme(*model);
-  if (scheme && override_) set_factors_file(*scheme, override_->factors_file);
-  return scheme;
-}
-
 std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface) {
   const grf::PdfModel* pdf = scheme_of(surface);
   const auto brdf = surface.brdf != nullptr ? brdfs_.make(*surface.brdf, surface.brdf_scope)
                                             : std::optional(reflectance::default_brdf());
-  const auto scheme = make_scheme(pdf);
+  const auto scheme = pdf != nullptr ? reflectance::make_scheme(*pdf) : reflectance::default_scheme();
   if (!scheme) diagnostics_.error(pdf->location, fmt::format("'{}' cannot be rendered", pdf->keyword));
   if (!brdf || !scheme) return 0;
   Pair pair{*brdf, *scheme, {}, {}, {}, {}};
@@ -60,9 +44,19 @@ std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface) {
   if (!refusal.empty()) {
     diagnostics_.error(pair.scheme_location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
                                                          pair.scheme_keyword, pair.brdf_keyword, refusal));
+    return 0;
   }
+  if (override_ && !override_->factors_file.empty() && !use_factors_file(surface, pair)) return 0;
   pairs_.push_back(std::move(pair));
   return static_cast<std::uint32_t>(pairs_.size() - 1);
+}
+
+bool ReflectorSetBuilder::use_factors_file(const grf::ResolvedSurface& surface, Pair& pair) {
+  auto* factored = std::get_if<reflectance::FactoredScheme>(&pair.scheme);
+  if (factored == nullptr) return true;
+  const std::string identity =
+      surface.brdf != nullptr ? brdfs_.identity(*surface.brdf, surface.brdf_scope) : "diffuse";
+  return factored->use_files(override_->factors_file, pair.brdf, identity, diagnostics_);
 }
 
 ReflectorSet ReflectorSetBuilder::build(int threads) {

@@ -61,8 +61,8 @@ class ReflectorSetBuilder {
   const grf::PdfModel* scheme_of(const grf::ResolvedSurface& surface) const {
     return override_ ? &override_->model : surface.pdf;
   }
-  std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel* model) const;
   std::uint32_t add(const grf::ResolvedSurface& surface);
+  bool use_factors_file(const grf::ResolvedSurface& surface, Pair& pair);
   void warn_of_what_is_missed(const Pair& pair, float cosine_share);
 
   std::optional<SchemeOverride> override_;

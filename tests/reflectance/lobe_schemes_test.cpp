@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/coverage.h"
-#include "renderer/reflectance/lobe_over_horizon.h"
 #include "renderer/reflectance/reflector.h"
+#include "renderer/reflectance/schemes/lobe_over_horizon.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/scheme_cases.h"
 #include "tests/statistics/quadrature.h"

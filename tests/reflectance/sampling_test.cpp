@@ -36,7 +36,8 @@ struct SchemeCase {
   int resolution = 0;
 };
 
-/// Both kinds of the table schemes in turns. Their cells are few, since each edge of one costs quadratures time.
+/// Both kinds of the table schemes in turns. Their cells are few, since each edge of one costs quadratures
+/// time.
 std::vector<SchemeCase> schemes_for(std::size_t brdf) {
   const bool is_even = brdf % 2 == 0;
   return {

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "renderer/reflectance/rejection_tree.h"
+#include "renderer/reflectance/schemes/rejection_tree.h"
 #include "tests/statistics/chi_square.h"
 
 namespace statistics {

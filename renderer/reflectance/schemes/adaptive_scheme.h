@@ -1,69 +1,104 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 
 #include "renderer/reflectance/schemes/rejection_sampler.h"
+#include "renderer/reflectance/schemes/warp_trees.h"
 
 namespace reflectance {
 
-/// The adaptive disc method of the thesis (chapter 5): for any BRDF, with no parameter set by hand.
-/// `mode=reject` is as printed: rejection in the leaves of quadtrees.
+/// The adaptive method of the thesis (chapter 5): quadtrees that follow any BRDF, with no parameter set by
+/// hand. `mode=reject` is as printed, rejection in the leaves; `mode=warp` inverts the trees instead.
 struct AdaptiveScheme {
+  enum Mode { Warp, Reject };
+
+  /// A lobe much narrower than the smallest leaf is hardly drawn at its flanks.
+  static constexpr bool MayMiss = true;
+
   float nqt = 90;
   float naniso_qt = 0;
   float nmax = 2;
   float resolution = 800;
   bool release = false;
-  int mode = 0;
+  int mode = Warp;
 
   static ModelTable<AdaptiveScheme> table() {
     using Self = AdaptiveScheme;
-    return {"adaptive",
-            "Adaptive disc",
-            "Montes, Urena, Garcia and Lastra 2008",
+    return {
+        .keyword = "adaptive",
+        .title = "Adaptive quadtrees",
+        .paper = "Montes, Urena, Garcia and Lastra 2008",
+        .parameters =
             {number_parameter(&Self::nqt, "nQT", 1, 1000, "trees over the view's angle to the normal"),
              number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
                               "trees over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
-             number_parameter(&Self::nmax, "nmax", 1.001F, 100, "tries that a leaf may need in the mean",
+             number_parameter(&Self::nmax, "nmax", 1.001F, 100,
+                              "mode=reject: tries that a leaf may need in the mean",
                               grf::ParameterScale::Logarithmic),
-             number_parameter(&Self::resolution, "res", 2, 8192, "cells of the disc's grid along an edge"),
-             boolean_parameter(&Self::release, "release",
-                               "free the tables: less memory, and a density that is not quite exact"),
-             word_parameter(&Self::mode, "mode", {"reject"}, "how a point of a leaf is drawn")}};
+             number_parameter(&Self::resolution, "res", 2, 8192,
+                              "mode=reject: cells of the disc's grid along an edge"),
+             boolean_parameter(
+                 &Self::release, "release",
+                 "mode=reject: free the tables: less memory, and a density that is not quite exact"),
+             word_parameter(&Self::mode, "mode", {"warp", "reject"}, "how a point of a tree is drawn")},
+        .about =
+            "For any BRDF, analytic, measured or combined, with no parameter set by hand. Quadtrees over the "
+            "directions, for some views each, follow f cos, and a sample walks down from the root. With "
+            "mode=warp, one pair of numbers gives one direction by inversion, without a jump but where a "
+            "tree splits, so that evenly spread points stay so; leaves are bilinear, and trees of "
+            "neighbouring views are blended. With mode=reject, the thesis' own method, a leaf has an upper "
+            "bound under which points are drawn until one is accepted, and the nearest view's tree serves.",
+    };
   }
 
   static std::string refusal(const Brdf& brdf) { return RejectionSampler::refusal(brdf); }
 
   void build(const Brdf& brdf) {
-    RejectionSettings settings;
-    settings.thetas = static_cast<int>(std::lround(nqt));
-    settings.phis = static_cast<int>(std::lround(naniso_qt));
-    settings.most_tries = nmax;
-    settings.resolution = static_cast<int>(std::lround(resolution));
-    settings.keep_table = !release;
-    rejection_.build(brdf, settings);
+    if (mode == Reject) {
+      RejectionSettings settings;
+      settings.thetas = rounded(nqt);
+      settings.phis = rounded(naniso_qt);
+      settings.most_tries = nmax;
+      settings.resolution = rounded(resolution);
+      settings.keep_table = !release;
+      rejection_.build(brdf, settings);
+    } else {
+      WarpTreesSettings settings;
+      settings.theta_count = rounded(nqt);
+      if (rounded(naniso_qt) > 0) settings.phi_count = rounded(naniso_qt);
+      warp_ = std::make_shared<const WarpTrees>(brdf, settings);
+    }
   }
 
-  std::size_t bytes() const { return rejection_.bytes(); }
+  std::size_t bytes() const { return warp_ ? warp_->bytes() : rejection_.bytes(); }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
-    return rejection_.sample(brdf, u, xi);
+    if (!warp_) return rejection_.sample(brdf, u, xi);
+    const auto drawn = warp_->sample(u, xi.direction);
+    return drawn ? weighted(brdf, u, drawn->direction, drawn->density) : std::nullopt;
   }
   float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return rejection_.density(brdf, u, v);
+    return warp_ ? warp_->density(u, v) : rejection_.density(brdf, u, v);
   }
 
   /// See reflectance::sample_many.
   void sample_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                    std::vector<DirectionSample>& out) const {
-    rejection_.sample_many(brdf, u, xi, out);
+    if (!warp_) return rejection_.sample_many(brdf, u, xi, out);
+    for (const Uniforms& one : xi) {
+      if (const auto drawn = sample(brdf, u, one)) out.push_back(*drawn);
+    }
   }
 
   /// The trees of `mode=reject`; null before `build`.
   const RejectionTrees* trees() const { return rejection_.trees(); }
 
  private:
+  static int rounded(float number) { return static_cast<int>(std::lround(number)); }
+
   RejectionSampler rejection_;
+  std::shared_ptr<const WarpTrees> warp_;
 };
 
 }  // namespace reflectance

@@ -17,13 +17,18 @@ struct AnisotropicScheme {
   static ModelTable<AnisotropicScheme> table() {
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
     return {
-        "anisotropic",
-        "Anisotropic half vectors",
-        "Ashikhmin and Shirley 2000",
-        {number_parameter(&AnisotropicScheme::nu, "nu", OwnExponent, 1e6F,
-                          "exponent along x; below 0: the BRDF's own, or 40 if it has none", Logarithmic),
-         number_parameter(&AnisotropicScheme::nv, "nv", OwnExponent, 1e6F,
-                          "exponent along y; below 0: the BRDF's own, or 40 if it has none", Logarithmic)}};
+        .keyword = "anisotropic",
+        .title = "Anisotropic half vectors",
+        .paper = "Ashikhmin and Shirley 2000",
+        .parameters = {number_parameter(&AnisotropicScheme::nu, "nu", OwnExponent, 1e6F,
+                                        "exponent along x; below 0: the BRDF's own, or 40 if it has none",
+                                        Logarithmic),
+                       number_parameter(&AnisotropicScheme::nv, "nv", OwnExponent, 1e6F,
+                                        "exponent along y; below 0: the BRDF's own, or 40 if it has none",
+                                        Logarithmic)},
+        .about =
+            "Half vectors with an exponent along x and another along y, for brushed surfaces and fibres, and "
+            "for any lobe about the half vector."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "renderer/reflectance/cosine_lobe.h"
-#include "renderer/reflectance/lobe_over_horizon.h"
-#include "renderer/reflectance/more_uniforms.h"
 #include "renderer/reflectance/schemes/lobe_exponent.h"
+#include "renderer/reflectance/schemes/lobe_over_horizon.h"
+#include "renderer/reflectance/schemes/more_uniforms.h"
 #include "renderer/reflectance/schemes/weighted.h"
 
 namespace reflectance {
@@ -17,12 +17,16 @@ struct HemisphereScheme {
   float exponent = OwnExponent;
 
   static ModelTable<HemisphereScheme> table() {
-    return {"hemisphere",
-            "Cosine lobe on the hemisphere",
-            "Arvo 1995",
-            {number_parameter(&HemisphereScheme::exponent, "exp", OwnExponent, 1e6F,
-                              "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
-                              grf::ParameterScale::Logarithmic)}};
+    return {
+        .keyword = "hemisphere",
+        .title = "Cosine lobe on the hemisphere",
+        .paper = "Arvo 1995",
+        .parameters = {number_parameter(&HemisphereScheme::exponent, "exp", OwnExponent, 1e6F,
+                                        "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
+                                        grf::ParameterScale::Logarithmic)},
+        .about =
+            "A cosine lobe about the mirror direction, for BRDFs that are such a lobe. A direction under "
+            "the horizon is drawn again, so that no sample is lost."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

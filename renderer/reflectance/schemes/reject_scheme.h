@@ -16,15 +16,20 @@ struct RejectScheme : RejectionSampler {
 
   static ModelTable<RejectScheme> table() {
     using Self = RejectScheme;
-    return {"reject",
-            "Rejection over the disc",
-            "Montes, Urena, Garcia and Lastra 2008",
+    return {
+        .keyword = "reject",
+        .title = "Rejection over the disc",
+        .paper = "Montes, Urena, Garcia and Lastra 2008",
+        .parameters =
             {number_parameter(&Self::nqt, "nQT", 1, 1000, "tables over the view's angle to the normal"),
              number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
                               "tables over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
              number_parameter(&Self::resolution, "res", 2, 8192, "cells of the disc's grid along an edge"),
              boolean_parameter(&Self::release, "release",
-                               "free the tables: less memory, and a density that is not quite exact")}};
+                               "free the tables: less memory, and a density that is not quite exact")},
+        .about =
+            "Points of the whole disc of projected directions are drawn until one is accepted, under a "
+            "table of f. What `adaptive` divides: good for matte surfaces, and slow for any lobe."};
   }
 
   void build(const Brdf& brdf) {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "renderer/reflectance/rejection_trees.h"
+#include "renderer/reflectance/schemes/rejection_trees.h"
 #include "renderer/reflectance/schemes/weighted.h"
 
 namespace reflectance {

@@ -14,12 +14,15 @@ struct SphereScheme {
   float exponent = OwnExponent;
 
   static ModelTable<SphereScheme> table() {
-    return {"sphere",
-            "Cosine lobe on the sphere",
-            "",
-            {number_parameter(&SphereScheme::exponent, "exp", OwnExponent, 1e6F,
-                              "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
-                              grf::ParameterScale::Logarithmic)}};
+    return {
+        .keyword = "sphere",
+        .title = "Cosine lobe on the sphere",
+        .parameters = {number_parameter(&SphereScheme::exponent, "exp", OwnExponent, 1e6F,
+                                        "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
+                                        grf::ParameterScale::Logarithmic)},
+        .about =
+            "A cosine lobe about the mirror direction, on the whole sphere: cheaper than `hemisphere`, and "
+            "noisier at grazing views, where the samples under the horizon carry nothing."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

@@ -1,4 +1,4 @@
-#include "renderer/reflectance/rejection_tree.h"
+#include "renderer/reflectance/schemes/rejection_tree.h"
 
 namespace reflectance {
 

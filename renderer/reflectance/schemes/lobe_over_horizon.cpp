@@ -1,4 +1,4 @@
-#include "renderer/reflectance/lobe_over_horizon.h"
+#include "renderer/reflectance/schemes/lobe_over_horizon.h"
 
 #include <numbers>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
-#include "renderer/reflectance/rejection_tree.h"
+#include "renderer/reflectance/schemes/rejection_tree.h"
 
 namespace reflectance {
 

@@ -7,8 +7,8 @@
 
 #include <half.h>
 
-#include "renderer/reflectance/disc.h"
-#include "renderer/reflectance/more_uniforms.h"
+#include "renderer/reflectance/schemes/disc.h"
+#include "renderer/reflectance/schemes/more_uniforms.h"
 
 namespace reflectance {
 

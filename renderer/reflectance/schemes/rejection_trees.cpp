@@ -1,4 +1,4 @@
-#include "renderer/reflectance/rejection_trees.h"
+#include "renderer/reflectance/schemes/rejection_trees.h"
 
 #include <cmath>
 

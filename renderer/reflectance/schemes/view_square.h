@@ -1,0 +1,85 @@
+// The square in which directions are tabulated for a view. Lambert's azimuthal projection, in which area is
+// solid angle, makes a disc of the hemisphere, and Shirley and Chiu's map (1997) a square of the disc.
+// Directions are relative to the view's azimuth, and the square is cut into columns at the mirror direction,
+// at the normal and at the view itself, so that all three are where they are for every view, and a table can
+// be blended with the next view's without doubling a lobe.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "renderer/reflectance/geometry.h"
+
+namespace reflectance {
+
+/// How far from the square's centre a direction is, from 0 at the normal to 1 at the horizon.
+inline float square_radius(const Vec3f& v) {
+  // 1 - z by way of the sine, which has its digits near the normal.
+  return std::sqrt((v.x * v.x + v.y * v.y) / (1 + v.z));
+}
+
+inline Vec3f direction_at(float radius, float phi) {
+  return from_angles((1 - radius) * (1 + radius), radius * std::sqrt(2 - radius * radius), phi);
+}
+
+/// The direction that a point of [-1,1]^2 stands for.
+inline Vec3f from_square(float a, float b) {
+  const bool wide = std::abs(a) > std::abs(b);
+  const float radius = wide ? a : b;
+  const float angle = radius != 0 ? Pi / 4 * ((wide ? b : a) / radius) : 0.0F;
+  const float sine = std::sin(angle);
+  const float cosine = std::cos(angle);
+  const float length = radius * std::sqrt(2 - radius * radius);
+  const float z = (1 - radius) * (1 + radius);
+  return wide ? Vec3f(length * cosine, length * sine, z) : Vec3f(length * sine, length * cosine, z);
+}
+
+inline Vec2f to_square(const Vec3f& v) {
+  const float x = std::abs(v.x);
+  const float y = std::abs(v.y);
+  const float larger = std::max(x, y);
+  if (!(larger > 0)) return {0, 0};
+  const float radius = square_radius(v);
+  const float other = radius * (4 / Pi) * std::atan(std::min(x, y) / larger);
+  return {std::copysign(x >= y ? radius : other, v.x), std::copysign(x >= y ? other : radius, v.y)};
+}
+
+/// A point in one of the four columns, each of which is a unit square.
+struct ColumnPoint {
+  std::size_t column = 0;
+  Vec2f local;
+};
+
+/// The columns for a view whose radius in the square is given. Where only the half with y > 0 is tabulated, a
+/// column is [0,1] high, else [-1,1].
+class ViewColumns {
+ public:
+  ViewColumns(float view_radius, bool is_half) : radius_(view_radius), is_half_(is_half) {}
+
+  std::array<float, 4> widths() const { return {1 - radius_, radius_, radius_, 1 - radius_}; }
+
+  Vec3f direction(const ColumnPoint& point) const {
+    const float x = edges()[point.column] + widths()[point.column] * point.local.x;
+    return from_square(x, is_half_ ? point.local.y : 2 * point.local.y - 1);
+  }
+
+  ColumnPoint point(const Vec3f& v) const {
+    const Vec2f square = to_square(v);
+    const bool is_outer = std::abs(square.x) >= radius_;
+    const std::size_t column = square.x < 0 ? (is_outer ? 0 : 1) : (is_outer ? 3 : 2);
+    const float width = widths()[column];
+    const float x = width > 0 ? (square.x - edges()[column]) / width : 0;
+    const float y = is_half_ ? std::abs(square.y) : (square.y + 1) / 2;
+    return {column, {std::clamp(x, 0.0F, 1.0F), y}};
+  }
+
+ private:
+  std::array<float, 4> edges() const { return {-1, -radius_, 0, radius_}; }
+
+  float radius_;
+  bool is_half_;
+};
+
+}  // namespace reflectance
