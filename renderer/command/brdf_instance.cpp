@@ -76,7 +76,7 @@ std::optional<reflectance::Reflector> read_instance(const std::string& text) {
   const auto instance =
       printed([&](grf::Diagnostics& diagnostics) { return instance_of(text, diagnostics); });
   if (!instance) return std::nullopt;
-  return reflectance::Reflector(instance->brdf, reflectance::default_scheme());
+  return reflectance::Reflector(instance->brdf, reflectance::OwnScheme());
 }
 
 std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf) {

@@ -64,7 +64,7 @@ Row row_of(const SampledInstance& instance, const Angles& view) {
   constexpr std::uint32_t Samples = 1U << 15U;
   const Vec3f u = direction_of(view);
   // By the BRDF's own sampler: the scheme is on trial.
-  const reflectance::Reflector own(instance.reflector.brdf(), reflectance::default_scheme());
+  const reflectance::Reflector own(instance.reflector.brdf(), reflectance::OwnScheme());
   const double albedo = reflectance::mean(reflectance::albedo(own, u));
   DrawnSamples drawn = draw_samples(instance.reflector, u, Samples, 0);
   const WeightStatistics statistics = statistics_of(drawn, albedo);

@@ -177,10 +177,10 @@ std::vector<OptionInfo> scheme_options() {
       {"BPT_Pdf_Name", "--pdf",
        WordOption{&Options::name,
                   {"Diffuse", "Specular", "Hemisphere", "Sphere", "Anisotropic", "Disk", "Adaptive",
-                   "Factored", "CascadeCDF", "Reject", "Auto"}},
+                   "Factored", "CascadeCDF", "Reject", "Own", "Auto"}},
        "word", "the scene's, else Auto",
        "the sampling scheme of all BRDFs, in place of the scene's: Diffuse, Specular, Hemisphere, Sphere, "
-       "Anisotropic, Disk (or Adaptive), Factored, CascadeCDF, Reject or Auto"},
+       "Anisotropic, Disk (or Adaptive), Factored, CascadeCDF, Reject, Own (the BRDF's sampler) or Auto"},
       {"BPT_Pdf_LobeExponent", "", Real{&Options::lobe_exponent, 0, LargestExponent}, "float",
        "the BRDF's own", "exponent for Hemisphere and Sphere"},
       {"BPT_Pdf_AnisoNu", "", Real{&Options::anisotropic_nu, 0, LargestExponent}, "float", "the BRDF's own",

@@ -19,7 +19,7 @@ Rgb albedo(const Reflector& reflector, const Vec3f& u, int count) {
 grf::LargestAlbedo largest_albedo(const Brdf& brdf) {
   constexpr int Rough = 512;
   constexpr int Fine = 8192;
-  const Reflector reflector(brdf, default_scheme());
+  const Reflector reflector(brdf, OwnScheme());
   const std::array<float, 3> azimuths = {0, Pi / 2, Pi};
   const std::size_t azimuth_count = is_anisotropic(brdf) ? azimuths.size() : 1;
   grf::LargestAlbedo most;

@@ -17,7 +17,7 @@ struct Carried {
 
 /// Drawn by the BRDF's own sampler, which misses nothing.
 std::optional<Carried> carried(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::uint32_t index) {
-  const auto drawn = AutoScheme().sample(brdf, u, even_point(index));
+  const auto drawn = OwnScheme().sample(brdf, u, even_point(index));
   if (!drawn || !(mean(drawn->weight) > 0)) return std::nullopt;
   const float density = reflectance::density(scheme, brdf, u, drawn->direction);
   const float value = mean(evaluate(brdf, u, drawn->direction)) * drawn->direction.z;

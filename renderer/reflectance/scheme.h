@@ -15,6 +15,7 @@
 #include "renderer/reflectance/schemes/diffuse_scheme.h"
 #include "renderer/reflectance/schemes/factored_scheme.h"
 #include "renderer/reflectance/schemes/hemisphere_scheme.h"
+#include "renderer/reflectance/schemes/own_scheme.h"
 #include "renderer/reflectance/schemes/reject_scheme.h"
 #include "renderer/reflectance/schemes/specular_scheme.h"
 #include "renderer/reflectance/schemes/sphere_scheme.h"
@@ -31,8 +32,9 @@ namespace reflectance {
 /// `MayMiss` says that some BRDFs reflect light into directions that the scheme draws never or hardly ever:
 /// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
 /// cost less than as many single ones.
-using Scheme = std::variant<AutoScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
-                            AnisotropicScheme, RejectScheme, AdaptiveScheme, FactoredScheme, CascadeScheme>;
+using Scheme =
+    std::variant<AutoScheme, OwnScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
+                 AnisotropicScheme, RejectScheme, AdaptiveScheme, FactoredScheme, CascadeScheme>;
 
 /// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);

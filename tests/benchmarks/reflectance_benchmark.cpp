@@ -47,7 +47,7 @@ std::string instance_of(const grf::ModelInfo& model) {
 }
 
 void evaluate(benchmark::State& state, const std::string& instance) {
-  const Reflector reflector(test::brdf_of(instance), reflectance::AutoScheme());
+  const Reflector reflector(test::brdf_of(instance), reflectance::OwnScheme());
   const Inputs inputs = random_inputs();
   std::size_t i = 0;
   for (auto _ : state) {
@@ -57,7 +57,7 @@ void evaluate(benchmark::State& state, const std::string& instance) {
 }
 
 void sample(benchmark::State& state, const std::string& instance) {
-  const Reflector reflector(test::brdf_of(instance), reflectance::AutoScheme());
+  const Reflector reflector(test::brdf_of(instance), reflectance::OwnScheme());
   const Inputs inputs = random_inputs();
   std::size_t i = 0;
   for (auto _ : state) {

@@ -94,7 +94,7 @@ std::string albedo_cells(const std::string& instance) {
     ADD_FAILURE() << diagnostics.to_text();
     return " | |";
   }
-  const reflectance::Reflector reflector(*reflectance::make_brdf(*model), reflectance::default_scheme());
+  const reflectance::Reflector reflector(*reflectance::make_brdf(*model), reflectance::OwnScheme());
   std::string cells;
   for (const double degrees : {0, 45, 80}) {
     const double theta = degrees * std::numbers::pi / 180;

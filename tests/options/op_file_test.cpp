@@ -132,7 +132,7 @@ TEST_F(OpFile, ReportsWordsBooleansAndPairsThatAreNone) {
   for (const grf::Diagnostic& entry : diagnostics_.entries()) messages += entry.message + "\n";
   EXPECT_EQ(messages,
             "BPT_Pdf_Name: found 'Dsik', expected one of Diffuse, Specular, Hemisphere, Sphere, Anisotropic, "
-            "Disk, Adaptive, Factored, CascadeCDF, Reject, Auto: did you mean 'Disk'?\n"
+            "Disk, Adaptive, Factored, CascadeCDF, Reject, Own, Auto: did you mean 'Disk'?\n"
             "BPT_EM_Projection: found 'flat', expected one of latlong, backplate\n"
             "BPT_Pdf_memstat: found '1', expected true or false\n"
             "BPT_RIS: found '4 8', expected two whole numbers from 1 to 65536, the second at most the first\n"

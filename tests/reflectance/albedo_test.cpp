@@ -16,7 +16,7 @@ using test::brdf_of;
 using test::direction;
 
 Rgb sampled(const std::string& brdf, double theta, double phi = 25) {
-  const Reflector reflector(brdf_of(brdf), reflectance::default_scheme());
+  const Reflector reflector(brdf_of(brdf), reflectance::OwnScheme());
   return reflectance::albedo(reflector, direction(theta, phi));
 }
 

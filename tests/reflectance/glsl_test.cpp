@@ -41,6 +41,10 @@ std::string argument(std::size_t k, Rgb Model::*) {
   return fmt::format("parameter({})", k);
 }
 template <class Model>
+std::string argument(std::size_t k, int Model::*) {
+  return fmt::format("int(parameter({}).x)", k);
+}
+template <class Model>
 std::string argument(std::size_t k, bool Model::*) {
   return fmt::format("(parameter({}).x != 0)", k);
 }
@@ -67,6 +71,7 @@ std::string mirror_call_of() {
 }
 
 Rgb shader_value(float value) { return Rgb(value); }
+Rgb shader_value(int value) { return Rgb(static_cast<float>(value)); }
 Rgb shader_value(bool value) { return Rgb(value ? 1.0F : 0.0F); }
 Rgb shader_value(const Rgb& value) { return value; }
 

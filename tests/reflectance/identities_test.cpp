@@ -116,7 +116,7 @@ TEST(NarrowLobe, ReflectsWhatAMirrorDoes) {
   };
   const Vec3f u = test::direction(40, 25);
   for (const auto& [text, expected] : rows) {
-    const reflectance::Reflector reflector(brdf_of(text), reflectance::AutoScheme());
+    const reflectance::Reflector reflector(brdf_of(text), reflectance::OwnScheme());
     std::mt19937 random(22);
     std::uniform_real_distribution<float> uniform(0, 1);
     constexpr int Samples = 20000;

@@ -42,7 +42,7 @@ class ModelGenerator {
     do {
       model = Model();
       for (const auto& parameter : Model::table().parameters) {
-        std::visit([&](auto field) { draw(parameter.info, model.*field); }, parameter.field);
+        reflectance::visit_field(parameter, [&](auto field) { draw(parameter.info, model.*field); });
       }
     } while (is_wrong(model));
     return model;
@@ -57,6 +57,9 @@ class ModelGenerator {
 
   float uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
 
+  void draw(const grf::ParameterInfo& info, int& field) {
+    field = std::uniform_int_distribution<int>(0, static_cast<int>(info.choices.size()) - 1)(random_);
+  }
   void draw(const grf::ParameterInfo& info, float& field) { field = number(info, field); }
   void draw(const grf::ParameterInfo&, bool& field) { field = random_() % 2 == 0; }
   void draw(const grf::ParameterInfo& info, Imath::V3f& field) {

@@ -294,7 +294,7 @@ TEST(RejectionTrees, ManySamplesVaryLessThanSingleOnes) {
 
 TEST(SampleMany, FallsBackToSingleSamples) {
   const reflectance::Brdf brdf = test::brdf_of("ward");
-  const reflectance::Scheme scheme = reflectance::AutoScheme();
+  const reflectance::Scheme scheme = reflectance::OwnScheme();
   const Vec3f u = test::direction(40, 25);
   std::vector<Uniforms> xi;
   for (int i = 0; i < 50; ++i) xi.push_back(reflectance::even_point(i));

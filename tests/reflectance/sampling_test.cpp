@@ -41,7 +41,7 @@ struct SchemeCase {
 std::vector<SchemeCase> schemes_for(std::size_t brdf) {
   const bool is_even = brdf % 2 == 0;
   return {
-      {"auto"},
+      {"own"},
       {"diffuse"},
       {"hemisphere"},
       {"sphere"},
@@ -135,10 +135,13 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
       ASSERT_NEAR(v.length(), 1, 1e-5);
       ASSERT_GT(v.z, 0);
       const float density = subject.density(u, v);
-      ASSERT_NEAR(sample->density, density, 1e-3F * density);
+      // A direction that is rounded can be over the edge of a cell.
+      ASSERT_NEAR(sample->density, density, (GetParam().depth > 0 ? 1e-2F : 1e-3F) * density);
       const Rgb expected = subject.evaluate(u, v) * v.z / density;
       for (int k = 0; k < 3; ++k)
-        ASSERT_NEAR(sample->weight[k], expected[k], 2e-3F * expected[k] + 1e-6F) << v;
+        ASSERT_NEAR(sample->weight[k], expected[k],
+                    (GetParam().depth > 0 ? 1e-2F : 2e-3F) * expected[k] + 1e-6F)
+            << v;
     }
   }
 }
@@ -200,8 +203,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, Albedo, testing::ValuesIn(brdf_cases()),
 // The test of the test: a sampler that is a little off must not pass.
 TEST(ChiSquareTest, RejectsAWrongSampler) {
   const Vec3f u = test::direction(30, 25);
-  const Reflector right(test::brdf_of("lewis n=20 ks=0.5 kd=0.5"), reflectance::AutoScheme());
-  const Reflector wrong(test::brdf_of("lewis n=22 ks=0.5 kd=0.5"), reflectance::AutoScheme());
+  const Reflector right(test::brdf_of("lewis n=20 ks=0.5 kd=0.5"), reflectance::OwnScheme());
+  const Reflector wrong(test::brdf_of("lewis n=22 ks=0.5 kd=0.5"), reflectance::OwnScheme());
   const auto density = [&](const Vec3f& v) { return static_cast<double>(right.density(u, v)); };
   RandomNumbers random(10);
   const statistics::ChiSquareTest test(density, reflectance::mirrored(u));
@@ -213,7 +216,7 @@ TEST(Extremes, WeightsStayFinite) {
   std::vector<std::string> texts = test::extreme_cases();
   texts.insert(texts.end(), test::hard_cases().begin(), test::hard_cases().end());
   for (const std::string& text : texts) {
-    const Reflector subject(test::brdf_of(text), reflectance::AutoScheme());
+    const Reflector subject(test::brdf_of(text), reflectance::OwnScheme());
     for (const test::Pair& pair : test::direction_pairs(2000, 12)) {
       const auto sample = subject.sample(pair.u, random.next());
       if (!sample) continue;
@@ -226,7 +229,7 @@ TEST(Extremes, WeightsStayFinite) {
 
 TEST(Mirror, IsDrawnAlwaysByWhateverScheme) {
   const Vec3f u = test::direction(50, 10);
-  for (const Scheme& scheme : {Scheme(reflectance::AutoScheme()), Scheme(reflectance::DiffuseScheme()),
+  for (const Scheme& scheme : {Scheme(reflectance::OwnScheme()), Scheme(reflectance::DiffuseScheme()),
                                Scheme(reflectance::SpecularScheme())}) {
     const Reflector mirror(test::brdf_of("specular ks=(0.9, 0.8, 0.7)"), scheme);
     RandomNumbers random(13);
