@@ -17,9 +17,9 @@ float share_by_cosine(const Scheme& scheme, const Brdf& brdf) {
 
 }  // namespace
 
-Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, Missed missed) : brdf_(brdf), scheme_(scheme) {
+Reflector::Reflector(const Brdf& brdf, const Scheme& scheme) : brdf_(brdf), scheme_(scheme) {
   build(scheme_, brdf_);
-  if (missed == Missed::ByCosine && may_miss(scheme_)) cosine_share_ = share_by_cosine(scheme_, brdf_);
+  if (may_miss(scheme_)) cosine_share_ = share_by_cosine(scheme_, brdf_);
 }
 
 std::optional<ScatterSample> Reflector::sample(const Vec3f& u, Uniforms xi) const {

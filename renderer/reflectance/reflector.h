@@ -14,19 +14,14 @@ struct ScatterSample {
   bool is_mirror = false;
 };
 
-/// What becomes of a scheme that misses part of what the BRDF reflects.
-enum class Missed {
-  ByCosine,  ///< a share of the samples, in proportion to what is missed, is drawn by cosine
-  Left,      ///< nothing: estimates lack that part
-};
-
 /// A BRDF with the scheme that samples it and the scheme's tables: all that a path needs to know of a
 /// surface's reflectance. The Dirac part of a BRDF is picked with its own probability, in proportion to its
-/// share of the albedo.
+/// share of the albedo. Where the scheme misses part of the BRDF, a share of the samples, in proportion to
+/// what is missed, is drawn by cosine, or estimates would lack that part.
 class Reflector {
  public:
   /// Makes the scheme's tables. It must not refuse the BRDF.
-  Reflector(const Brdf& brdf, const Scheme& scheme, Missed missed = Missed::ByCosine);
+  Reflector(const Brdf& brdf, const Scheme& scheme);
 
   /// f(u, v) in 1/sr, without the Dirac part.
   Rgb evaluate(const Vec3f& u, const Vec3f& v) const { return reflectance::evaluate(brdf_, u, v); }

@@ -62,7 +62,10 @@ TEST(LobeExponents, AreTakenByTheSchemesWhereNoneAreGiven) {
   const Vec3f u = test::direction(40, 25);
   const Vec3f v = test::direction(52, 200);
   const auto density = [&](const std::string& scheme, const std::string& brdf) {
-    return Reflector(test::brdf_of(brdf), test::scheme_of(scheme), reflectance::Missed::Left).density(u, v);
+    const reflectance::Brdf made = test::brdf_of(brdf);
+    reflectance::Scheme unmixed = test::scheme_of(scheme);
+    build(unmixed, made);
+    return reflectance::density(unmixed, made, u, v);
   };
   EXPECT_EQ(density("hemisphere", "phong n=60"), density("hemisphere exp=60", "diffuse"));
   EXPECT_EQ(density("sphere", "blinn n=60"), density("sphere exp=15", "diffuse"));
