@@ -22,7 +22,7 @@ Reflector::Reflector(const Brdf& brdf, const Scheme& scheme) : brdf_(brdf), sche
   if (may_miss(scheme_)) cosine_share_ = share_by_cosine(scheme_, brdf_);
 }
 
-std::optional<ScatterSample> Reflector::sample(const Vec3f& u, Uniforms xi) const {
+std::optional<ScatterSample> Reflector::sample(const Vec3f& u, const Uniforms& xi) const {
   const float share = mirror_share(u);
   if (xi.choice < share) return ScatterSample{mirrored(u), mirror(brdf_, u) / share, 0, true};
   const auto drawn = sample_density(u, rest_of(xi, share));

@@ -31,7 +31,7 @@ class Reflector {
     return (1 - mirror_share(u)) * mixed(v, reflectance::density(scheme_, brdf_, u, v));
   }
 
-  std::optional<ScatterSample> sample(const Vec3f& u, Uniforms xi) const;
+  std::optional<ScatterSample> sample(const Vec3f& u, const Uniforms& xi) const;
 
   const Brdf& brdf() const { return brdf_; }
   const Scheme& scheme() const { return scheme_; }
