@@ -209,6 +209,44 @@ TEST_F(Bpt, TakesTheSchemeFromOptions) {
   EXPECT_EQ(bpt({"render", op, "--pdf", "best"}).exit_code, 2);
 }
 
+TEST_F(Bpt, SavesFactorsAndLoadsThem) {
+  write("scene.grf", Quad);
+  const std::string op = write("scene.op",
+                               "BPT_Scene scene.grf\nBPT_Pdf_Name Factored\nBPT_Pdf_Factors_File clay\n"
+                               "BPT_Image_Resolution 8 8\nBPT_Samples 2\n");
+  ASSERT_EQ(bpt({op}).err, "");
+  const std::string image = test::bytes_of(path("scene.exr"));
+  const std::string factors = test::bytes_of(path("clay.txt"));
+  EXPECT_NE(factors.find("diffuse kd=0.5"), std::string::npos);
+  EXPECT_NE(test::bytes_of(path("clay_cdf.txt")), "");
+  ASSERT_EQ(bpt({op}).err, "");
+  EXPECT_TRUE(test::bytes_of(path("scene.exr")) == image);
+  EXPECT_EQ(test::bytes_of(path("clay.txt")), factors);
+  write("clay.txt", "clay\n");
+  const Outcome broken = bpt({op});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_NE(broken.err.find(path("clay.txt") + ":1:"), std::string::npos) << broken.err;
+}
+
+TEST_F(Bpt, SaysWhatItsTablesHoldAndWhatASchemeMisses) {
+  write("scene.grf", Quad);
+  const std::string op = write("scene.op",
+                               "BPT_Scene scene.grf\nBPT_Pdf_Name Disk\nBPT_QT_Precomputed 30\n"
+                               "BPT_Image_Resolution 8 8\nBPT_Samples 2\nBPT_Pdf_memstat true\n");
+  EXPECT_EQ(bpt({op}).err, "");
+  std::istringstream lines(test::bytes_of(path("mem.op")));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  EXPECT_EQ(line.rfind("diffuse kd=0.5\tadaptive", 0), 0U) << line;
+  EXPECT_GT(std::stoi(line.substr(line.rfind('\t'))), 10000) << line;
+  const Outcome narrow = bpt({"render", op, "--pdf", "Sphere"});
+  EXPECT_EQ(narrow.exit_code, 0);
+  EXPECT_NE(narrow.err.find("the scheme 'sphere' hardly draws part of what 'diffuse' reflects"),
+            std::string::npos)
+      << narrow.err;
+}
+
 TEST_F(Bpt, AppendsTheSecondsThatItTook) {
   write("scene.grf", Quad);
   const std::string op =
