@@ -155,12 +155,12 @@ std::vector<Verdict> memory_claims(const Results& results) {
        fmt::format("{} to {} KB", figure(warp_least), figure(warp_most))},
       {"the factors take 1 to 6.5 MB, more than the trees on most BRDFs",
        least_kb >= 1000 && 2 * smaller > results.cases.size(),
-       fmt::format("factors {} to {} KB; `reject` takes less on {} of {} BRDFs, `warp` on {}. The thesis' "
-                   "figures are those of the whole matrix in doubles, 16 x 16 views of all cells, and {} to {} "
-                   "KB: the factors alone were always small",
-                   figure(least_kb), figure(most_kb), smaller, results.cases.size(), smaller_warp,
-                   figure(least(results, beside_matrix).value),
-                   figure(largest(results, beside_matrix).value))},
+       fmt::format(
+           "factors {} to {} KB; `reject` takes less on {} of {} BRDFs, `warp` on {}. The thesis' "
+           "figures are those of the whole matrix in doubles, 16 x 16 views of all cells, and {} to {} "
+           "KB: the factors alone were always small",
+           figure(least_kb), figure(most_kb), smaller, results.cases.size(), smaller_warp,
+           figure(least(results, beside_matrix).value), figure(largest(results, beside_matrix).value))},
   };
 }
 

@@ -76,7 +76,8 @@ std::string errors(const Results& results) {
       "thousandth of what a white matte surface reflects. The least of the generic schemes is bold; `own` is "
       "the model's own sampler. A scheme that would miss part of a BRDF is mixed with a cosine part, as in "
       "images. Points are those of a scrambled Sobol sequence, as images have them, or independent, as the "
-      "thesis had them and its claims are judged by. A difference within twice its standard error counts as none.\n\n"
+      "thesis had them and its claims are judged by. A difference within twice its standard error counts as "
+      "none.\n\n"
       "![Error of each scheme](schemes.svg)\n\n![Error over samples](convergence.svg)\n",
       results.effort.repeats);
   for (const Light light : LightsByWeight) {
