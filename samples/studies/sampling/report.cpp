@@ -22,7 +22,8 @@ std::string introduction(const Results& results) {
   return fmt::format(R"(# What sampling schemes cost and what they give
 
 `{}` wrote this file, `sampling.csv` (every error), `tables.csv` (every other figure) and the
-pictures, on a machine with {}. Times are the least of some tries, errors the same wherever the same points are drawn.{}
+pictures, on a machine with {}. Times are the least of some tries
+(of one, where that takes over five seconds), and other work on the machine lengthens them. Errors depend on the points alone.{}
 
 The BRDFs are those of table 5.5 of Montes' thesis (2008). A BRDF is called glossy, and has a star in the tables of errors, if
 its model has a lobe. The deviation is the relative error of one sample under light from everywhere. Exponents of lobes are 50 or, "best", those of least deviation; `factored` has the parameters that fit
