@@ -1,4 +1,5 @@
 // The samples are sound, and those that a program makes are what it makes.
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "grf/read.h"
 #include "grf/summary.h"
 #include "renderer/options/op_file.h"
+#include "renderer/plot/svg.h"
 #include "renderer/reflectance/scheme.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
@@ -48,6 +50,42 @@ TEST(Teapot, TurnsItsFrontsOutwards) {
   EXPECT_NEAR(bounds.max.y, 3.15, 1e-5);
   EXPECT_NEAR(bounds.min.y, 0, 1e-5);
   EXPECT_GT(bounds.max.x, 3.4);
+}
+
+std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+// Two BRDFs, of which one is matte: all tables, all errors, pictures that can be drawn.
+TEST(SamplingStudy, WritesWholeFiles) {
+  const test::TemporaryFolder folder;
+  const auto outcome = test::run(
+      {GRANADA_BIN_DIR "/sampling_study", "--quick", "--only", "phong,oren", "--output", folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<std::string> names = {"README.md", "convergence.svg", "sampling.csv", "schemes.svg",
+                                          "tables.csv"};
+  EXPECT_EQ(folder.names(), names);
+
+  constexpr int Schemes = 10;
+  constexpr int Views = 3;
+  EXPECT_EQ(lines_of(test::bytes_of(folder.path("sampling.csv"))), 1 + 2 * Schemes * Views * 2);
+  const std::string tables = test::bytes_of(folder.path("tables.csv"));
+  EXPECT_NE(tables.find("phong,60 reject,build_seconds,"), std::string::npos);
+  for (const char* wrong : {"nan", "inf"}) EXPECT_EQ(tables.find(wrong), std::string::npos) << wrong;
+
+  const std::string readme = test::bytes_of(folder.path("README.md"));
+  for (const char* heading : {"(table 5.1)", "(table 5.2)", "(table 5.3)", "(table 5.6)",
+                              "## What a scheme costs", "### anywhere", "### environment", "## Targets"}) {
+    EXPECT_NE(readme.find(heading), std::string::npos) << heading;
+  }
+  for (const char* picture : {"convergence.svg", "schemes.svg"}) {
+    EXPECT_TRUE(plot::to_png(test::bytes_of(folder.path(picture)), 1)) << picture;
+  }
+}
+
+TEST(SamplingStudy, SaysWhenItsCommandLineIsBad) {
+  const auto outcome = test::run({GRANADA_BIN_DIR "/sampling_study", "--only", "phonk"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err.find("There is no BRDF 'phonk' among those of the study: ashikhmin"), 0U);
+  EXPECT_EQ(test::run({GRANADA_BIN_DIR "/sampling_study", "--fast"}).exit_code, 2);
 }
 
 TEST(Samples, AreReadWithoutAComplaint) {

@@ -1,0 +1,31 @@
+// What the figures say of the thesis' claims and of the targets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "samples/studies/sampling/measure.h"
+
+namespace study {
+
+/// A claim, decided by the figures.
+struct Verdict {
+  std::string claim;
+  bool holds = false;
+  std::string figures;
+};
+
+/// "**Holds:** claim. Figures." or the opposite.
+std::string sentence(const Verdict& verdict);
+
+std::vector<Verdict> build_claims(const Results& results);
+std::vector<Verdict> tree_claims(const Results& results);
+std::vector<Verdict> memory_claims(const Results& results);
+std::vector<Verdict> factor_claims(const Results& results);
+std::vector<Verdict> error_claims(const Results& results, Light light);
+std::vector<Verdict> targets(const Results& results);
+
+/// What stands in the way of targets that do not hold, as far as the figures tell.
+std::string limits(const Results& results);
+
+}  // namespace study

@@ -1,0 +1,14 @@
+// What the study writes.
+#pragma once
+
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "samples/studies/sampling/measure.h"
+
+namespace study {
+
+/// README.md, sampling.csv (errors), tables.csv (all else) and the pictures.
+bool write_report(const Results& results, const std::string& folder, grf::Diagnostics& diagnostics);
+
+}  // namespace study

@@ -1,0 +1,49 @@
+// One way to draw directions for one BRDF.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "renderer/reflectance/scheme.h"
+
+namespace study {
+
+reflectance::Brdf brdf_of(const std::string& text);
+/// Without its tables.
+reflectance::Scheme scheme_of(const std::string& text);
+
+/// A scheme with its tables, and mixed with a cosine part where it alone would miss part of the BRDF, as in
+/// images; or the model's own sampler. The Dirac part is left out: it is the same for all.
+class Technique {
+ public:
+  /// The model's own closed form, which `auto` need not be.
+  explicit Technique(const reflectance::Brdf& brdf) : brdf_(brdf) {}
+  Technique(const reflectance::Brdf& brdf, const reflectance::Scheme& scheme);
+
+  std::optional<reflectance::DirectionSample> sample(const reflectance::Vec3f& u,
+                                                     const reflectance::Uniforms& xi) const;
+  float density(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
+
+  /// What the scheme draws by itself, with values of another BRDF in the weight.
+  std::optional<reflectance::DirectionSample> sample_alone(const reflectance::Brdf& valued,
+                                                           const reflectance::Vec3f& u,
+                                                           const reflectance::Uniforms& xi) const;
+
+  const reflectance::Brdf& brdf() const { return brdf_; }
+  bool is_own() const { return !scheme_; }
+  float cosine_share() const { return cosine_share_; }
+  /// Of the tables, and of measuring what the scheme misses.
+  double build_seconds() const { return build_seconds_; }
+  std::size_t bytes() const { return scheme_ ? reflectance::bytes(*scheme_) : 0; }
+
+ private:
+  float density_alone(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
+
+  reflectance::Brdf brdf_;
+  std::optional<reflectance::Scheme> scheme_;
+  float cosine_share_ = 0;
+  double build_seconds_ = 0;
+};
+
+}  // namespace study
