@@ -1,5 +1,5 @@
-// What schemes with tables over spherical coordinates share: a grid of cells, the turn of isotropic BRDFs,
-// half vectors, and the values that tables follow.
+// What schemes with tables over spherical coordinates share: a grid of cells, half vectors, and the
+// values that tables follow.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
+#include "renderer/reflectance/schemes/turn.h"
 
 namespace reflectance {
 
@@ -100,30 +101,6 @@ class CellPoints {
   const DirectionGrid& grid_;
   std::size_t down_;
   std::size_t across_;
-};
-
-/// The turn about the normal that takes u into the plane y = 0, x >= 0: isotropic BRDFs need tables for that
-/// plane alone.
-class Turn {
- public:
-  Turn() = default;
-  explicit Turn(const Vec3f& u) {
-    const float radius = std::sqrt(u.x * u.x + u.y * u.y);
-    if (!(radius > 0)) return;
-    cosine_ = u.x / radius;
-    sine_ = u.y / radius;
-  }
-
-  Vec3f to_plane(const Vec3f& w) const {
-    return {cosine_ * w.x + sine_ * w.y, cosine_ * w.y - sine_ * w.x, w.z};
-  }
-  Vec3f from_plane(const Vec3f& w) const {
-    return {cosine_ * w.x - sine_ * w.y, cosine_ * w.y + sine_ * w.x, w.z};
-  }
-
- private:
-  float cosine_ = 1;
-  float sine_ = 0;
 };
 
 /// f cos(theta_v) at v, mean over RGB: a density over v but for a factor.

@@ -4,14 +4,12 @@
 
 #include <tbb/parallel_for.h>
 
+#include "renderer/reflectance/schemes/turn.h"
+
 namespace reflectance {
 namespace {
 
 constexpr int AnisotropicPhis = 16;
-
-Vec3f turned(const Vec3f& v, float cosine, float sine) {
-  return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
-}
 
 Vec3f over_disc(double x, double y) {
   return {static_cast<float>(x), static_cast<float>(y),
@@ -20,8 +18,8 @@ Vec3f over_disc(double x, double y) {
 
 /// f at a point of the disc in the frame of a tree.
 float scalar(const Brdf& brdf, const Vec3f& tree_u, const Vec2f& azimuth, double x, double y) {
-  return mean(
-      evaluate(brdf, turned(tree_u, azimuth.x, azimuth.y), turned(over_disc(x, y), azimuth.x, azimuth.y)));
+  const Turn turn(azimuth.x, azimuth.y);
+  return mean(evaluate(brdf, turn.from_plane(tree_u), turn.from_plane(over_disc(x, y))));
 }
 
 /// The middle of what is inside the disc of a cell.
@@ -136,7 +134,7 @@ std::optional<RejectionTree::Point> RejectionTrees::draw_point(const Brdf& brdf,
 /// The density is that of the direction as it is rounded, which may be in the next cell.
 RejectionTrees::Drawn RejectionTrees::drawn(const Brdf& brdf, const Vec3f& u, const View& view,
                                             const RejectionTree::Point& point) const {
-  const Vec3f v = turned(over_disc(point.x, point.y), view.cosine, view.sine);
+  const Vec3f v = Turn(view.cosine, view.sine).from_plane(over_disc(point.x, point.y));
   return {v, density(brdf, u, v), point.tries};
 }
 
@@ -144,7 +142,7 @@ float RejectionTrees::density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) 
   const auto view = view_of(u);
   if (!view || !(v.z > 0)) return 0;
   const RejectionTree& tree = *view->tree;
-  const Vec3f local = turned(v, view->cosine, -view->sine);
+  const Vec3f local = Turn(view->cosine, view->sine).to_plane(v);
   const float relative = tree.has_table()
                              ? tree.at(local.x, local.y)
                              : value(brdf, *view, tree.leaf_at(local.x, local.y), local.x, local.y);

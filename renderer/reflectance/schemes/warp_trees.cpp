@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/schemes/turn.h"
 #include "renderer/reflectance/schemes/warp_descent.h"
 
 namespace reflectance {
@@ -15,28 +16,18 @@ namespace {
 /// and costs no arc. The last view is not at the horizon itself, where f is 0.
 constexpr float LastRadius = 0.9996F;  // 89.95 degrees
 
-Vec3f turned(const Vec3f& v, float cosine, float sine) {
-  return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
-}
-
-/// From directions relative to the azimuth of u, and mirrored at its plane, to directions, and back.
-Vec3f from_relative(Vec3f v, const Vec3f& u, bool is_mirrored) {
-  if (is_mirrored) v.y = -v.y;
-  const float sine = std::sqrt(u.x * u.x + u.y * u.y);
-  return sine > 0 ? turned(v, u.x / sine, u.y / sine) : v;
-}
-Vec3f to_relative(const Vec3f& v, const Vec3f& u, bool is_mirrored) {
-  const float sine = std::sqrt(u.x * u.x + u.y * u.y);
-  Vec3f relative = sine > 0 ? turned(v, u.x / sine, -u.y / sine) : v;
-  if (is_mirrored) relative.y = -relative.y;
-  return relative;
-}
+/// The image of a direction on the other side of the view's plane.
+Vec3f mirrored_if(bool is_mirrored, const Vec3f& v) { return is_mirrored ? Vec3f(v.x, -v.y, v.z) : v; }
 
 /// f cos in the columns, for one view.
 class Target {
  public:
   Target(const Brdf& brdf, bool is_half, float radius, float phi)
-      : brdf_(brdf), is_half_(is_half), columns_(radius, is_half), phi_(phi), u_(direction_at(radius, phi)) {}
+      : brdf_(brdf),
+        is_half_(is_half),
+        columns_(radius, is_half),
+        turn_(std::cos(phi), std::sin(phi)),
+        u_(direction_at(radius, phi)) {}
 
   float at(const ColumnPoint& point, float size) const {
     // At the horizon f cos is 0, or drops to it within no distance at all.
@@ -60,14 +51,14 @@ class Target {
       const auto drawn =
           std::visit([&](const auto& model) { return model.sample(u_, even_point(i)); }, brdf_);
       if (!drawn || !(drawn->direction.z > 0)) continue;
-      points.push_back(columns_.point(turned(drawn->direction, std::cos(phi_), -std::sin(phi_))));
+      points.push_back(columns_.point(turn_.to_plane(drawn->direction)));
     }
     return points;
   }
 
  private:
   float value(const Vec3f& relative) const {
-    const Vec3f v = turned(relative, std::cos(phi_), std::sin(phi_));
+    const Vec3f v = turn_.from_plane(relative);
     const float value = mean(evaluate(brdf_, u_, v)) * v.z;
     return std::isfinite(value) ? std::max(value, 0.0F) : 0.0F;
   }
@@ -75,7 +66,7 @@ class Target {
   const Brdf& brdf_;
   bool is_half_;
   ViewColumns columns_;
-  float phi_;
+  Turn turn_;
   Vec3f u_;
 };
 
@@ -197,14 +188,14 @@ std::optional<DrawnDirection> WarpTrees::sample(const Vec3f& u, const Vec2f& xi)
   const float density = value_at(patch, local) / (blend.mass() * Pi);
   const Vec3f v = blend.columns.direction({descent.column, descent.corner + descent.side * local});
   if (!(v.z > 0) || !(density > 0)) return std::nullopt;
-  return DrawnDirection{from_relative(v, u, is_mirrored), density};
+  return DrawnDirection{Turn(u).from_plane(mirrored_if(is_mirrored, v)), density};
 }
 
 float WarpTrees::density(const Vec3f& u, const Vec3f& v) const {
   if (!(u.z > 0) || !(v.z > 0)) return 0;
   const Blend blend = blend_for(u);
   if (!(blend.mass() > 0)) return 0;
-  const ColumnPoint point = blend.columns.point(to_relative(v, u, blend.is_mirrored));
+  const ColumnPoint point = blend.columns.point(mirrored_if(blend.is_mirrored, Turn(u).to_plane(v)));
   float sum = 0;
   for (const Part& part : std::span(blend.parts.data(), blend.count)) {
     sum += part.weight * value_at(part.quads, point);
