@@ -13,7 +13,7 @@
 #include "renderer/command/lit_sphere.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 namespace command {
 namespace {

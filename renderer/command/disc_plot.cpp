@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 namespace command {
 namespace {

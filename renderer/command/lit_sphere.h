@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/reflectance/reflector.h"
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 namespace command {
 

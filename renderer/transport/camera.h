@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grf/math.h"
-#include "renderer/transport/ray_caster.h"
+#include "renderer/transport/scene/ray_caster.h"
 
 namespace transport {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/reflectance/geometry.h"
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 namespace transport {
 

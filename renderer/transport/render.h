@@ -6,7 +6,7 @@
 
 #include "renderer/transport/camera.h"
 #include "renderer/transport/film.h"
-#include "renderer/transport/path.h"
+#include "renderer/transport/integrators/path.h"
 
 namespace transport {
 

@@ -8,7 +8,7 @@
 
 #include "grf/read.h"
 #include "renderer/transport/camera.h"
-#include "renderer/transport/compiled_scene.h"
+#include "renderer/transport/scene/compiled_scene.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "renderer/transport/environment_map.h"
+#include "renderer/transport/lights/environment_map.h"
 
 #include <cmath>
 #include <limits>

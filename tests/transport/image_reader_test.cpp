@@ -11,7 +11,7 @@
 #include <png.h>
 #include <turbojpeg.h>
 
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/transport/triangulation.h"
+#include "renderer/transport/scene/triangulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "renderer/reflectance/brdf.h"
-#include "renderer/transport/environment_map.h"
+#include "renderer/transport/lights/environment_map.h"
 
 namespace study {
 

@@ -1,9 +1,9 @@
-#include "renderer/transport/emitter.h"
+#include "renderer/transport/lights/emitter.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/transport/ray_offset.h"
+#include "renderer/transport/scene/ray_offset.h"
 
 namespace transport {
 

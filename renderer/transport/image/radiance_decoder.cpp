@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "renderer/transport/image_decoders.h"
+#include "renderer/transport/image/image_decoders.h"
 
 namespace transport {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 #include <algorithm>
 #include <cmath>

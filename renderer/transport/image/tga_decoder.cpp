@@ -3,7 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "renderer/transport/image_decoders.h"
+#include "renderer/transport/image/image_decoders.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC

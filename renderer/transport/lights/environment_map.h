@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grf/math.h"
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 namespace transport {
 

@@ -19,8 +19,8 @@
 #include <turbojpeg.h>
 
 #include "grf/text_file.h"
-#include "renderer/transport/image.h"
-#include "renderer/transport/image_decoders.h"
+#include "renderer/transport/image/image.h"
+#include "renderer/transport/image/image_decoders.h"
 
 namespace transport {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "grf/math.h"
 #include "renderer/reflectance/geometry.h"
-#include "renderer/transport/ray_caster.h"
+#include "renderer/transport/scene/ray_caster.h"
 
 namespace transport {
 

@@ -1,4 +1,4 @@
-#include "renderer/transport/ray_caster.h"
+#include "renderer/transport/scene/ray_caster.h"
 
 #include <limits>
 #include <new>

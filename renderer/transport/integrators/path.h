@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "renderer/reflectance/resampling.h"
-#include "renderer/transport/compiled_scene.h"
-#include "renderer/transport/environment_map.h"
+#include "renderer/transport/lights/environment_map.h"
+#include "renderer/transport/scene/compiled_scene.h"
 #include "renderer/transport/sobol.h"
 
 namespace transport {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "renderer/transport/image.h"
+#include "renderer/transport/image/image.h"
 
 namespace transport {
 

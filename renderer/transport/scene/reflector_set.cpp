@@ -1,4 +1,4 @@
-#include "renderer/transport/reflector_set.h"
+#include "renderer/transport/scene/reflector_set.h"
 
 #include <chrono>
 #include <utility>

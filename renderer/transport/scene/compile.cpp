@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "grf/visit.h"
-#include "renderer/transport/compiled_scene.h"
-#include "renderer/transport/triangulation.h"
+#include "renderer/transport/scene/compiled_scene.h"
+#include "renderer/transport/scene/triangulation.h"
 
 namespace transport {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
-#include "renderer/transport/emitter.h"
-#include "renderer/transport/ray_caster.h"
-#include "renderer/transport/ray_offset.h"
-#include "renderer/transport/reflector_set.h"
+#include "renderer/transport/lights/emitter.h"
+#include "renderer/transport/scene/ray_caster.h"
+#include "renderer/transport/scene/ray_offset.h"
+#include "renderer/transport/scene/reflector_set.h"
 
 namespace transport {
 

@@ -1,4 +1,4 @@
-#include "renderer/transport/compiled_scene.h"
+#include "renderer/transport/scene/compiled_scene.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "renderer/transport/path.h"
+#include "renderer/transport/integrators/path.h"
 
 #include <cmath>
 
