@@ -125,9 +125,9 @@ bool load_surroundings(const RenderOptions& render_options, transport::RenderSet
     return settings.backplate != nullptr;
   }
   auto map = transport::read_environment_map(path, diagnostics, location);
-  if (map) settings.path.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
+  if (map) settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
   if (render_options.resampling) {
-    settings.path.resampling = {render_options.resampling->first, render_options.resampling->second};
+    settings.integrator.resampling = {render_options.resampling->first, render_options.resampling->second};
   }
   return map.has_value();
 }
@@ -141,9 +141,9 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   if (render_options.viewer) settings.view.eye = *render_options.viewer;
   if (render_options.target) settings.view.target = *render_options.target;
   settings.view.up = render_options.up;
-  settings.path.background = render_options.background;
-  settings.path.depth = render_options.depth;
-  settings.path.measures_sampling = render_options.writes_sampling_time;
+  settings.integrator.background = render_options.background;
+  settings.integrator.depth = render_options.depth;
+  settings.integrator.measures_sampling = render_options.writes_sampling_time;
   settings.samples = render_options.samples;
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;

@@ -14,6 +14,12 @@ struct ScatterSample {
   bool is_mirror = false;
 };
 
+/// f in 1/sr without the Dirac part, and the density with which `Reflector::sample` draws that direction.
+struct Reflection {
+  Rgb value;
+  float density = 0;
+};
+
 /// A BRDF with the scheme that samples it and the scheme's tables: all that a path needs to know of a
 /// surface's reflectance. The Dirac part of a BRDF is picked with its own probability, in proportion to its
 /// share of the albedo. Where the scheme misses part of the BRDF, a share of the samples, in proportion to
@@ -31,13 +37,19 @@ class Reflector {
     return (1 - mirror_share(u)) * mixed(v, reflectance::density(scheme_, brdf_, u, v));
   }
 
+  /// Both in one: where the BRDF's own sampler serves, they have much in common.
+  Reflection reflect(const Vec3f& u, const Vec3f& v) const;
+
   std::optional<ScatterSample> sample(const Vec3f& u, const Uniforms& xi) const;
 
   const Brdf& brdf() const { return brdf_; }
   const Scheme& scheme() const { return scheme_; }
 
   /// True if light that is sampled directly can be reflected at all.
-  bool has_density() const { return reflectance::has_density(brdf_); }
+  bool has_density() const { return has_density_; }
+
+  /// True if it is `diffuse`, sampled by cosine: all that a path needs is then in the BRDF.
+  bool is_matte() const { return samples_own_ && std::holds_alternative<Diffuse>(brdf_); }
 
   /// The share of samples, without the mirror's, that are drawn by cosine because the scheme misses part of
   /// the BRDF.
@@ -48,6 +60,7 @@ class Reflector {
 
  private:
   float mirror_share(const Vec3f& u) const {
+    if (!has_mirror_) return 0;
     return std::visit(
         [&](const auto& model) {
           const float dirac = mean(mirror_of(model, u));
@@ -66,6 +79,10 @@ class Reflector {
   Brdf brdf_;
   Scheme scheme_;
   float cosine_share_ = 0;
+  // What paths ask at every hit, found once.
+  bool has_mirror_ = false;
+  bool has_density_ = false;
+  bool samples_own_ = false;  ///< the scheme is the BRDF's own sampler, nothing mixed in
 };
 
 }  // namespace reflectance

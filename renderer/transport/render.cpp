@@ -23,6 +23,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called fr
 Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
+      kernel_(kernel_of(scene, settings.integrator)),
       camera_(settings.view, settings.width, settings.height),
       film_(settings.width, settings.height),
       start_(std::chrono::steady_clock::now()),
@@ -91,8 +92,8 @@ int Render::render_pixel(int x, int y, int first_sample, int last_sample, RayCou
     const Uniform4 place = numbers.next();
     const float image_x = static_cast<float>(x) + place.x;
     const float image_y = static_cast<float>(y) + place.y;
-    const Rgb radiance = path_radiance(scene_, settings_.path, camera_.ray(image_x, image_y),
-                                       behind(image_x, image_y), numbers, counter);
+    const Rgb radiance = kernel_(scene_, settings_.integrator, camera_.ray(image_x, image_y),
+                                 behind(image_x, image_y), numbers, counter);
     if (!film_.add(x, y, scrambling, radiance)) ++rejected;
   }
   return rejected;

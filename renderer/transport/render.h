@@ -6,7 +6,7 @@
 
 #include "renderer/transport/camera.h"
 #include "renderer/transport/film.h"
-#include "renderer/transport/integrators/path.h"
+#include "renderer/transport/integrators/kernel.h"
 
 namespace transport {
 
@@ -14,7 +14,7 @@ struct RenderSettings {
   int width = 500;
   int height = 400;
   View view;
-  PathSettings path;
+  IntegratorSettings integrator;
   std::shared_ptr<const Image> backplate;  ///< seen behind the scene, fitted to the image; null: none
   int samples = 100;                       ///< a pixel
   std::uint32_t seed = 0;
@@ -50,8 +50,8 @@ class Render {
   double seconds() const { return seconds_; }
   std::uint64_t ray_count() const { return rays_; }
   std::uint64_t path_count() const { return paths_; }
-  /// Spent in sampling schemes to draw directions, by all threads together, if PathSettings asks to measure
-  /// it; else 0.
+  /// Spent in sampling schemes to draw directions, by all threads together, if IntegratorSettings asks to
+  /// measure it; else 0.
   double sampling_seconds() const;
   /// Samples that were not finite, and count as black.
   std::uint64_t rejected_samples() const { return rejected_; }
@@ -65,6 +65,7 @@ class Render {
 
   const CompiledScene& scene_;
   RenderSettings settings_;
+  Kernel kernel_;
   Camera camera_;
   Film film_;
   const std::chrono::steady_clock::time_point start_;

@@ -1,5 +1,7 @@
 #include "renderer/transport/sobol.h"
 
+#include <cstring>
+
 namespace transport {
 namespace {
 
@@ -36,8 +38,15 @@ constexpr Directions van_der_corput() {
   return directions;
 }
 
-/// For each byte of an index and each dimension, the sum of the directions of its bits: four look-ups
-/// instead of 32 steps.
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+  x = __builtin_bswap32(x);
+  x = ((x & 0x0f0f0f0fU) << 4U) | ((x >> 4U) & 0x0f0f0f0fU);
+  x = ((x & 0x33333333U) << 2U) | ((x >> 2U) & 0x33333333U);
+  return ((x & 0x55555555U) << 1U) | ((x >> 1U) & 0x55555555U);
+}
+
+/// For each byte of an index whose bits are reversed, and each dimension, the sum of the directions of its
+/// bits, reversed too: four look-ups instead of 32 steps, and scrambling wants reversed bits.
 using ByteTable = std::array<std::array<std::array<std::uint32_t, Dimensions>, 256>, 4>;
 
 constexpr ByteTable byte_table() {
@@ -49,38 +58,84 @@ constexpr ByteTable byte_table() {
       for (unsigned value = 0; value < 256; ++value) {
         std::uint32_t sum = 0;
         for (int bit = 0; bit < 8; ++bit) {
-          if ((value >> bit) & 1U) sum ^= directions[8 * byte + bit];
+          if ((value >> bit) & 1U) sum ^= directions[31 - (8 * byte + bit)];
         }
-        table[byte][value][dimension] = sum;
+        table[byte][value][dimension] = reverse_bits(sum);
       }
     }
   }
   return table;
 }
 
-constexpr ByteTable Table = byte_table();
+alignas(16) constexpr ByteTable Table = byte_table();
 
-std::uint32_t reverse_bits(std::uint32_t x) {
-  x = __builtin_bswap32(x);
-  x = ((x & 0x0f0f0f0fU) << 4U) | ((x >> 4U) & 0x0f0f0f0fU);
-  x = ((x & 0x33333333U) << 2U) | ((x >> 2U) & 0x33333333U);
-  return ((x & 0x55555555U) << 1U) | ((x >> 1U) & 0x55555555U);
+// All dimensions at once, one a lane: of one point, or of two.
+using Lanes4 = std::uint32_t __attribute__((vector_size(16)));
+using Lanes8 = std::uint32_t __attribute__((vector_size(32)));
+using Floats4 = float __attribute__((vector_size(16)));
+using Floats8 = float __attribute__((vector_size(32)));
+
+// By way of signed integers, which the processor converts in one instruction.
+Floats4 converted(Lanes4 x) {
+  using Signed = std::int32_t __attribute__((vector_size(16)));
+  return __builtin_convertvector((Signed)x, Floats4);
+}
+Floats8 converted(Lanes8 x) {
+  using Signed = std::int32_t __attribute__((vector_size(32)));
+  return __builtin_convertvector((Signed)x, Floats8);
 }
 
-/// Flips each bit by a hash of the more significant ones: Owen's nested uniform scrambling, by the
-/// permutation of Laine and Karras 2011 on the reversed bits, with the constants of Burley 2020.
-std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-  x = reverse_bits(x);
+/// Owen's nested uniform scrambling flips each bit by a hash of the more significant ones: a permutation on
+/// the reversed bits (Laine and Karras 2011) with the constants of Burley 2020.
+template <class Lanes>
+Lanes scramble_reversed(Lanes x, Lanes seed) {
   x += seed;
   x ^= x * 0x6c50b47cU;
   x ^= x * 0xb82f1e52U;
   x ^= x * 0xc7afe638U;
   x ^= x * 0x8d22f6e6U;
-  return reverse_bits(x);
+  return x;
 }
 
-// The 24 bits that a float in [0,1) holds; the rest is cut, since rounding could give 1.
-float to_unit(std::uint32_t x) { return static_cast<float>(x >> 8U) * 0x1p-24F; }
+/// Seeds of the dimensions: a mixing of 32 bits (Wellons 2018, "Prospecting for hash functions", lowbias32).
+template <class Lanes>
+Lanes mixed(Lanes x) {
+  x ^= x >> 16U;
+  x *= 0x7feb352dU;
+  x ^= x >> 15U;
+  x *= 0x846ca68bU;
+  return x ^ (x >> 16U);
+}
+
+/// Reverses bits, and keeps the 24 that a float in [0,1) holds; the rest is cut, since rounding could give 1.
+template <class Lanes>
+auto to_unit(Lanes x) {
+  x = (x << 24U) | ((x & 0xff00U) << 8U) | ((x >> 8U) & 0xff00U) | (x >> 24U);
+  x = ((x & 0x0f0f0f0fU) << 4U) | ((x >> 4U) & 0x0f0f0f0fU);
+  x = ((x & 0x33333333U) << 2U) | ((x >> 2U) & 0x33333333U);
+  x = ((x & 0x55555555U) << 1U) | ((x >> 1U) & 0x55555555U);
+  x >>= 8U;
+  return converted(x) * 0x1p-24F;
+}
+
+Lanes4 reversed_point(std::uint32_t reversed_index, std::uint32_t seed) {
+  const std::uint32_t shuffled = scramble_reversed(reversed_index, seed);
+  Lanes4 sum = {};
+  for (int byte = 0; byte < 4; ++byte) {
+    Lanes4 entry;
+    std::memcpy(&entry, Table[byte][(shuffled >> (8 * byte)) & 255U].data(), sizeof(entry));
+    sum ^= entry;
+  }
+  return sum;
+}
+
+constexpr std::uint32_t Step = 0x9e3779b9U;  // of a dimension's seed
+constexpr Lanes4 Steps = {Step, 2 * Step, 3 * Step, 4 * Step};
+
+Uniform4 point_of(std::uint32_t reversed_index, std::uint32_t seed) {
+  const auto unit = to_unit(scramble_reversed(reversed_point(reversed_index, seed), mixed(seed + Steps)));
+  return {unit[0], unit[1], unit[2], unit[3]};
+}
 
 }  // namespace
 
@@ -95,15 +150,25 @@ std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>(x >> 32U);
 }
 
-Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed) {
-  const std::uint32_t shuffled = owen_scramble(index, seed);
-  std::array<std::uint32_t, Dimensions> bits = {};
-  for (int byte = 0; byte < 4; ++byte) {
-    const auto& entry = Table[byte][(shuffled >> (8 * byte)) & 255U];
-    for (int d = 0; d < Dimensions; ++d) bits[d] ^= entry[d];
-  }
-  for (int d = 0; d < Dimensions; ++d) bits[d] = owen_scramble(bits[d], hash(seed, d + 1U));
-  return {to_unit(bits[0]), to_unit(bits[1]), to_unit(bits[2]), to_unit(bits[3])};
+Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed) { return point_of(reverse_bits(index), seed); }
+
+PathNumbers::PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample)
+    : seed_(sequence_seed), sample_(sample), reversed_sample_(reverse_bits(sample)) {}
+
+Uniform4 PathNumbers::next() { return point_of(reversed_sample_, hash(seed_, group_++)); }
+
+TwoPoints PathNumbers::next_two() {
+  const std::uint32_t first = hash(seed_, group_++);
+  const std::uint32_t second = hash(seed_, group_++);
+  const Lanes4 a = reversed_point(reversed_sample_, first);
+  const Lanes4 b = reversed_point(reversed_sample_, second);
+  const Lanes4 seed_a = first + Steps;
+  const Lanes4 seed_b = second + Steps;
+  const Lanes8 points = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+  const Lanes8 seeds = {seed_a[0], seed_a[1], seed_a[2], seed_a[3],
+                        seed_b[0], seed_b[1], seed_b[2], seed_b[3]};
+  const auto unit = to_unit(scramble_reversed(points, mixed(seeds)));
+  return {{unit[0], unit[1], unit[2], unit[3]}, {unit[4], unit[5], unit[6], unit[7]}};
 }
 
 }  // namespace transport

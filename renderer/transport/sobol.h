@@ -37,13 +37,20 @@ class PointSet {
   std::uint32_t seed_;
 };
 
+struct TwoPoints {
+  Uniform4 first, second;
+};
+
 /// The random numbers of one path, a function of what was counted alone: image seed, pixel, scrambling,
 /// sample, and how many points of it were taken.
 class PathNumbers {
  public:
-  PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample) : seed_(sequence_seed), sample_(sample) {}
+  PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample);
 
-  Uniform4 next() { return sobol_point(sample_, hash(seed_, group_++)); }
+  Uniform4 next();
+
+  /// The same as two calls of `next`, in less time.
+  TwoPoints next_two();
 
   /// As many points for one purpose. Those of all samples together are the points of one sequence, if each
   /// sample asks for as many.
@@ -54,6 +61,7 @@ class PathNumbers {
  private:
   std::uint32_t seed_;
   std::uint32_t sample_;
+  std::uint32_t reversed_sample_;
   std::uint32_t group_ = 0;
 };
 

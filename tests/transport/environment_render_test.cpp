@@ -37,8 +37,8 @@ Film render(const CompiledScene& scene, const RenderSettings& settings) {
 Film render_in(const CompiledScene& scene, const Look& look, std::shared_ptr<const EnvironmentMap> map,
                const std::optional<Resampling>& resampling = {}) {
   RenderSettings settings = test::settings_of(look);
-  settings.path.environment = std::move(map);
-  settings.path.resampling = resampling;
+  settings.integrator.environment = std::move(map);
+  settings.integrator.resampling = resampling;
   return render(scene, settings);
 }
 
@@ -175,7 +175,7 @@ TEST(Render, MeasuresTheTimeSpentInSampling) {
   transport::Render plain(scene, settings);
   plain.run();
   EXPECT_EQ(plain.sampling_seconds(), 0);
-  settings.path.measures_sampling = true;
+  settings.integrator.measures_sampling = true;
   transport::Render measured(scene, settings);
   measured.run();
   EXPECT_GT(measured.sampling_seconds(), 0);

@@ -79,8 +79,8 @@ inline transport::RenderSettings settings_of(const Look& look) {
   settings.view.eye = look.eye;
   settings.view.target = look.target;
   settings.view.field_of_view = look.field_of_view;
-  settings.path.background = transport::Rgb(look.background);
-  settings.path.depth = look.depth;
+  settings.integrator.background = transport::Rgb(look.background);
+  settings.integrator.depth = look.depth;
   settings.samples = look.samples;
   settings.seed = look.seed;
   settings.threads = look.threads;

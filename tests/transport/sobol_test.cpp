@@ -41,6 +41,18 @@ TEST(Sobol, EachDimensionIsStratified) {
   }
 }
 
+TEST(Sobol, TwoPointsAreThoseOfTwoCalls) {
+  for (std::uint32_t sample = 0; sample < 1000; ++sample) {
+    transport::PathNumbers one_by_one(sample * 31, sample);
+    transport::PathNumbers together(sample * 31, sample);
+    const Uniform4 first = one_by_one.next();
+    const Uniform4 second = one_by_one.next();
+    const auto two = together.next_two();
+    EXPECT_EQ(as_array(two.first), as_array(first));
+    EXPECT_EQ(as_array(two.second), as_array(second));
+  }
+}
+
 TEST(Sobol, StaysUnderOne) {
   for (std::uint32_t i = 0; i < 100000; ++i) {
     for (const float x : as_array(sobol_point(i, i * 7919))) {

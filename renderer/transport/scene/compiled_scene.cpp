@@ -67,6 +67,11 @@ SurfacePoint CompiledScene::point_at(const TriangleHit& hit) const {
   return point;
 }
 
+bool CompiledScene::is_matte() const {
+  return std::all_of(reflectors_.reflectors.begin(), reflectors_.reflectors.end(),
+                     [](const reflectance::Reflector& reflector) { return reflector.is_matte(); });
+}
+
 Effects CompiledScene::effects() const {
   Effects effects;
   effects.area_lights = !emitters_.empty();

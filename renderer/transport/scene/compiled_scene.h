@@ -87,6 +87,8 @@ class CompiledScene {
   const grf::Box3f& bounds() const { return geometry_.bounds; }
   std::size_t triangle_count() const { return geometry_.triangle_surfaces.size(); }
   Effects effects() const;
+  /// True if all that reflects is `diffuse`, sampled by cosine.
+  bool is_matte() const;
 
   /// What the tables of the sampling schemes hold, for each pair of BRDF and scheme.
   const std::vector<TableInfo>& tables() const { return reflectors_.tables; }

@@ -1,0 +1,25 @@
+#include "renderer/transport/integrators/kernel.h"
+
+#include <algorithm>
+
+#include "renderer/transport/integrators/path.h"
+
+namespace transport {
+namespace {
+
+PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& settings) {
+  PathEffects effects;
+  effects.area_lights = !scene.emitters().empty();
+  effects.environment = settings.environment != nullptr;
+  effects.resampling = settings.environment && settings.resampling;
+  effects.other_than_matte = settings.measures_sampling || !scene.is_matte();
+  return effects;
+}
+
+}  // namespace
+
+Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings) {
+  return path_kernel(path_effects(scene, settings));
+}
+
+}  // namespace transport

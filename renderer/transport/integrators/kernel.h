@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "renderer/reflectance/resampling.h"
+#include "renderer/transport/lights/environment_map.h"
+#include "renderer/transport/scene/compiled_scene.h"
+#include "renderer/transport/sobol.h"
+
+namespace transport {
+
+enum class Integrator { Path, Naive, Normals };
+
+/// What an integrator is told besides the scene.
+struct IntegratorSettings {
+  Integrator integrator = Integrator::Path;
+  Rgb background = Rgb(0);  ///< radiance that comes from where nothing is, W/(sr m2)
+  /// In place of the background; null: none.
+  std::shared_ptr<const EnvironmentMap> environment;
+  /// Has the light of the environment map estimated by resampling at every hit. Of `Path` alone.
+  std::optional<reflectance::Resampling> resampling;
+  int depth = 5;                   ///< the most scattering events: 0 emission only, 1 direct light only
+  int secondary_rays = 100;        ///< for each first hit; of `Naive` alone
+  bool measures_sampling = false;  ///< fills in RayCounter::sampling_ticks
+};
+
+/// What was done for some paths.
+struct RayCounter {
+  std::uint64_t rays = 0;
+  std::uint64_t sampling_ticks = 0;  ///< of `processor_ticks`, spent in sampling schemes to draw directions
+};
+
+/// Estimates the radiance that arrives along a ray. `behind` is what the ray itself sees if it meets nothing,
+/// in place of what lights the scene.
+using Kernel = Rgb (*)(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
+                       const std::optional<Rgb>& behind, PathNumbers& numbers, RayCounter& counter);
+
+/// The kernel of the integrator that does least besides what the scene's effects call for.
+Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
+
+}  // namespace transport
