@@ -13,19 +13,23 @@ bool is_own(const Scheme& scheme) {
   return chosen != nullptr ? !chosen->is_adaptive() : std::holds_alternative<OwnScheme>(scheme);
 }
 
-float share_by_cosine(const Scheme& scheme, const Brdf& brdf) {
-  constexpr float LeastMissed = 1e-4F;
+float share_by_cosine(float missed) {
   constexpr float LeastShare = 0.1F;  // less would leave what is missed to a few samples of large weight
   constexpr float MostShare = 0.9F;
-  const float missed = missed_share(scheme, brdf);
-  return missed < LeastMissed ? 0 : std::clamp(missed, LeastShare, MostShare);
+  return std::clamp(missed, LeastShare, MostShare);
 }
 
 }  // namespace
 
-Reflector::Reflector(const Brdf& brdf, const Scheme& scheme) : brdf_(brdf), scheme_(scheme) {
+Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part)
+    : brdf_(brdf), scheme_(scheme) {
+  constexpr float LeastMissed = 1e-4F;
   build(scheme_, brdf_);
-  if (may_miss(scheme_)) cosine_share_ = share_by_cosine(scheme_, brdf_);
+  const float missed = may_miss(scheme_) ? reflectance::missed_share(scheme_, brdf_) : 0;
+  if (missed >= LeastMissed) {
+    missed_share_ = missed;
+    if (missed_part == MissedPart::DrawnByCosine) cosine_share_ = share_by_cosine(missed);
+  }
   has_mirror_ = has_mirror(brdf_);
   has_density_ = reflectance::has_density(brdf_);
   samples_own_ = is_own(scheme_) && !(cosine_share_ > 0);
@@ -56,6 +60,20 @@ std::optional<ScatterSample> Reflector::sample(const Vec3f& u, const Uniforms& x
   const auto drawn = sample_density(u, rest_of(xi, share));
   if (!drawn) return std::nullopt;
   return ScatterSample{drawn->direction, drawn->weight / (1 - share), drawn->density * (1 - share), false};
+}
+
+void Reflector::sample_many(const Vec3f& u, std::span<const Uniforms> xi,
+                            std::vector<ScatterSample>& out) const {
+  if (has_mirror_ || cosine_share_ > 0) {
+    for (const Uniforms& one : xi) {
+      if (const auto drawn = sample(u, one)) out.push_back(*drawn);
+    }
+    return;
+  }
+  std::vector<DirectionSample> drawn;
+  drawn.reserve(xi.size());
+  reflectance::sample_many(scheme_, brdf_, u, xi, drawn);
+  for (const DirectionSample& one : drawn) out.push_back({one.direction, one.weight, one.density, false});
 }
 
 std::optional<DirectionSample> Reflector::sample_density(const Vec3f& u, const Uniforms& xi) const {

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "renderer/reflectance/scheme.h"
 
@@ -20,14 +22,17 @@ struct Reflection {
   float density = 0;
 };
 
+/// What becomes of the part of a BRDF that a scheme draws never or hardly ever.
+enum class MissedPart { DrawnByCosine, Missing };
+
 /// A BRDF with the scheme that samples it and the scheme's tables: all that a path needs to know of a
 /// surface's reflectance. The Dirac part of a BRDF is picked with its own probability, in proportion to its
 /// share of the albedo. Where the scheme misses part of the BRDF, a share of the samples, in proportion to
-/// what is missed, is drawn by cosine, or estimates would lack that part.
+/// what is missed, is drawn by cosine, or estimates would lack that part: which is what a study may want.
 class Reflector {
  public:
   /// Makes the scheme's tables. It must not refuse the BRDF.
-  Reflector(const Brdf& brdf, const Scheme& scheme);
+  Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part = MissedPart::DrawnByCosine);
 
   /// f(u, v) in 1/sr, without the Dirac part.
   Rgb evaluate(const Vec3f& u, const Vec3f& v) const { return reflectance::evaluate(brdf_, u, v); }
@@ -42,6 +47,10 @@ class Reflector {
 
   std::optional<ScatterSample> sample(const Vec3f& u, const Uniforms& xi) const;
 
+  /// Adds a sample for each xi, without those that are empty: see `reflectance::sample_many`. The Dirac part
+  /// has its share of them.
+  void sample_many(const Vec3f& u, std::span<const Uniforms> xi, std::vector<ScatterSample>& out) const;
+
   const Brdf& brdf() const { return brdf_; }
   const Scheme& scheme() const { return scheme_; }
 
@@ -54,6 +63,9 @@ class Reflector {
   /// The share of samples, without the mirror's, that are drawn by cosine because the scheme misses part of
   /// the BRDF.
   float cosine_share() const { return cosine_share_; }
+
+  /// The share of the BRDF's light that the scheme misses, where that is enough to matter; else 0.
+  float missed_share() const { return missed_share_; }
 
   /// What the scheme's tables hold.
   std::size_t bytes() const { return reflectance::bytes(scheme_); }
@@ -79,6 +91,7 @@ class Reflector {
   Brdf brdf_;
   Scheme scheme_;
   float cosine_share_ = 0;
+  float missed_share_ = 0;
   // What paths ask at every hit, found once.
   bool has_mirror_ = false;
   bool has_density_ = false;

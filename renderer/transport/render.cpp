@@ -89,7 +89,7 @@ int Render::render_pixel(int x, int y, int first_sample, int last_sample, RayCou
     const int scrambling = sample % Film::Scramblings;
     PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)),
                         static_cast<std::uint32_t>(sample / Film::Scramblings));
-    const Uniform4 place = numbers.next();
+    const grf::Vec2f place = place_in_pixel(sample, numbers);
     const float image_x = static_cast<float>(x) + place.x;
     const float image_y = static_cast<float>(y) + place.y;
     const Rgb radiance = kernel_(scene_, settings_.integrator, camera_.ray(image_x, image_y),
@@ -97,6 +97,24 @@ int Render::render_pixel(int x, int y, int first_sample, int last_sample, RayCou
     if (!film_.add(x, y, scrambling, radiance)) ++rejected;
   }
   return rejected;
+}
+
+grf::Vec2f Render::place_in_pixel(int sample, PathNumbers& numbers) const {
+  switch (settings_.placing) {
+    case PixelPlacing::Centre:
+      return {0.5F, 0.5F};
+    case PixelPlacing::Regular: {
+      const int columns = settings_.grid_columns;
+      const int rows = (settings_.samples + columns - 1) / columns;
+      const auto middle = [](int cell, int count) {
+        return (static_cast<float>(cell) + 0.5F) / static_cast<float>(count);
+      };
+      return {middle(sample % columns, columns), middle(sample / columns, rows)};
+    }
+    case PixelPlacing::Sobol:
+      break;
+  }
+  return numbers.next().xy();
 }
 
 std::optional<Rgb> Render::behind(float x, float y) const {

@@ -10,6 +10,13 @@
 
 namespace transport {
 
+/// Where in a pixel its samples lie.
+enum class PixelPlacing {
+  Sobol,    ///< evenly spread, and each anywhere
+  Regular,  ///< in the middles of the cells of a grid
+  Centre,   ///< all in the middle
+};
+
 struct RenderSettings {
   int width = 500;
   int height = 400;
@@ -17,6 +24,8 @@ struct RenderSettings {
   IntegratorSettings integrator;
   std::shared_ptr<const Image> backplate;  ///< seen behind the scene, fitted to the image; null: none
   int samples = 100;                       ///< a pixel
+  PixelPlacing placing = PixelPlacing::Sobol;
+  int grid_columns = 1;  ///< of a regular placing; its rows follow from the samples
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: as many as the machine has
 };
@@ -60,6 +69,7 @@ class Render {
   void run_pass(int first_sample, int last_sample);
   void render_tile(int tile_x, int tile_y, int first_sample, int last_sample);
   int render_pixel(int x, int y, int first_sample, int last_sample, RayCounter& counter);
+  grf::Vec2f place_in_pixel(int sample, PathNumbers& numbers) const;
   std::optional<Rgb> behind(float x, float y) const;
   double elapsed() const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/transport/integrators/naive.h"
+#include "renderer/transport/integrators/normals.h"
 #include "renderer/transport/integrators/path.h"
 
 namespace transport {
@@ -19,6 +21,14 @@ PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& s
 }  // namespace
 
 Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings) {
+  switch (settings.integrator) {
+    case Integrator::Naive:
+      return naive_radiance;
+    case Integrator::Normals:
+      return normal_at_hit;
+    case Integrator::Path:
+      break;
+  }
   return path_kernel(path_effects(scene, settings));
 }
 

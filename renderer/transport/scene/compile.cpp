@@ -34,7 +34,9 @@ bool mirrors(const Matrix44d& to_world) { return to_world.determinant() < 0; }
 class Compiler {
  public:
   Compiler(const CompileSettings& settings, grf::Diagnostics& diagnostics)
-      : settings_(settings), diagnostics_(diagnostics), reflectors_(settings.scheme, diagnostics) {}
+      : settings_(settings),
+        diagnostics_(diagnostics),
+        reflectors_(settings.scheme, settings.missed_part, diagnostics) {}
 
   void add(const Mesh& mesh, const Placement& placement);
   void add(const grf::MeshLight& light, const Placement& placement);

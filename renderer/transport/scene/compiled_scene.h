@@ -107,7 +107,8 @@ class CompiledScene {
 
 struct CompileSettings {
   std::optional<SchemeOverride> scheme;  ///< checked against the catalogue too
-  int threads = 0;                       ///< that make tables; 0: as many as the machine has
+  reflectance::MissedPart missed_part = reflectance::MissedPart::DrawnByCosine;
+  int threads = 0;  ///< that make tables; 0: as many as the machine has
 };
 
 /// Compiles a scene that was checked against the catalogue. A sampling scheme that cannot serve the BRDF of

@@ -73,7 +73,7 @@ ReflectorSet ReflectorSetBuilder::build(int threads) {
     publish(&made);
     tbb::parallel_for(std::size_t(0), pairs_.size(), [&](std::size_t i) {
       see(&made);
-      made[i].emplace(pairs_[i].brdf, pairs_[i].scheme);
+      made[i].emplace(pairs_[i].brdf, pairs_[i].scheme, missed_part_);
       publish(&made);
     });
     see(&made);
@@ -83,7 +83,7 @@ ReflectorSet ReflectorSetBuilder::build(int threads) {
     Pair& pair = pairs_[i];
     pair.info.bytes = made[i]->bytes();
     pair.info.cosine_share = made[i]->cosine_share();
-    if (pair.info.cosine_share > 0) warn_of_what_is_missed(pair, pair.info.cosine_share);
+    if (made[i]->missed_share() > 0) warn_of_what_is_missed(pair, *made[i]);
     set.tables.push_back(std::move(pair.info));
     set.reflectors.push_back(std::move(*made[i]));
   }
@@ -91,13 +91,14 @@ ReflectorSet ReflectorSetBuilder::build(int threads) {
   return set;
 }
 
-void ReflectorSetBuilder::warn_of_what_is_missed(const Pair& pair, float cosine_share) {
-  diagnostics_.warning(
-      pair.scheme_location,
-      fmt::format(
-          "the scheme '{}' hardly draws part of what '{}' reflects: {:.0f} % of its samples are drawn "
-          "by cosine",
-          pair.scheme_keyword, pair.brdf_keyword, 100 * cosine_share));
+void ReflectorSetBuilder::warn_of_what_is_missed(const Pair& pair, const Reflector& reflector) {
+  const std::string missed = fmt::format("the scheme '{}' hardly draws part of what '{}' reflects",
+                                         pair.scheme_keyword, pair.brdf_keyword);
+  const std::string consequence =
+      reflector.cosine_share() > 0
+          ? fmt::format("{:.0f} % of its samples are drawn by cosine", 100 * reflector.cosine_share())
+          : fmt::format("the image lacks {:.2g} % of it", 100 * reflector.missed_share());
+  diagnostics_.warning(pair.scheme_location, missed + ": " + consequence);
 }
 
 }  // namespace transport

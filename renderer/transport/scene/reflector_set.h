@@ -38,8 +38,9 @@ struct ReflectorSet {
 /// Collects pairs of BRDFs and schemes, and then makes their reflectors.
 class ReflectorSetBuilder {
  public:
-  ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, grf::Diagnostics& diagnostics)
-      : override_(scheme), diagnostics_(diagnostics), brdfs_(diagnostics) {}
+  ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, reflectance::MissedPart missed_part,
+                      grf::Diagnostics& diagnostics)
+      : override_(scheme), missed_part_(missed_part), diagnostics_(diagnostics), brdfs_(diagnostics) {}
 
   /// Which reflector will serve a surface; after an error, any.
   std::uint32_t index_of(const grf::ResolvedSurface& surface);
@@ -63,9 +64,10 @@ class ReflectorSetBuilder {
   }
   std::uint32_t add(const grf::ResolvedSurface& surface);
   bool use_factors_file(const grf::ResolvedSurface& surface, Pair& pair);
-  void warn_of_what_is_missed(const Pair& pair, float cosine_share);
+  void warn_of_what_is_missed(const Pair& pair, const reflectance::Reflector& reflector);
 
   std::optional<SchemeOverride> override_;
+  reflectance::MissedPart missed_part_;
   grf::Diagnostics& diagnostics_;
   reflectance::BrdfMaker brdfs_;
   std::map<std::string, std::uint32_t> index_by_text_;

@@ -1,0 +1,138 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "renderer/transport/integrators/path.h"
+#include "tests/transport/scene_helpers.h"
+
+namespace {
+
+using test::Look;
+using transport::CompiledScene;
+using transport::Integrator;
+using transport::IntegratorSettings;
+using transport::Kernel;
+using transport::PathEffects;
+using transport::PathNumbers;
+using transport::Rgb;
+
+/// A room open to the viewer, with a ceiling that shines: rays hit it often.
+std::string room(const std::string& brdf) {
+  return test::quad("brdf " + brdf, "(-1,-1,1)(1,-1,1)(1,-1,-1)(-1,-1,-1)") +
+         test::quad("brdf diffuse kd=(0.7,0.3,0.2)", "(-1,-1,1)(-1,-1,-1)(-1,1,-1)(-1,1,1)") +
+         test::quad("brdf " + brdf, "(-1,-1,-1)(1,-1,-1)(1,1,-1)(-1,1,-1)") +
+         "light begin rgb (2,3,4) (-1,1,-1) (2,0,0) (0,0,2) end\n";
+}
+
+CompiledScene compiled(const std::string& text, transport::CompileSettings settings = {}) {
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read_text(text, "test.grf", diagnostics);
+  auto compiled = transport::compile(*scene, diagnostics, settings);
+  if (!compiled) throw std::runtime_error(diagnostics.to_text());
+  return std::move(*compiled);
+}
+
+test::Estimate mean_of(const CompiledScene& scene, const Look& look, IntegratorSettings integrator) {
+  transport::RenderSettings settings = test::settings_of(look);
+  integrator.depth = look.depth;
+  integrator.background = Rgb(look.background);
+  settings.integrator = integrator;
+  transport::Render render(scene, settings);
+  render.run();
+  EXPECT_EQ(render.rejected_samples(), 0U);
+  return test::mean_radiance(render.film());
+}
+
+class Integrators : public testing::TestWithParam<const char*> {};
+
+TEST_P(Integrators, NaiveAndPathAgree) {
+  transport::CompileSettings compile_settings;
+  compile_settings.missed_part = reflectance::MissedPart::Missing;
+  const CompiledScene scene = compiled(room(GetParam()), compile_settings);
+  for (const int depth : {0, 1, 2, 4}) {
+    Look look;
+    look.depth = depth;
+    look.background = 0.3F;
+    look.samples = 256;
+    const test::Estimate path = mean_of(scene, look, {});
+    look.samples = 16;
+    look.seed = 1;
+    IntegratorSettings naive;
+    naive.integrator = Integrator::Naive;
+    naive.secondary_rays = 64;
+    const test::Estimate other = mean_of(scene, look, naive);
+    // Four deviations, and what the deviations themselves are uncertain by.
+    const double deviation = std::hypot(path.deviation, other.deviation);
+    EXPECT_NEAR(path.mean, other.mean, 5 * deviation) << "depth " << depth;
+    EXPECT_LT(deviation, 0.01 * path.mean);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Brdfs, Integrators,
+                         testing::Values("diffuse kd=0.8", "phong kd=0.3 ks=0.6 n=40",
+                                         "torrance rough=0.3 kd=0.2", "coupled", "specular ks=0.9",
+                                         "lewis n=20 kd=0.4 ks=0.5"));
+
+// What a scheme misses is missing: lambert's light beside a narrow lobe.
+TEST(Naive, ShowsWhatAWrongSchemeMisses) {
+  const std::string text = room("diffuse kd=0.8");
+  transport::CompileSettings wrong;
+  grf::Diagnostics diagnostics;
+  const auto scheme = grf::read_pdf("hemisphere exp=100000", "test", diagnostics);
+  ASSERT_TRUE(scheme) << diagnostics.to_text();
+  wrong.scheme = {*scheme, {}};
+  wrong.missed_part = reflectance::MissedPart::Missing;
+  Look look;
+  look.depth = 1;
+  IntegratorSettings naive;
+  naive.integrator = Integrator::Naive;
+  const double right = mean_of(compiled(text), look, naive).mean;
+  const double missing = mean_of(compiled(text, wrong), look, naive).mean;
+  EXPECT_LT(missing, 0.8 * right);
+}
+
+TEST(Normals, AreTheComponentsOnTheViewersSide) {
+  const CompiledScene scene = test::scene_of(test::quad("", "(-9,-9,0)(9,-9,0)(9,9,0)(-9,9,0)"));
+  IntegratorSettings normals;
+  normals.integrator = Integrator::Normals;
+  for (const float side : {1.0F, -1.0F}) {
+    transport::RayCounter counter;
+    PathNumbers numbers(0, 0);
+    const transport::Ray ray = {{0, 0, 3 * side}, {0.1F, 0.2F, -side}};
+    EXPECT_EQ(kernel_of(scene, normals)(scene, normals, ray, {}, numbers, counter), Rgb(0, 0, side));
+  }
+}
+
+struct KernelCase {
+  const char* name;
+  std::string text;
+  PathEffects effects;
+};
+
+// A kernel leaves out what would do nothing: its image is that of the full one, bit for bit.
+TEST(Kernels, GiveTheFullKernelsImage) {
+  const std::vector<KernelCase> cases = {
+      {"matte", room("diffuse kd=0.8"), {true, false, false, false}},
+      {"glossy", room("ward"), {true, false, false, true}},
+      {"no lights", test::sphere("brdf blinn", 12, true), {false, true, false, true}}};
+  for (const KernelCase& one : cases) {
+    const CompiledScene scene = test::scene_of(one.text);
+    IntegratorSettings settings;
+    settings.background = Rgb(0.5F);
+    const Kernel kernel = transport::path_kernel(one.effects);
+    const Kernel full = transport::path_kernel({});
+    EXPECT_NE(kernel, full) << one.name;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+      PathNumbers a(7, i);
+      PathNumbers b(7, i);
+      const auto place = a.next();
+      b.next();
+      const transport::Ray ray = {{0, 0, 4}, {place.x - 0.5F, place.y - 0.5F, -1.5F}};
+      transport::RayCounter counter;
+      const Rgb expected = full(scene, settings, ray, {}, b, counter);
+      ASSERT_EQ(kernel(scene, settings, ray, {}, a, counter), expected) << one.name << " " << i;
+    }
+  }
+}
+
+}  // namespace
