@@ -9,10 +9,6 @@
 namespace reflectance {
 namespace {
 
-float density_of(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
-  return std::visit([&](const auto& model) { return model.density(u, v); }, brdf);
-}
-
 template <class Condition>
 bool any_part(const std::shared_ptr<const CombinedBrdfs>& parts, Condition condition) {
   return parts && std::any_of(parts->begin(), parts->end(), [&](const CombinedBrdf& part) {
@@ -49,14 +45,23 @@ float Combine::albedo_estimate(const Vec3f& u) const {
   return sum;
 }
 
-float Combine::density(const Vec3f& u, const Vec3f& v) const {
-  const float total = albedo_estimate(u);
-  if (!(total > 0)) return 0;
-  float sum = 0;
+// One visit for all that is asked of a part, since dispatch costs as much as a simple model.
+Reflection Combine::reflect(const Vec3f& u, const Vec3f& v) const {
+  Reflection sum = {Rgb(0), 0};
+  if (!parts) return sum;
+  float albedo = 0;
   for (const CombinedBrdf& part : *parts) {
-    const float share = part.albedo_estimate(u) / total;
-    if (share > 0) sum += share * density_of(part.brdf, u, v);
+    if (!(part.weight > 0)) continue;
+    std::visit(
+        [&](const auto& model) {
+          const float part_albedo = part.weight * model.albedo_estimate(u);
+          albedo += part_albedo;
+          sum.value += model.evaluate(u, v) * part.weight;
+          if (part_albedo > 0) sum.density += part_albedo * model.density(u, v);
+        },
+        part.brdf);
   }
+  sum.density = albedo > 0 ? sum.density / albedo : 0;
   return sum;
 }
 
@@ -75,10 +80,10 @@ std::optional<DirectionSample> Combine::sample(const Vec3f& u, const Uniforms& x
     rest.choice = std::clamp((xi.choice - before) / share, 0.0F, 0x1.fffffep-1F);
     const auto drawn = std::visit([&](const auto& model) { return model.sample(u, rest); }, part.brdf);
     if (!drawn) return std::nullopt;
-    const Vec3f& v = drawn->direction;
-    const float density = this->density(u, v);
-    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-    return DirectionSample{v, evaluate(u, v) * (v.z / density), density};
+    const Reflection reflection = reflect(u, drawn->direction);
+    if (!(reflection.density > 0) || !std::isfinite(reflection.density)) return std::nullopt;
+    return DirectionSample{drawn->direction, reflection.value * (drawn->direction.z / reflection.density),
+                           reflection.density};
   }
   return std::nullopt;
 }

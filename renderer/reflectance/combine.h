@@ -36,7 +36,8 @@ struct Combine {
   Rgb mirror(const Vec3f& u) const;
   float albedo_estimate(const Vec3f& u) const;
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const;
-  float density(const Vec3f& u, const Vec3f& v) const;
+  float density(const Vec3f& u, const Vec3f& v) const { return reflect(u, v).density; }
+  Reflection reflect(const Vec3f& u, const Vec3f& v) const;
 
   bool has_mirror() const;
   bool has_diffuse_part() const;

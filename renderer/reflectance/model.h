@@ -55,6 +55,12 @@ struct DirectionSample {
   float density = 0;
 };
 
+/// f in 1/sr without the Dirac part, and the density with which a sampler draws that direction.
+struct Reflection {
+  Rgb value;
+  float density = 0;
+};
+
 /// The exponents of a lobe (n.h)^e about the half vector h, along the tangent and across it.
 struct LobeExponents {
   float x = 0;

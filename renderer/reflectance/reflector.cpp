@@ -39,6 +39,7 @@ Reflection Reflector::reflect(const Vec3f& u, const Vec3f& v) const {
   if (!samples_own_) return {evaluate(u, v), density(u, v)};
   const Reflection reflection = std::visit(
       [&](const auto& model) {
+        if constexpr (requires { model.reflect(u, v); }) return model.reflect(u, v);
         return Reflection{model.evaluate(u, v), model.density(u, v)};
       },
       brdf_);

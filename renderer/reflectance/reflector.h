@@ -16,12 +16,6 @@ struct ScatterSample {
   bool is_mirror = false;
 };
 
-/// f in 1/sr without the Dirac part, and the density with which `Reflector::sample` draws that direction.
-struct Reflection {
-  Rgb value;
-  float density = 0;
-};
-
 /// What becomes of the part of a BRDF that a scheme draws never or hardly ever.
 enum class MissedPart { DrawnByCosine, Missing };
 
@@ -42,7 +36,8 @@ class Reflector {
     return (1 - mirror_share(u)) * mixed(v, reflectance::density(scheme_, brdf_, u, v));
   }
 
-  /// Both in one: where the BRDF's own sampler serves, they have much in common.
+  /// Both in one, the density that of `sample`: where the BRDF's own sampler serves, they have much in
+  /// common.
   Reflection reflect(const Vec3f& u, const Vec3f& v) const;
 
   std::optional<ScatterSample> sample(const Vec3f& u, const Uniforms& xi) const;
