@@ -51,7 +51,7 @@ class Path {
        RayCounter& counter)
       : scene_(scene), settings_(settings), numbers_(numbers), counter_(counter), ray_(ray) {
     const bool has_environment = settings.environment && !settings.environment->is_black();
-    if (has_environment && !settings.resampling) environment_share_ = scene.emitters().empty() ? 1 : 0.5F;
+    if (has_environment && !settings.resampling) environment_share_ = scene.lights().empty() ? 1 : 0.5F;
     resamples_ = has_environment && settings.resampling;
   }
 
@@ -79,6 +79,8 @@ class Path {
   /// The solid-angle density with which the ray was drawn, where a light could have been sampled instead;
   /// 0 for camera rays and mirror directions.
   float density_ = 0;
+  /// The point that the ray was scattered from, with its shading normal.
+  Vec3f from_, from_normal_;
   float environment_share_ = 0;  ///< the probability of sampling the map and not an emitter
   bool resamples_ = false;
   reflectance::Resampler resampler_;
@@ -86,21 +88,13 @@ class Path {
   bool has_environment_ = false;
 };
 
-/// Turns a density per area into one per solid angle, seen over a vector from the point that is lit.
-float to_solid_angle(float area_density, const Vec3f& to_light, const Vec3f& light_normal) {
-  const float distance2 = to_light.length2();
-  const float cosine = std::abs(to_light.dot(light_normal)) / std::sqrt(distance2);
-  return area_density * distance2 / cosine;
-}
-
 void Path::add_emission(const SurfacePoint& point) {
   const Rgb& emission = point.surface->emission;
   if (reflectance::is_black(emission) || ray_.direction.dot(point.geometric_normal) >= 0) return;
   float weight = 1;
   if (density_ > 0 && point.emitter != None) {
-    const float area_density = (1 - environment_share_) * scene_.emitters().area_density(point.emitter);
-    weight = power_heuristic(
-        density_, to_solid_angle(area_density, point.position - ray_.origin, point.geometric_normal));
+    const float light_density = scene_.lights().density(from_, from_normal_, point.emitter, ray_.direction);
+    weight = power_heuristic(density_, (1 - environment_share_) * light_density);
   }
   radiance_ += throughput_ * emission * weight;
 }
@@ -119,7 +113,7 @@ void Path::add_direct_light(const Scattering& scattering, const Uniform4& xi) {
   if (!scattering.reflector.has_density()) return;
   if (xi.z < environment_share_) {
     add_environment_light(scattering, xi.xy());
-  } else if (!scene_.emitters().empty()) {
+  } else if (!scene_.lights().empty()) {
     add_area_light(scattering, (xi.z - environment_share_) / (1 - environment_share_), xi.xy());
   }
 }
@@ -137,17 +131,14 @@ std::optional<Rgb> Path::lit_from(const Scattering& scattering, const Vec3f& dir
 }
 
 void Path::add_area_light(const Scattering& scattering, float choice, const Vec2f& xi) {
-  const LightSample light = scene_.emitters().sample(choice, xi);
-  const Vec3f to_light = light.position - scattering.point.position;
-  if (to_light.dot(light.normal) >= 0 || !scattering.is_above(to_light)) return;
-  const Vec3f direction = to_light.normalized();
-  const float area_density = (1 - environment_share_) * light.density;
-  const auto lit = lit_from(scattering, direction, to_solid_angle(area_density, to_light, light.normal));
+  const auto light = scene_.lights().sample(scattering.point.position, scattering.frame.z, choice, xi);
+  if (!light || !scattering.is_above(light->direction)) return;
+  const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
-  const Vec3f origin = scattering.point.origin_towards(direction);
-  const Vec3f end = offset_towards(light.position, light.error, light.normal, -direction);
+  const Vec3f origin = scattering.point.origin_towards(light->direction);
+  const Vec3f end = offset_towards(light->position, light->error, light->normal, -light->direction);
   ++counter_.rays;
-  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light.radiance;
+  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light->radiance;
 }
 
 void Path::add_environment_light(const Scattering& scattering, const Vec2f& xi) {
@@ -196,6 +187,8 @@ bool Path::scatter(const Scattering& scattering, const Uniform4& xi) {
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
   density_ = drawn->is_mirror ? 0 : drawn->density;
+  from_ = scattering.point.position;
+  from_normal_ = scattering.frame.z;
   ray_ = {scattering.point.origin_towards(direction), direction};
   return true;
 }

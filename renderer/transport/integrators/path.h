@@ -30,7 +30,7 @@ struct RayCounter {
 /// An unbiased estimate of the radiance that arrives along a ray: a path that at each surface samples a light
 /// and the BRDF, and combines the two by multiple importance sampling (Veach and Guibas 1995, power
 /// heuristic). The light is the environment map with a probability of 1/2, if it is not black and there are
-/// emitters too, else one of the emitters in proportion to power.
+/// emitters too, else one of the emitters by the light tree.
 ///
 /// `behind` is what the ray itself sees if it meets nothing, in place of what lights the scene.
 Rgb path_radiance(const CompiledScene& scene, const PathSettings& settings, const Ray& ray,
