@@ -2,11 +2,13 @@
 #include "renderer/transport/lights/lights.h"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "renderer/transport/lights/environment_share.h"
 #include "renderer/transport/sobol.h"
 #include "tests/transport/solid_angles.h"
 
@@ -192,6 +194,23 @@ RC_GTEST_PROP(Lights, SayOfTheirSamplesWhatTheySayOfDirections, ()) {
     RC_ASSERT(std::abs(on_light.dot(light->normal)) <= 2e-6F * reach);
     RC_ASSERT(light->radiance == emitter.radiance);
   }
+}
+
+TEST(EnvironmentShare, FollowsThePowers) {
+  const grf::Box3f bounds(Vec3f(-1), Vec3f(1));
+  const Lights lights({Square});  // 3 on an area of 4
+  const auto share = [&](float radiance, const Lights& others) {
+    const transport::EnvironmentMap map(transport::Image{2, 1, {Rgb(radiance), Rgb(radiance)}});
+    return transport::environment_share(&map, others, bounds);
+  };
+  // 12 pi, against a disc of radius sqrt(3) under 4 pi times the radiance.
+  EXPECT_NEAR(share(1 / std::numbers::pi_v<float>, lights), 0.5, 1e-5);
+  EXPECT_NEAR(share(2 / std::numbers::pi_v<float>, lights), 2.0 / 3, 1e-5);
+  EXPECT_FLOAT_EQ(share(1e6F, lights), 0.8F);
+  EXPECT_FLOAT_EQ(share(1e-6F, lights), 0.2F);
+  EXPECT_EQ(share(1, Lights()), 1);
+  EXPECT_EQ(share(0, lights), 0);
+  EXPECT_EQ(transport::environment_share(nullptr, lights, bounds), 0);
 }
 
 TEST(Lights, TakeLittleMemory) {

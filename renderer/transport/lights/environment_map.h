@@ -37,6 +37,9 @@ class EnvironmentMap {
   /// The density of `sample` per solid angle.
   float density(const grf::Vec3f& direction) const;
 
+  /// Luminance integrated over all directions.
+  double total() const { return total_; }
+
   bool is_black() const { return !(total_ > 0); }
   const Image& image() const { return image_; }
 

@@ -70,7 +70,7 @@ float importance(const LightBounds& bounds, const Vec3f& from, const Vec3f& norm
   const Vec3f to_centre = bounds.centre - from;
   const float distance2 = to_centre.length2();
   const float radius2 = bounds.radius * bounds.radius;
-  if (distance2 <= radius2) return radius2 > 0 ? bounds.power / radius2 : 0;
+  if (distance2 <= radius2) return radius2 > 0 ? bounds.power / std::max(distance2, radius2 / 4) : 0;
   const Vec3f direction = to_centre / std::sqrt(distance2);
   // Seen from the point, the sphere is this angle about its centre.
   const float sine2 = radius2 / distance2;
