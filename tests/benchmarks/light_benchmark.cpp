@@ -1,11 +1,12 @@
 // What sampling lights takes: nanoseconds for a direction on a shape with its density, against a point on its
-// area; and for the choice among many emitters. Counter "deviation": the standard deviation of a sample's
-// estimate of irradiance over its mean, which says what the time is worth.
+// area; for the choice among many emitters; and for an environment map. Counter "deviation": the standard
+// deviation of a sample's estimate of irradiance over its mean, which says what the time is worth.
 #include <cmath>
 #include <random>
 
 #include <benchmark/benchmark.h>
 
+#include "renderer/transport/lights/environment_map.h"
 #include "renderer/transport/lights/lights.h"
 
 namespace {
@@ -158,5 +159,33 @@ void tree_build(benchmark::State& state) {
 BENCHMARK(tree_sample)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
 BENCHMARK(tree_density)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
 BENCHMARK(tree_build)->Arg(1000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A sky of noise with a sun.
+transport::EnvironmentMap sky(int height) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> number(0, 1);
+  transport::Image image{2 * height, height, {}};
+  for (int i = 0; i < 2 * height * height; ++i) image.pixels.emplace_back(number(random));
+  image.pixels[static_cast<std::size_t>(height * height / 2)] = Rgb(1000);
+  return transport::EnvironmentMap(std::move(image));
+}
+
+void map_sample(benchmark::State& state) {
+  const auto map = sky(static_cast<int>(state.range(0)));
+  Inputs inputs(1);
+  for (auto _ : state) benchmark::DoNotOptimize(map.sample(inputs().xi));
+}
+
+void map_density(benchmark::State& state) {
+  const auto map = sky(static_cast<int>(state.range(0)));
+  Inputs inputs(8);
+  for (auto _ : state) {
+    const auto& input = inputs();
+    benchmark::DoNotOptimize(map.density({input.from.x, input.choice, input.from.y}));
+  }
+}
+
+BENCHMARK(map_sample)->Arg(64)->Arg(2048);
+BENCHMARK(map_density)->Arg(64)->Arg(2048);
 
 }  // namespace
