@@ -60,10 +60,10 @@ TEST(Compile, MakesEmittersOfLightsAndOfFacesThatEmit) {
   const CompiledScene scene =
       test::scene_of("light begin rgb (2,2,2) (5,0,0) (1,0,0) (0,1,0) end\n" +
                      test::quad("light rgb (1,1,1)", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)"));
-  ASSERT_EQ(scene.emitters().size(), 3U);  // one parallelogram, two triangles
-  // In proportion to power: the light has 2 of 3 parts on an area of 1.
-  EXPECT_NEAR(scene.emitters().area_density(0), 2.0 / 3, 1e-6);
-  EXPECT_NEAR(scene.emitters().area_density(1), 1.0 / 3, 1e-6);
+  ASSERT_EQ(scene.lights().size(), 3U);  // one parallelogram, two triangles
+  EXPECT_FLOAT_EQ(scene.lights()[0].power(), 2);
+  EXPECT_FLOAT_EQ(scene.lights()[1].power(), 0.5);
+  EXPECT_FLOAT_EQ(scene.lights()[2].power(), 0.5);
   const auto point = down_at(scene, 0.25F, 0.5F);
   EXPECT_EQ(scene.reflector(*point->surface), nullptr);  // emits, has no BRDF: black
 }
@@ -131,9 +131,9 @@ TEST(Compile, RefusesASchemeThatCannotServeTheBrdf) {
 void expect_same_emitters(const CompiledScene& a, const CompiledScene& b) {
   EXPECT_EQ(a.triangle_count(), b.triangle_count());
   EXPECT_EQ(a.bounds(), b.bounds());
-  ASSERT_EQ(a.emitters().size(), b.emitters().size());
-  for (std::uint32_t i = 0; i < a.emitters().size(); ++i) {
-    EXPECT_FLOAT_EQ(a.emitters().area_density(i), b.emitters().area_density(i));
+  ASSERT_EQ(a.lights().size(), b.lights().size());
+  for (std::uint32_t i = 0; i < a.lights().size(); ++i) {
+    EXPECT_FLOAT_EQ(a.lights()[i].power(), b.lights()[i].power());
   }
 }
 
@@ -149,7 +149,7 @@ const std::string EmittingShape =
 TEST(Compile, MakesOfAMeshLightWhatItMakesOfFacesThatEmit) {
   const CompiledScene light = test::scene_of("mesh light begin " + LightShape + UnitQuad);
   const CompiledScene faces = test::scene_of(EmittingShape + UnitQuad);
-  EXPECT_EQ(light.emitters().size(), 3U);
+  EXPECT_EQ(light.lights().size(), 3U);
   expect_same_emitters(light, faces);
   for (const float x : {0.2F, 0.8F}) {
     const transport::Ray up{Vec3f(x, 0.5F, 1), Vec3f(0, 0, 1)};

@@ -11,7 +11,7 @@ namespace {
 
 PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& settings) {
   PathEffects effects;
-  effects.area_lights = !scene.emitters().empty();
+  effects.area_lights = !scene.lights().empty();
   effects.environment = settings.environment != nullptr;
   effects.resampling = settings.environment && settings.resampling;
   effects.other_than_matte = settings.measures_sampling || !scene.is_matte();

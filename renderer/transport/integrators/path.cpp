@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "renderer/transport/integrators/scattering.h"
+#include "renderer/transport/lights/environment_share.h"
 #include "renderer/transport/processor_clock.h"
 
 namespace transport {
@@ -21,13 +22,6 @@ float power_heuristic(float density, float other) {
   return 1 / (1 + ratio * ratio);
 }
 
-/// Turns a density per area into one per solid angle, seen over a vector from the point that is lit.
-float to_solid_angle(float area_density, const Vec3f& to_light, const Vec3f& light_normal) {
-  const float distance2 = to_light.length2();
-  const float cosine = std::abs(to_light.dot(light_normal)) / std::sqrt(distance2);
-  return area_density * distance2 / cosine;
-}
-
 const Diffuse& matte_of(const Reflector& reflector) { return *std::get_if<Diffuse>(&reflector.brdf()); }
 
 /// The path so far.
@@ -38,9 +32,10 @@ class Path {
        RayCounter& counter)
       : scene_(scene), settings_(settings), numbers_(numbers), counter_(counter), ray_(ray) {
     if constexpr (Has.environment) {
-      const bool shines = settings.environment && !settings.environment->is_black();
-      if (shines && !settings.resampling) environment_share_ = scene.emitters().empty() ? 1 : 0.5F;
-      resamples_ = shines && settings.resampling;
+      resamples_ = settings.resampling && settings.environment && !settings.environment->is_black();
+      if (!resamples_) {
+        environment_share_ = environment_share(settings.environment.get(), scene.lights(), scene.bounds());
+      }
     }
   }
 
@@ -70,6 +65,8 @@ class Path {
   /// The solid-angle density with which the ray was drawn, where a light could have been sampled instead;
   /// 0 for camera rays and mirror directions.
   float density_ = 0;
+  /// The point that the ray was scattered from, with its shading normal.
+  Vec3f from_, from_normal_;
   float environment_share_ = 0;  ///< the probability of sampling the map and not an emitter
   bool resamples_ = false;
   reflectance::Resampler resampler_;
@@ -83,9 +80,8 @@ void Path<Has>::add_emission(const SurfacePoint& point) {
   if (reflectance::is_black(emission) || ray_.direction.dot(point.geometric_normal) >= 0) return;
   float weight = 1;
   if (density_ > 0 && point.emitter != None) {
-    const float area_density = (1 - environment_share_) * scene_.emitters().area_density(point.emitter);
-    weight = power_heuristic(
-        density_, to_solid_angle(area_density, point.position - ray_.origin, point.geometric_normal));
+    const float light_density = scene_.lights().density(from_, from_normal_, point.emitter, ray_.direction);
+    weight = power_heuristic(density_, (1 - environment_share_) * light_density);
   }
   radiance_ += throughput_ * emission * weight;
 }
@@ -115,7 +111,7 @@ void Path<Has>::add_direct_light(const Scattering& scattering, const Uniform4& x
     }
   }
   if constexpr (Has.area_lights) {
-    if (scene_.emitters().empty()) return;
+    if (scene_.lights().empty()) return;
     add_area_light(scattering, (xi.z - environment_share_) / (1 - environment_share_), xi.xy());
   }
 }
@@ -144,17 +140,14 @@ Reflection Path<Has>::reflect(const Scattering& scattering, const Vec3f& v) cons
 
 template <PathEffects Has>
 void Path<Has>::add_area_light(const Scattering& scattering, float choice, const Vec2f& xi) {
-  const LightSample light = scene_.emitters().sample(choice, xi);
-  const Vec3f to_light = light.position - scattering.point.position;
-  if (to_light.dot(light.normal) >= 0 || !scattering.is_above(to_light)) return;
-  const Vec3f direction = to_light.normalized();
-  const float area_density = (1 - environment_share_) * light.density;
-  const auto lit = lit_from(scattering, direction, to_solid_angle(area_density, to_light, light.normal));
+  const auto light = scene_.lights().sample(scattering.point.position, scattering.frame.z, choice, xi);
+  if (!light || !scattering.is_above(light->direction)) return;
+  const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
-  const Vec3f origin = scattering.point.origin_towards(direction);
-  const Vec3f end = offset_towards(light.position, light.error, light.normal, -direction);
+  const Vec3f origin = scattering.point.origin_towards(light->direction);
+  const Vec3f end = offset_towards(light->position, light->error, light->normal, -light->direction);
   ++counter_.rays;
-  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light.radiance;
+  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light->radiance;
 }
 
 template <PathEffects Has>
@@ -212,6 +205,8 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
   density_ = drawn->is_mirror ? 0 : drawn->density;
+  from_ = scattering.point.position;
+  from_normal_ = scattering.frame.z;
   ray_ = {scattering.point.origin_towards(direction), direction};
   return true;
 }

@@ -1,6 +1,7 @@
 #include "renderer/transport/lights/environment_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -37,9 +38,24 @@ struct Chosen {
   float place = 0;  ///< within it, 0..1
 };
 
+/// Entries for about every 16 shares, as a power of 2: then a product with a float is exact.
+std::size_t guide_size(std::size_t count) { return std::bit_ceil(std::max<std::size_t>(count / 16, 1)); }
+
+/// For each k in 0..size: the first share over k / size. It keeps the search for a share to a cache line or
+/// two (Chen and Asau 1974, "On generating random variates from an empirical distribution").
+void guide(const float* shares, std::size_t count, std::uint32_t* guides) {
+  const std::size_t size = guide_size(count);
+  std::size_t i = 0;
+  for (std::size_t k = 0; k <= size; ++k) {
+    while (i < count && shares[i] <= static_cast<float>(k) / static_cast<float>(size)) ++i;
+    guides[k] = static_cast<std::uint32_t>(i);
+  }
+}
+
 /// The first whose cumulative share is over xi: its own share is not 0, since the one before is at most xi.
-Chosen choose(const float* shares, std::size_t count, float xi) {
-  const float* above = std::upper_bound(shares, shares + count, xi);
+Chosen choose(const float* shares, std::size_t count, const std::uint32_t* guides, float xi) {
+  const auto k = static_cast<std::size_t>(xi * static_cast<float>(guide_size(count)));
+  const float* above = std::upper_bound(shares + guides[k], shares + guides[k + 1], xi);
   const float before = above == shares ? 0.0F : *(above - 1);
   return {static_cast<std::size_t>(above - shares), (xi - before) / (*above - before)};
 }
@@ -70,6 +86,8 @@ void EnvironmentMap::build() {
     cosines_.push_back(std::cos(std::numbers::pi * double(row) / double(height)));
   }
   rows_.resize(height);
+  row_guide_.resize(guide_size(height) + 1);
+  column_guides_.resize((guide_size(width) + 1) * height);
   columns_.resize(width * height);
   std::vector<double> luminances(width);
   std::vector<double> row_sums(height);
@@ -77,8 +95,10 @@ void EnvironmentMap::build() {
     const double solid_angle = 2 * std::numbers::pi / double(width) * (cosines_[row] - cosines_[row + 1]);
     for (std::size_t x = 0; x < width; ++x) luminances[x] = luminance(image_.pixels[row * width + x]);
     row_sums[row] = accumulate(luminances, &columns_[row * width]) * solid_angle;
+    guide(&columns_[row * width], width, &column_guides_[row * (guide_size(width) + 1)]);
   }
   total_ = accumulate(row_sums, rows_.data());
+  guide(rows_.data(), height, row_guide_.data());
 }
 
 std::size_t EnvironmentMap::texel_at(const Vec3f& direction) const {
@@ -101,17 +121,29 @@ Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Ve
           static_cast<float>(-sine * std::cos(phi))};
 }
 
+/// True unless a direction at this place in a texel is surely found there again. The angles of a direction in
+/// float are off by less than 1e-6.
+bool EnvironmentMap::is_near_border(std::size_t row, const Vec2f& place) const {
+  const double across = 1e-6 * image_.width / (2 * std::numbers::pi);
+  const double down = 1e-6 / (cosines_[row] - cosines_[row + 1]);
+  return std::abs(double(place.x) - 0.5) > 0.5 - across || std::abs(double(place.y) - 0.5) > 0.5 - down;
+}
+
 std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   if (is_black()) return std::nullopt;
   const auto width = static_cast<std::size_t>(image_.width);
-  const Chosen row = choose(rows_.data(), rows_.size(), xi.y);
-  const Chosen column = choose(&columns_[row.index * width], width, xi.x);
+  const Chosen row = choose(rows_.data(), rows_.size(), row_guide_.data(), xi.y);
+  const Chosen column =
+      choose(&columns_[row.index * width], width, &column_guides_[row.index * (guide_size(width) + 1)], xi.x);
   Vec3f direction = direction_in(row.index, column.index, {column.place, row.place});
   const std::size_t texel = row.index * width + column.index;
   // Rounding may put a direction at the border across it. That one counts as from the middle, so that light
   // beside black is not lost and what is said of a direction is what `radiance` and `density` say.
-  if (texel_at(direction) != texel) direction = direction_in(row.index, column.index, Vec2f(0.5F));
-  return EnvironmentSample{direction, image_.pixels[texel], density(direction)};
+  if (is_near_border(row.index, {column.place, row.place}) && texel_at(direction) != texel) {
+    direction = direction_in(row.index, column.index, Vec2f(0.5F));
+  }
+  const Rgb& radiance = image_.pixels[texel];
+  return EnvironmentSample{direction, radiance, static_cast<float>(luminance(radiance) / total_)};
 }
 
 float EnvironmentMap::density(const Vec3f& direction) const {

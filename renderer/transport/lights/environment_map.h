@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ class EnvironmentMap {
   /// The density of `sample` per solid angle.
   float density(const grf::Vec3f& direction) const;
 
+  /// Luminance integrated over all directions.
+  double total() const { return total_; }
+
   bool is_black() const { return !(total_ > 0); }
   const Image& image() const { return image_; }
 
@@ -46,14 +50,17 @@ class EnvironmentMap {
  private:
   std::size_t texel_at(const grf::Vec3f& direction) const;
   grf::Vec3f direction_in(std::size_t row, std::size_t column, const grf::Vec2f& place) const;
+  bool is_near_border(std::size_t row, const grf::Vec2f& place) const;
   void repair();
   void build();
 
   Image image_;
   std::size_t wrong_texels_ = 0;
-  double total_ = 0;             ///< luminance over the whole sphere
-  std::vector<float> rows_;      ///< cumulative share of rows, up to and including each
-  std::vector<float> columns_;   ///< of columns within their row, row after row; all 1 in a black one
+  double total_ = 0;            ///< luminance over the whole sphere
+  std::vector<float> rows_;     ///< cumulative share of rows, up to and including each
+  std::vector<float> columns_;  ///< of columns within their row, row after row; all 1 in a black one
+  /// Where to look for a share, see `guide`: of rows, and of columns row after row.
+  std::vector<std::uint32_t> row_guide_, column_guides_;
   std::vector<double> cosines_;  ///< of the angles from the y axis between rows, one more than rows
 };
 

@@ -51,7 +51,7 @@ class Compiler {
     for (const Vec3f& position : geometry_.positions) geometry_.bounds.extendBy(position);
     geometry_.positions.emplace_back(0.0F);  // padding, see RayCaster
     return CompiledScene(std::move(geometry_), std::move(surfaces_), reflectors_.build(settings_.threads),
-                         Emitters(std::move(emitters_)));
+                         Lights(std::move(emitters_)));
   }
 
  private:

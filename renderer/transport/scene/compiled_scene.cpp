@@ -29,11 +29,11 @@ std::vector<std::string> Effects::names() const {
 }
 
 CompiledScene::CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces,
-                             ReflectorSet reflectors, Emitters emitters)
+                             ReflectorSet reflectors, Lights lights)
     : geometry_(std::move(geometry)),
       surfaces_(std::move(surfaces)),
       reflectors_(std::move(reflectors)),
-      emitters_(std::move(emitters)),
+      lights_(std::move(lights)),
       caster_(geometry_.positions, geometry_.triangles) {}
 
 std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
@@ -74,7 +74,7 @@ bool CompiledScene::is_matte() const {
 
 Effects CompiledScene::effects() const {
   Effects effects;
-  effects.area_lights = !emitters_.empty();
+  effects.area_lights = !lights_.empty();
   effects.interpolated_normals =
       std::any_of(geometry_.triangle_surfaces.begin(), geometry_.triangle_surfaces.end(),
                   [](const TriangleSurface& triangle) { return !triangle.is_flat; });

@@ -10,7 +10,7 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
-#include "renderer/transport/lights/emitter.h"
+#include "renderer/transport/lights/lights.h"
 #include "renderer/transport/scene/ray_caster.h"
 #include "renderer/transport/scene/ray_offset.h"
 #include "renderer/transport/scene/reflector_set.h"
@@ -74,13 +74,13 @@ struct SurfacePoint {
 class CompiledScene {
  public:
   CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
-                Emitters emitters);
+                Lights lights);
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
   bool is_occluded(const Ray& ray) const { return caster_.is_occluded(ray); }
   bool escapes(const Ray& ray) const { return caster_.escapes(ray); }
 
-  const Emitters& emitters() const { return emitters_; }
+  const Lights& lights() const { return lights_; }
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
     return surface.reflector == None ? nullptr : &reflectors_.reflectors[surface.reflector];
   }
@@ -101,7 +101,7 @@ class CompiledScene {
   Geometry geometry_;
   std::vector<CompiledSurface> surfaces_;
   ReflectorSet reflectors_;
-  Emitters emitters_;
+  Lights lights_;
   RayCaster caster_;  ///< shares the triangles of the geometry
 };
 

@@ -1,0 +1,196 @@
+#include "renderer/transport/lights/light_tree_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <tbb/parallel_invoke.h>
+
+namespace transport {
+namespace {
+
+/// Halves with more are built at the same time.
+constexpr std::size_t ParallelCount = 4096;
+
+Vec3f doubled_centre(const Box3f& box) { return box.min + box.max; }
+
+double surface_area(const Box3f& box) {
+  const Vec3f size = box.max - box.min;
+  return 2 * (double(size.x) * size.y + double(size.y) * size.z + double(size.z) * size.x);
+}
+
+/// The cost of a cone of normals whose emitters are diffuse (equation 1 of the paper, its second angle being
+/// pi/2).
+double orientation_cost(float cosine) {
+  constexpr double Pi = std::numbers::pi;
+  const double angle = std::acos(std::clamp(double(cosine), -1.0, 1.0));
+  const double reach = std::min(angle + Pi / 2, Pi);
+  const double sine = std::sin(angle);
+  return 2 * Pi * (1 - cosine) +
+         Pi / 2 * (2 * reach * sine - std::cos(angle - 2 * reach) - 2 * angle * sine + cosine);
+}
+
+}  // namespace
+
+void LightTreeBuilder::Extent::extend_by(const Extent& other) {
+  if (other.count == 0) return;
+  normals = count == 0 ? other.normals : merged(normals, other.normals);
+  box.extendBy(other.box);
+  power += other.power;
+  count += other.count;
+}
+
+double LightTreeBuilder::Extent::cost() const {
+  return power * orientation_cost(normals.cosine) * surface_area(box);
+}
+
+LightTreeBuilder::LightTreeBuilder(std::span<const Emitter> emitters, LightTree& tree) : tree_(tree) {
+  items_.reserve(emitters.size());
+  for (std::size_t i = 0; i < emitters.size(); ++i) {
+    items_.push_back(item_of(emitters[i], static_cast<std::uint32_t>(i)));
+  }
+}
+
+LightTreeBuilder::Item LightTreeBuilder::item_of(const Emitter& emitter, std::uint32_t index) {
+  Item item;
+  item.emitter = index;
+  item.power = emitter.power();
+  item.normal = emitter.doubled_area_normal().normalized();
+  item.box.extendBy(emitter.corner);
+  item.box.extendBy(emitter.corner + emitter.edge1);
+  item.box.extendBy(emitter.corner + emitter.edge2);
+  if (!emitter.is_triangle) item.box.extendBy(emitter.corner + emitter.edge1 + emitter.edge2);
+  return item;
+}
+
+void LightTreeBuilder::build() {
+  tree_.nodes_.resize(items_.size() - 1);
+  tree_.parent_of_emitter_.resize(items_.size());
+  build(items_, 0, 0);
+}
+
+// A tree of n emitters has n - 1 nodes, so each part knows where its own go and needs to wait for no other.
+LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t node, std::uint32_t parent) {
+  const std::size_t middle = partition(items);
+  const Items first = items.subspan(0, middle);
+  const Items second = items.subspan(middle);
+  Extent extent;
+  Extent of_second;
+  const auto build_first = [&] { extent = build_child(first, node, 0, node + 1); };
+  const auto build_second = [&] {
+    of_second = build_child(second, node, 1, node + static_cast<std::uint32_t>(middle));
+  };
+  if (items.size() > ParallelCount) {
+    tbb::parallel_invoke(build_first, build_second);
+  } else {
+    build_first();
+    build_second();
+  }
+  extent.extend_by(of_second);
+  LightBounds& bounds = tree_.nodes_[node].bounds;
+  bounds.centre = extent.box.center();
+  // A little more, for what rounding takes off.
+  bounds.radius = (extent.box.max - bounds.centre).length() * (1 + 1e-6F);
+  bounds.normals = extent.normals;
+  bounds.power = static_cast<float>(extent.power);
+  tree_.nodes_[node].parent = parent;
+  return extent;
+}
+
+LightTreeBuilder::Extent LightTreeBuilder::build_child(Items items, std::uint32_t node, int which,
+                                                       std::uint32_t child) {
+  if (items.size() > 1) {
+    tree_.nodes_[node].children[which] = child;
+    return build(items, child, node);
+  }
+  const Item& item = items[0];
+  tree_.nodes_[node].children[which] = item.emitter | LightTree::IsEmitter;
+  tree_.parent_of_emitter_[item.emitter] = node;
+  return {item.box, {item.normal, 1}, item.power, 1};
+}
+
+LightTreeBuilder::Grid::Grid(Items items, int bucket_count) : count(bucket_count) {
+  Box3f centres;
+  for (const Item& item : items) centres.extendBy(doubled_centre(item.box));
+  lower = centres.min;
+  const Vec3f size = centres.max - centres.min;
+  for (int axis = 0; axis < 3; ++axis)
+    scale[axis] = size[axis] > 0 ? static_cast<float>(count) / size[axis] : 0;
+}
+
+int LightTreeBuilder::Grid::bucket(const Item& item, int axis) const {
+  const float place = (item.box.min[axis] + item.box.max[axis] - lower[axis]) * scale[axis];
+  return std::clamp(static_cast<int>(place), 0, count - 1);
+}
+
+// The cone of a bucket lies about the mean of its normals, which takes a second look at each of them.
+LightTreeBuilder::Buckets LightTreeBuilder::fill(Items items, const Grid& grid) {
+  Buckets buckets;
+  for (auto& along : buckets) {
+    for (Extent& bucket : along) bucket.normals.axis = Vec3f(0);
+  }
+  for (const Item& item : items) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (grid.scale[axis] == 0) continue;
+      Extent& bucket = buckets[axis][grid.bucket(item, axis)];
+      bucket.box.extendBy(item.box);
+      bucket.normals.axis += item.normal;
+      bucket.power += item.power;
+      ++bucket.count;
+    }
+  }
+  for (auto& along : buckets) {
+    for (Extent& bucket : along) bucket.normals.axis.normalize();
+  }
+  for (const Item& item : items) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (grid.scale[axis] == 0) continue;
+      Cone& normals = buckets[axis][grid.bucket(item, axis)].normals;
+      normals.cosine = std::min(normals.cosine, normals.axis.dot(item.normal));
+    }
+  }
+  return buckets;
+}
+
+// Cuts across the longer side of the box are made cheaper, as in the paper: thin boxes are poor bounds.
+LightTreeBuilder::Cut LightTreeBuilder::best_cut(const Buckets& buckets, const Grid& grid) {
+  Cut best;
+  best.cost = std::numeric_limits<double>::infinity();
+  const double longest = 1 / double(std::min({grid.scale.x > 0 ? grid.scale.x : HUGE_VALF,
+                                              grid.scale.y > 0 ? grid.scale.y : HUGE_VALF,
+                                              grid.scale.z > 0 ? grid.scale.z : HUGE_VALF}));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (grid.scale[axis] == 0) continue;
+    std::array<double, MostBuckets> above{};
+    Extent extent;
+    for (int i = grid.count - 1; i > 0; --i) {
+      extent.extend_by(buckets[axis][i]);
+      above[i - 1] = extent.count > 0 ? extent.cost() : std::numeric_limits<double>::infinity();
+    }
+    extent = {};
+    for (int i = 0; i + 1 < grid.count; ++i) {
+      extent.extend_by(buckets[axis][i]);
+      if (extent.count == 0) continue;
+      const double cost = (extent.cost() + above[i]) * longest * double(grid.scale[axis]);
+      if (cost < best.cost) best = {axis, i, cost};
+    }
+  }
+  return best;
+}
+
+/// Reorders the items, and returns how many are in the first part: at least one, and not all.
+std::size_t LightTreeBuilder::partition(Items items) {
+  if (items.size() == 2) return 1;
+  const int count = static_cast<int>(std::min<std::size_t>(items.size(), MostBuckets));
+  const Grid grid(items, count);
+  const Cut cut = best_cut(fill(items, grid), grid);
+  // All in one place: any halves do.
+  if (cut.axis < 0) return items.size() / 2;
+  const auto middle = std::partition(items.begin(), items.end(), [&](const Item& item) {
+    return grid.bucket(item, cut.axis) <= cut.bucket;
+  });
+  return static_cast<std::size_t>(middle - items.begin());
+}
+
+}  // namespace transport

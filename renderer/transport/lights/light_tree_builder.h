@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "renderer/transport/lights/light_tree.h"
+
+namespace transport {
+
+/// Builds a light tree from its root: emitters are cut where the cost of surface area, orientation and power
+/// is least (Conty Estevez and Kulla 2018, section 5.2), at one of a few places along each axis.
+class LightTreeBuilder {
+ public:
+  LightTreeBuilder(std::span<const Emitter> emitters, LightTree& tree);
+
+  void build();
+
+ private:
+  struct Item {
+    Box3f box;
+    Vec3f normal;
+    float power = 0;
+    std::uint32_t emitter = 0;
+  };
+  using Items = std::span<Item>;
+
+  /// Of some items: what the bounds are made of.
+  struct Extent {
+    Box3f box;
+    Cone normals;
+    double power = 0;
+    std::size_t count = 0;
+
+    void extend_by(const Extent& other);
+    double cost() const;
+  };
+
+  static constexpr int MostBuckets = 12;
+  using Buckets = std::array<std::array<Extent, MostBuckets>, 3>;
+
+  struct Cut {
+    int axis = -1;  ///< -1: none
+    int bucket = 0;
+    double cost = 0;
+  };
+
+  /// Finds the bucket of an item along each axis.
+  struct Grid {
+    Vec3f lower;
+    Vec3f scale;
+    int count = 0;
+
+    Grid(Items items, int bucket_count);
+    int bucket(const Item& item, int axis) const;
+  };
+
+  static Item item_of(const Emitter& emitter, std::uint32_t index);
+  static Buckets fill(Items items, const Grid& grid);
+  static Cut best_cut(const Buckets& buckets, const Grid& grid);
+  static std::size_t partition(Items items);
+
+  Extent build(Items items, std::uint32_t node, std::uint32_t parent);
+  Extent build_child(Items items, std::uint32_t node, int which, std::uint32_t child);
+
+  LightTree& tree_;
+  std::vector<Item> items_;
+};
+
+}  // namespace transport

@@ -1,0 +1,98 @@
+#include "renderer/transport/lights/lights.h"
+
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/transport/lights/spherical_rectangle.h"
+#include "renderer/transport/lights/spherical_triangle.h"
+#include "renderer/transport/scene/ray_offset.h"
+
+namespace transport {
+namespace {
+
+/// An emitter's place as seen from a point.
+struct View {
+  Vec3d corner;
+  Vec3d edge1;
+  Vec3d edge2;
+
+  View(const Emitter& emitter, const Vec3f& from)
+      : corner(Vec3d(emitter.corner) - Vec3d(from)), edge1(emitter.edge1), edge2(emitter.edge2) {}
+
+  /// But for the rounding of float.
+  bool is_rectangle() const {
+    const double cosine = edge1.dot(edge2);
+    return cosine * cosine <= 1e-12 * edge1.dot(edge1) * edge2.dot(edge2);
+  }
+};
+
+/// Calls `use` with the emitter's shape.
+template <class Use>
+auto with_shape(const Emitter& emitter, const View& view, const Use& use) {
+  if (emitter.is_triangle) return use(SphericalTriangle(view.corner, view.edge1, view.edge2));
+  if (view.is_rectangle()) return use(SphericalRectangle(view.corner, view.edge1, view.edge2));
+  return use(SphericalParallelogram(view.corner, view.edge1, view.edge2));
+}
+
+/// Digits for a choice among more emitters than a float has steps: taken from xi, scrambled.
+double lengthened(float choice, const Vec2f& xi) {
+  std::uint32_t bits = std::bit_cast<std::uint32_t>(xi.x) * 0x9E3779B1U ^ std::bit_cast<std::uint32_t>(xi.y);
+  bits = (bits ^ (bits >> 16)) * 0x7FEB352DU;
+  bits = (bits ^ (bits >> 15)) * 0x846CA68BU;
+  bits ^= bits >> 16;
+  return double(choice) + double(bits) * 0x1p-56;
+}
+
+}  // namespace
+
+Lights::Lights(std::vector<Emitter> emitters) : emitters_(std::move(emitters)), tree_(emitters_) {
+  emitters_.shrink_to_fit();
+  for (const Emitter& emitter : emitters_) power_ += std::numbers::pi * double(emitter.power());
+}
+
+std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal, float choice,
+                                          const Vec2f& xi) const {
+  LightTree::Choice chosen;
+  if (size() > 1) {
+    const auto found = tree_.choose(emitters_, from, normal, lengthened(choice, xi));
+    if (!found) return std::nullopt;
+    chosen = *found;
+  }
+  const Emitter& emitter = emitters_[chosen.emitter];
+  if (!may_light(emitter, from, normal)) return std::nullopt;
+  const View view(emitter, from);
+  Vec2d place;
+  const float solid_angle = with_shape(emitter, view, [&](const auto& shape) {
+    if (shape.solid_angle() > 0) place = shape.sample(xi);
+    return shape.solid_angle();
+  });
+  const float density = chosen.probability / solid_angle;
+  if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+  const Vec3d to_light = view.corner + view.edge1 * place.x + view.edge2 * place.y;
+  const Vec2f at(place);
+  const Vec3f extent = absolute(emitter.corner) + absolute(emitter.edge1) + absolute(emitter.edge2);
+  return LightSample{Vec3f(to_light.normalized()),
+                     emitter.corner + emitter.edge1 * at.x + emitter.edge2 * at.y,
+                     extent * InterpolationError,
+                     emitter.doubled_area_normal().normalized(),
+                     emitter.radiance,
+                     density,
+                     chosen.emitter};
+}
+
+float Lights::density(const Vec3f& from, const Vec3f& normal, std::size_t emitter,
+                      const Vec3f& /*direction*/) const {
+  const Emitter& seen = emitters_[emitter];
+  if (!may_light(seen, from, normal)) return 0;
+  float probability = 1;
+  if (size() > 1) {
+    probability = tree_.probability(emitters_, from, normal, static_cast<std::uint32_t>(emitter));
+  }
+  const float solid_angle =
+      with_shape(seen, View(seen, from), [](const auto& shape) { return shape.solid_angle(); });
+  const float density = probability / solid_angle;
+  return std::isfinite(density) ? density : 0;
+}
+
+}  // namespace transport
