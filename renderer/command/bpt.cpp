@@ -35,6 +35,14 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
           ->allow_extra_args(false);
       continue;
     }
+    if (std::holds_alternative<options::BooleanOption<bool>>(option.value)) {
+      // `--irradiance` alone, or `--irradiance=false` against what the file says.
+      render->add_flag_function(
+          flag,
+          [&arguments, flag](std::int64_t count) { arguments.flags[flag] = count > 0 ? "true" : "false"; },
+          std::string(option.meaning));
+      continue;
+    }
     render
         ->add_option_function<std::string>(
             flag, [&arguments, flag](const std::string& text) { arguments.flags[flag] = text; },

@@ -144,7 +144,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.path.background = render_options.background;
   settings.path.depth = render_options.depth;
   settings.path.measures_sampling = render_options.writes_sampling_time;
-  settings.samples = render_options.samples;
+  settings.samples = render_options.samples_a_pixel();
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;
   return settings;
@@ -217,7 +217,7 @@ nlohmann::json summary_of(const transport::Render& render, const RenderOptions& 
   summary["output"] = output;
   summary["width"] = render_options.size.width;
   summary["height"] = render_options.size.height;
-  summary["samples"] = render_options.samples;
+  summary["samples"] = render_options.samples_a_pixel();
   if (render.is_stopped()) summary["samples"] = static_cast<double>(render.path_count()) / pixels;
   summary["setup_seconds"] = setup_seconds;
   summary["render_seconds"] = seconds;
