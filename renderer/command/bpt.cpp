@@ -1,4 +1,5 @@
 // bpt: the path tracer's command line.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/command/brdf_command.h"
+#include "renderer/command/compare_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/options/render_options.h"
 
@@ -33,6 +35,14 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
       render->add_option(flag, arguments.outputs, "the image; may be given again, for another type of file")
           ->type_name("path")
           ->allow_extra_args(false);
+      continue;
+    }
+    if (std::holds_alternative<options::BooleanOption<bool>>(option.value)) {
+      // `--irradiance` alone, or `--irradiance=false` against what the file says.
+      render->add_flag_function(
+          flag,
+          [&arguments, flag](std::int64_t count) { arguments.flags[flag] = count > 0 ? "true" : "false"; },
+          std::string(option.meaning));
       continue;
     }
     render
@@ -105,6 +115,13 @@ ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments)
   return command::plot_brdf(arguments);
 }
 
+void add_compare(CLI::App& app, command::CompareArguments& arguments) {
+  CLI::App* compare = app.add_subcommand("compare", "How far an image is from a reference");
+  compare->add_option("A", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
+  compare->add_option("B", arguments.reference, "the reference, of the same size")->required();
+  compare->add_flag("--json", arguments.json, "print one JSON object");
+}
+
 /// `bpt scene.op` renders, as the thesis' BPT did.
 std::vector<std::string> with_command(int argc, char** argv, CLI::App& app) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -123,18 +140,24 @@ ExitCode run(int argc, char** argv) {
   add_render(app, arguments);
   command::BrdfArguments brdf_arguments;
   add_brdf(app, brdf_arguments);
+  command::CompareArguments compare_arguments;
+  add_compare(app, compare_arguments);
+  app.set_version_flag("--version", "bpt " GRANADA_VERSION);
   try {
     app.parse(with_command(argc, argv, app));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Done : ExitCode::BadCommandLine;
   }
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
+  if (app.got_subcommand("compare")) return command::compare(compare_arguments);
   return command::render(arguments);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows over a limit is one that cannot be written, and not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const std::exception& error) {

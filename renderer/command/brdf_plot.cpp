@@ -13,7 +13,7 @@
 #include "renderer/command/lit_sphere.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/transport/image/image_encoders.h"
 
 namespace command {
 namespace {
@@ -142,13 +142,6 @@ plot::Chart albedo_chart(const Reflector& reflector) {
   return chart;
 }
 
-std::string png_of(const transport::Image& image) {
-  for (const transport::ImageFormat& format : transport::image_formats()) {
-    if (format.extension == "png") return format.encode(image);
-  }
-  return {};
-}
-
 }  // namespace
 
 plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
@@ -159,7 +152,7 @@ plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
   draw(cartesian(reflector), {{500, 50}, 460, 280}, svg);
   draw(albedo_chart(reflector), {{20, 350}, 460, 290}, svg);
   svg.text({562, 364}, "Sphere, under a bright window and a dim sky", {13, "#111", plot::Anchor::Start, 0});
-  svg.image({600, 385}, 220, 220, png_of(lit_sphere(reflector, SphereSide)));
+  svg.image({600, 385}, 220, 220, transport::encode_png({lit_sphere(reflector, SphereSide)}));
   return svg;
 }
 

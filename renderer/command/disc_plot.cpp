@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/transport/image/image_encoders.h"
 
 namespace command {
 namespace {
@@ -18,13 +18,6 @@ constexpr int Subpixels = 2;  // along a side
 
 float linear(float encoded) {
   return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-
-std::string png_of(const transport::Image& image) {
-  const auto& formats = transport::image_formats();
-  const auto png = std::find_if(formats.begin(), formats.end(),
-                                [](const auto& format) { return format.extension == "png"; });
-  return png == formats.end() ? std::string() : png->encode(image);
 }
 
 Point point_of(const Vec3f& v, const plot::Place& place) {
@@ -71,7 +64,7 @@ void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place&
     const Rgb colour(linear(encoded.x), linear(encoded.y), linear(encoded.z));
     image.pixels.push_back(colour * pixel.covered + Rgb(1 - pixel.covered));
   }
-  svg.image(place.corner, place.width, place.height, png_of(image));
+  svg.image(place.corner, place.width, place.height, transport::encode_png({image}));
   const Point centre = place.corner + Point(place.width, place.height) / 2;
   for (const double degrees : {30.0, 60.0}) {
     svg.circle(centre, place.width / 2 * std::sin(degrees * std::numbers::pi / 180), {"#999", 0.5, "2 3"});

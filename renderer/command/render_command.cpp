@@ -14,11 +14,11 @@
 #include <nlohmann/json.hpp>
 #include <pthread.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include "grf/check.h"
 #include "grf/read.h"
 #include "renderer/command/progress_bar.h"
+#include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/options/op_file.h"
 #include "renderer/options/scheme_model.h"
@@ -69,20 +69,6 @@ std::optional<RenderOptions> read_options(const std::string& path, Diagnostics& 
   RenderOptions render_options;
   render_options.scene = path;
   return render_options;
-}
-
-/// An image that cannot be kept is better known before the render than after it.
-bool can_write(const std::string& output, Diagnostics& diagnostics) {
-  if (transport::image_format_of(output, diagnostics) == nullptr) return false;
-  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
-  const std::string folder_name = folder.empty() ? "." : folder.string();
-  if (::access(folder_name.c_str(), W_OK | X_OK) != 0) {
-    diagnostics.error(grf::whole_file(output), fmt::format("cannot write into the folder '{}'", folder_name));
-    return false;
-  }
-  if (!std::filesystem::is_directory(output)) return true;
-  diagnostics.error(grf::whole_file(output), "cannot write the image: it is a directory");
-  return false;
 }
 
 /// The scheme that the options name, checked; false after an error.
@@ -144,7 +130,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
   settings.integrator.measures_sampling = render_options.writes_sampling_time;
-  settings.samples = render_options.samples;
+  settings.samples = render_options.samples_a_pixel();
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;
   return settings;
@@ -217,7 +203,7 @@ nlohmann::json summary_of(const transport::Render& render, const RenderOptions& 
   summary["output"] = output;
   summary["width"] = render_options.size.width;
   summary["height"] = render_options.size.height;
-  summary["samples"] = render_options.samples;
+  summary["samples"] = render_options.samples_a_pixel();
   if (render.is_stopped()) summary["samples"] = static_cast<double>(render.path_count()) / pixels;
   summary["setup_seconds"] = setup_seconds;
   summary["render_seconds"] = seconds;
@@ -250,16 +236,19 @@ void print(const nlohmann::json& summary, bool json) {
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
 /// Keeps the image and what else is to be kept, and says what went wrong.
-bool keep(const transport::Render& render, const CompiledScene& scene, const RenderOptions& render_options,
-          const std::vector<std::string>& outputs) {
+bool keep(const transport::Render& render, const CompiledScene& scene, const transport::View& view,
+          const RenderOptions& render_options, const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
   if (render.rejected_samples() > 0) {
     diagnostics.warning(
         {}, fmt::format("{} samples were not finite and count as black", render.rejected_samples()));
   }
-  const transport::Image image = render.film().mean();
+  const transport::ImageFile file = image_file_of(render, scene, view, render_options);
+  const std::vector<std::string> fallbacks = transport::fallback_folders();
   bool kept = true;
-  for (const std::string& output : outputs) kept &= transport::write_image(image, output, diagnostics);
+  for (const std::string& output : outputs) {
+    kept &= transport::keep_image(file, output, fallbacks, diagnostics);
+  }
   kept &= write_reports(render, scene, render_options, outputs.front(), diagnostics);
   print(diagnostics);
   return kept;
@@ -273,10 +262,7 @@ struct Job {
 
 std::optional<Job> prepare(const RenderOptions& render_options, const std::vector<std::string>& outputs,
                            Diagnostics& diagnostics) {
-  const bool writable = std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
-    return can_write(output, diagnostics);
-  });
-  if (!writable) return std::nullopt;
+  if (!can_write(outputs, render_options, diagnostics)) return std::nullopt;
   auto scene = load(render_options, diagnostics);
   transport::RenderSettings settings;
   if (scene) settings = settings_of(render_options, scene->bounds());
@@ -306,7 +292,7 @@ grf::ExitCode render(const RenderArguments& arguments) {
   transport::Render render(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const bool interrupted = run(render);
-  if (!keep(render, job->scene, *render_options, outputs)) return ExitCode::BadInput;
+  if (!keep(render, job->scene, job->settings.view, *render_options, outputs)) return ExitCode::BadInput;
   print(summary_of(render, *render_options, outputs.front(), setup_seconds, job->scene), arguments.json);
   return interrupted ? ExitCode::Interrupted : ExitCode::Done;
 }

@@ -14,34 +14,48 @@ namespace {
 
 struct Word {
   std::string text;
-  std::uint32_t column = 1;
+  std::uint32_t column = 1;  ///< in characters
+  bool is_open = false;      ///< its second quote is missing
 };
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
 /// A comment starts a line or follows white space, so that `a#b` and `http://x` are words.
-bool starts_comment(std::string_view rest) { return rest.starts_with('#') || rest.starts_with("//"); }
+bool starts_comment(std::string_view line, std::size_t at) {
+  const std::string_view rest = line.substr(at);
+  return (at == 0 || is_space(line[at - 1])) && (rest.starts_with('#') || rest.starts_with("//"));
+}
+
+/// Of a byte of UTF-8 text: those that continue a character do not count.
+std::uint32_t column_of(std::string_view line, std::size_t at) {
+  const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return 1 + static_cast<std::uint32_t>(std::count_if(
+                 line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), starts_character));
+}
 
 /// Words of a line; a quoted one may contain spaces.
 std::vector<Word> words_of(std::string_view line) {
   std::vector<Word> words;
-  std::size_t i = 0;
-  while (true) {
-    while (i < line.size() && is_space(line[i])) ++i;
-    if (i == line.size() || starts_comment(line.substr(i))) return words;
-    const auto column = static_cast<std::uint32_t>(i + 1);
-    std::size_t end = i;
-    if (line[i] == '"') {
-      end = line.find('"', i + 1);
-      words.push_back(
-          {std::string(line.substr(i + 1, end == std::string_view::npos ? end : end - i - 1)), column});
-      i = end == std::string_view::npos ? line.size() : end + 1;
+  for (std::size_t i = 0; i < line.size();) {
+    if (is_space(line[i])) {
+      ++i;
       continue;
     }
+    if (starts_comment(line, i)) break;
+    const std::uint32_t column = column_of(line, i);
+    if (line[i] == '"') {
+      const std::size_t end = line.find('"', i + 1);
+      const bool is_open = end == std::string_view::npos;
+      words.push_back({std::string(line.substr(i + 1, is_open ? end : end - i - 1)), column, is_open});
+      i = is_open ? line.size() : end + 1;
+      continue;
+    }
+    std::size_t end = i;
     while (end < line.size() && !is_space(line[end])) ++end;
     words.push_back({std::string(line.substr(i, end - i)), column});
     i = end;
   }
+  return words;
 }
 
 class OpReader {
@@ -83,8 +97,12 @@ class OpReader {
 
   void read_line(const std::vector<Word>& words) {
     if (words.empty()) return;
+    if (words.back().is_open) {
+      diagnostics_.error(at(words.back()), "a quote that is not closed, expected another one in this line");
+      return;
+    }
     const auto [option, key_words] = key_of(words);
-    if (option == nullptr) return report_unknown(words[0]);
+    if (option == nullptr) return report_unknown(words);
     if (const auto [first, is_new] = lines_.emplace(option, line_); !is_new) {
       diagnostics_.error(at(words[0]),
                          fmt::format("{} is given twice, first in line {}", option->key, first->second));
@@ -102,12 +120,25 @@ class OpReader {
     }
   }
 
-  void report_unknown(const Word& word) {
+  void report_unknown(const std::vector<Word>& words) {
     std::vector<std::string> keys;
     for (const OptionInfo& option : option_table()) keys.emplace_back(option.key);
-    const std::string suggestion = grf::did_you_mean(word.text, keys);
-    diagnostics_.error(at(word), fmt::format("unknown option '{}'{}", word.text,
-                                             suggestion.empty() ? "" : ": " + suggestion));
+    // A key may be written with spaces: of the words up to a number, as many as are near a key.
+    std::string suggestion;
+    std::string named = words[0].text;
+    std::string key;
+    for (const Word& word : words) {
+      if (word.text.find_first_of("0123456789+-.") == 0) break;
+      key += (key.empty() ? "" : "_") + word.text;
+      const std::string near = grf::did_you_mean(key, keys);
+      if (near.empty()) continue;
+      suggestion = near;
+      named = key;
+    }
+    diagnostics_.error(at(words[0]), suggestion.empty()
+                                         ? fmt::format("unknown option '{}', expected one of {}", named,
+                                                       fmt::join(keys, ", "))
+                                         : fmt::format("unknown option '{}': {}", named, suggestion));
   }
 
   const std::string& path_;

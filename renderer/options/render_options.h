@@ -67,6 +67,9 @@ struct RenderOptions : SchemeOptions {
   std::string scene;   ///< path of the GRF file
   std::string output;  ///< path of the image; empty: the scene's name with .exr
   ImageSize size = {500, 400};
+  float exposure = 0;  ///< stops, of 8-bit outputs
+  /// What an EXR output shows besides the image: words of the table.
+  std::vector<std::string> layers;
   std::optional<grf::Vec3f> viewer;  ///< the eye, in world coordinates; absent: framed to the scene
   std::optional<grf::Vec3f> target;  ///< the point looked at; absent: the scene's centre
   grf::Vec3f up = grf::Vec3f(0, 1, 0);
@@ -75,15 +78,31 @@ struct RenderOptions : SchemeOptions {
   std::string environment;                ///< path of an environment map or background image
   std::string projection = "latlong";     ///< of that image: latlong or backplate
   std::optional<IntegerPair> resampling;  ///< M and N
+  std::string integrator = "path";        ///< naive or path
   int depth = 5;
-  int samples = 100;  ///< a pixel
+  std::optional<int> samples;  ///< a pixel; see `samples_a_pixel`
+  bool pixel_radial = false;
+  bool pixel_random = true;
+  IntegerPair pixel_samples = {1, 1};  ///< across and down a pixel
+  int secondary_rays_root = 10;
+  bool ray_casting = false;
+  bool uses_irradiance = false;
+  std::optional<float> target_error;  ///< sqrt(relMSE) of the image
+  std::optional<float> max_seconds;
+  std::string checkpoint;  ///< path; empty: none
   std::uint32_t seed = 0;
-  int threads = 0;                     ///< 0: all
+  int threads = 0;  ///< 0: all
+  bool shows_window = false;
+  std::string display_server;          ///< HOST:PORT; empty: none
   bool writes_memory = false;          ///< `mem.op` beside the image
   bool writes_sampling_time = false;   ///< `samplingTime`
   bool writes_rendering_time = false;  ///< `renderingTime`
   bool writes_prebuild_time = false;   ///< `prebuildTime`
   OptionLocations locations;
+
+  /// Of the integrator path. Where BPT_Samples is not given, as many as the thesis' estimator would take, so
+  /// that an old OP file costs about what it did.
+  int samples_a_pixel() const;
 
   bool operator==(const RenderOptions&) const = default;
 };
@@ -106,8 +125,14 @@ struct WordOption {
   std::string RenderOptions::*field;
   std::vector<std::string_view> words;
 };
+/// Some of some words, divided by commas; or `all`, or `none`.
+struct ListOption {
+  std::vector<std::string> RenderOptions::*field;
+  std::vector<std::string_view> words;
+};
+template <class Field>
 struct PairOption {
-  std::optional<IntegerPair> RenderOptions::*field;
+  Field RenderOptions::*field;
   int minimum;  ///< of both
   int maximum;
   bool descending = false;  ///< the second is at most the first
@@ -117,6 +142,10 @@ struct PathOption {
   bool can_be_none = false;  ///< the word `none` means no file, and leaves the field empty
 
   bool means_none(std::string_view word) const { return can_be_none && grf::same_keyword(word, "none"); }
+};
+/// A program on the network, HOST:PORT; the word `none` leaves the field empty.
+struct AddressOption {
+  std::string RenderOptions::*field;
 };
 struct SizeOption {
   ImageSize RenderOptions::*field;
@@ -132,10 +161,11 @@ struct PlaceOption {
 struct OptionInfo {
   std::string_view key;   ///< of OP files, `BPT_Depth`
   std::string_view flag;  ///< of the command line, `--depth`; empty: only in files
-  std::variant<PathOption, SizeOption, VectorOption, PlaceOption, NumberOption<int>,
+  std::variant<PathOption, AddressOption, SizeOption, VectorOption, PlaceOption, NumberOption<int>,
                NumberOption<std::uint32_t>, NumberOption<float>, NumberOption<int, std::optional<int>>,
                NumberOption<float, std::optional<float>>, BooleanOption<bool>,
-               BooleanOption<std::optional<bool>>, WordOption, PairOption>
+               BooleanOption<std::optional<bool>>, WordOption, ListOption, PairOption<IntegerPair>,
+               PairOption<std::optional<IntegerPair>>>
       value;
   std::string_view values;         ///< what stands behind the key, `int int`
   std::string_view default_value;  ///< in words
@@ -153,5 +183,9 @@ std::size_t word_count(const OptionInfo& option);
 /// Sets an option from words. Returns what is wrong, or nothing. Paths are taken as they stand.
 std::optional<std::string> set_option(RenderOptions& options, const OptionInfo& option,
                                       const std::vector<std::string>& words);
+
+/// The words from which `set_option` makes the same value; none for what was not given and has no default of
+/// its own.
+std::vector<std::string> option_words(const RenderOptions& options, const OptionInfo& option);
 
 }  // namespace options

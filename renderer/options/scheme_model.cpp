@@ -99,6 +99,13 @@ void warn_of_unused_options(const RenderOptions& options, grf::Diagnostics& diag
   const auto warn_of = [&](std::string_view key, std::string_view why) {
     diagnostics.warning(options.locations.of(key), fmt::format("{} has no effect: {}", key, why));
   };
+  const bool is_naive = options.integrator == "naive";
+  if (is_naive && options.samples) {
+    warn_of("BPT_Samples", "the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2");
+  }
+  const std::string_view places = "the integrator 'path' spreads its samples by itself";
+  if (!is_naive && options.pixel_radial) warn_of("BPT_Pixel_Radial", places);
+  if (!is_naive && !options.pixel_random) warn_of("BPT_Pixel_Random", places);
   const bool is_backplate = options.projection == "backplate";
   if (options.environment.empty() && is_backplate) {
     warn_of("BPT_EM_Projection", "no BPT_EM_Background is given");

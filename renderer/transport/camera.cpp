@@ -34,7 +34,8 @@ View view_of(const grf::Box3f& bounds, float field_of_view, float aspect) {
   return view;
 }
 
-Camera::Camera(const View& view, int width, int height) : eye_(view.eye) {
+Camera::Camera(const View& view, int width, int height)
+    : eye_(view.eye), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
   const Vec3f forward = (view.target - view.eye).normalized();
   const Vec3f right = rightwards(forward, view.up);
   const Vec3f up = right.cross(forward);
@@ -42,6 +43,23 @@ Camera::Camera(const View& view, int width, int height) : eye_(view.eye) {
   step_x_ = right * size;
   step_y_ = up * -size;
   corner_ = forward - step_x_ * (static_cast<float>(width) / 2) - step_y_ * (static_cast<float>(height) / 2);
+}
+
+Imath::M44f Camera::world_to_camera() const {
+  const Vec3f right = step_x_.normalized();
+  const Vec3f up = -step_y_.normalized();
+  const Vec3f back = right.cross(up);
+  const Imath::M44f turn(right.x, up.x, back.x, 0, right.y, up.y, back.y, 0, right.z, up.z, back.z, 0, 0, 0,
+                         0, 1);
+  return Imath::M44f().setTranslation(-eye_) * turn;
+}
+
+Imath::M44f Camera::world_to_image() const {
+  const float scale_x = 1 / (step_x_.length() * width_);
+  const float scale_y = 1 / (step_y_.length() * height_);
+  // w is the distance along the view, -z.
+  const Imath::M44f project(scale_x, 0, 0, 0, 0, -scale_y, 0, 0, -0.5F, -0.5F, 1, -1, 0, 0, 0, 0);
+  return world_to_camera() * project;
 }
 
 Ray Camera::ray(float x, float y) const { return {eye_, (corner_ + step_x_ * x + step_y_ * y).normalized()}; }

@@ -24,11 +24,21 @@ class Camera {
   /// The ray through a point of the image: pixels, from the upper left corner.
   Ray ray(float x, float y) const;
 
+  /// From world space to the camera's, for row vectors: x to the right, y up, and the eye looks down -z.
+  Imath::M44f world_to_camera() const;
+  /// From world space to the image, homogeneous: after the division, x and y go from 0 at the upper left
+  /// corner to 1 at the lower right one.
+  Imath::M44f world_to_image() const;
+  /// Of the image, on the plane at distance 1.
+  float screen_width() const { return step_x_.length() * width_; }
+
  private:
   Vec3f eye_;
   Vec3f corner_;  ///< from the eye to the image's upper left corner, on the plane at distance 1
   Vec3f step_x_;
   Vec3f step_y_;
+  float width_;
+  float height_;
 };
 
 }  // namespace transport

@@ -1,50 +1,17 @@
-// The program `bpt` as its users meet it.
+// What `bpt render` does with its options, and what it says.
+#include "tests/cli/bpt.h"
+
 #include <filesystem>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/run.h"
-#include "tests/support/temporary_folder.h"
-
 namespace {
 
+using test::Bpt;
 using test::Outcome;
-
-class Bpt : public testing::Test {
- protected:
-  test::TemporaryFolder folder_;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    return folder_.add(name, text);
-  }
-  std::string path(const std::string& name) const { return folder_.path(name); }
-
-  Outcome bpt(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), GRANADA_BIN_DIR "/bpt");
-    return test::run(arguments);
-  }
-
-  /// Renders something that is wrong: one message that contains the text, exit 1, and no image.
-  void expect_bad_input(const std::string& scene, const std::string& message) const {
-    const std::string output = path("image.png");
-    const Outcome outcome = bpt({"render", scene, "--output", output, "--samples", "1"});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
-    std::size_t errors = 0;
-    for (std::size_t at = 0; (at = outcome.err.find("error: ", at)) != std::string::npos; ++at) ++errors;
-    EXPECT_EQ(errors, 1U) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_FALSE(std::filesystem::exists(output));
-  }
-};
-
-const std::string Quad =
-    "begin mesh brdf diffuse kd=0.5\n"
-    "begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs\n"
-    "begin faces (0,1,2,3) end faces end mesh\n"
-    "light begin (0,0,1) (0,1,0) (1,0,0) end\n";
+using test::Quad;
 
 TEST_F(Bpt, RendersAnOpFileAndSaysHowItWent) {
   write("scene.grf", Quad);
@@ -213,14 +180,14 @@ TEST_F(Bpt, SavesFactorsAndLoadsThem) {
   write("scene.grf", Quad);
   const std::string op = write("scene.op",
                                "BPT_Scene scene.grf\nBPT_Pdf_Name Factored\nBPT_Pdf_Factors_File clay\n"
-                               "BPT_Image_Resolution 8 8\nBPT_Samples 2\n");
+                               "BPT_Image_Resolution 8 8\nBPT_Samples 2\nBPT_Output_Image scene.pfm\n");
   ASSERT_EQ(bpt({op}).err, "");
-  const std::string image = test::bytes_of(path("scene.exr"));
+  const std::string image = test::bytes_of(path("scene.pfm"));
   const std::string factors = test::bytes_of(path("clay.txt"));
   EXPECT_NE(factors.find("diffuse kd=0.5"), std::string::npos);
   EXPECT_NE(test::bytes_of(path("clay_cdf.txt")), "");
   ASSERT_EQ(bpt({op}).err, "");
-  EXPECT_TRUE(test::bytes_of(path("scene.exr")) == image);
+  EXPECT_TRUE(test::bytes_of(path("scene.pfm")) == image);
   EXPECT_EQ(test::bytes_of(path("clay.txt")), factors);
   write("clay.txt", "clay\n");
   const Outcome broken = bpt({op});
@@ -273,7 +240,7 @@ TEST_F(Bpt, GivesTheSameBytesForTheSameSeed) {
   const std::string scene = write("scene.grf", Quad);
   std::vector<std::string> images;
   for (const char* threads : {"1", "2", "7"}) {
-    const std::string output = path(std::string("image") + threads + ".exr");
+    const std::string output = path(std::string("image") + threads + ".pfm");
     ASSERT_EQ(
         bpt({"render", scene, "--output", output, "--size", "50x40", "--samples", "8", "--threads", threads})
             .exit_code,

@@ -1,7 +1,6 @@
 #include "renderer/options/op_file.h"
 
-#include <iterator>
-#include <sstream>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -136,8 +135,8 @@ TEST_F(OpFile, ReportsWordsBooleansAndPairsThatAreNone) {
             "BPT_EM_Projection: found 'flat', expected one of latlong, backplate\n"
             "BPT_Pdf_memstat: found '1', expected true or false\n"
             "BPT_RIS: found '4 8', expected two whole numbers from 1 to 65536, the second at most the first\n"
-            "BPT_Pdf_CDF_Res: found '0 8', expected two whole numbers from 1 to 65536\n"
-            "BPT_QT_avgnmax: found '1', expected a number between 1 and 1000000\n");
+            "BPT_Pdf_CDF_Res: found '0 8', expected two whole numbers from 1 to 4096\n"
+            "BPT_QT_avgnmax: found '1', expected a number between 1 and 100\n");
 }
 
 TEST_F(OpFile, ReportsAKeyGivenTwice) {
@@ -153,29 +152,99 @@ TEST_F(OpFile, AsksForAScene) {
   EXPECT_EQ(errors_of(""), "OP: error: the file is empty, expected options, one a line\n");
 }
 
-TEST(OptionTable, KeysAndFlagsAreDistinctAndExplained) {
+TEST_F(OpFile, TakesTheOpFileOfTheThesis) {
+  // Table 6.1: its keys lost their underscores in print.
+  const auto read_options = read(
+      "BPT Scene escena.grf\nBPT Image Resolution 500 400\nBPT Output Image buzon.exr\n"
+      "BPT Viewer 0.5 0.5 1\nBPT VLook 0.5 0.1 0\nBPT Pixel Radial false\nBPT Pixel Random true\n"
+      "BPT Background 1 1 1\nBPT Pixel SampleRes 1 2\nBPT RE NSecRaysRoot 100\nBPT Depth 5\n"
+      "BPT Pdf Name Disk\nBPT Pdf LobeExponent 30\nBPT Pdf AnisoNu 25\nBPT Pdf AnisoNv 25\n"
+      "BPT Pdf memstat true\nBPT QT Precomputed 90\nBPT QT Anisotropic 1\nBPT QT ImgRes 800\n"
+      "BPT QT avgnmax 1.7\nBPT RayCasting false\nBPT DisplayWindow false\nBPT Chrono Sampling true\n"
+      "BPT Chrono Rendering false\nBPT Chrono Prebuild false\n");
+  ASSERT_TRUE(read_options) << diagnostics_.to_text();
+  EXPECT_EQ(read_options->pixel_samples, (options::IntegerPair{1, 2}));
+  EXPECT_EQ(read_options->secondary_rays_root, 100);
+  EXPECT_EQ(read_options->samples_a_pixel(), 20000) << "about what it cost then";
+  EXPECT_FALSE(read_options->pixel_radial || read_options->ray_casting || read_options->shows_window);
+  EXPECT_TRUE(read_options->pixel_random);
+}
+
+TEST_F(OpFile, SetsHowARenderGoesOn) {
+  const auto read_options = read(
+      "Scene a.grf\nIntegrator NAIVE\nPixel_Radial true\nPixel_Random false\nRayCasting true\n"
+      "BPT_DisplayWindow true\nDisplayServer [::1]:14158\nTargetError 0.02\nMaxTime 1.5\n"
+      "Checkpoint keep/it.bin\nExposure -2.5\nIrradiance true\nLayers Variance,albedo\n");
+  ASSERT_TRUE(read_options) << diagnostics_.to_text();
+  EXPECT_EQ(read_options->integrator, "naive");
+  EXPECT_TRUE(read_options->pixel_radial && !read_options->pixel_random && read_options->ray_casting);
+  EXPECT_TRUE(read_options->shows_window && read_options->uses_irradiance);
+  EXPECT_EQ(read_options->display_server, "[::1]:14158");
+  EXPECT_EQ(read_options->target_error, 0.02F);
+  EXPECT_EQ(read_options->max_seconds, 1.5F);
+  EXPECT_EQ(read_options->checkpoint, folder_.path("keep/it.bin"));
+  EXPECT_EQ(read_options->exposure, -2.5F);
+  EXPECT_EQ(read_options->layers, (std::vector<std::string>{"albedo", "variance"}));
+  EXPECT_EQ(read("Scene a.grf\nLayers all\n")->layers.size(), 5U);
+  EXPECT_TRUE(read("Scene a.grf\nLayers none\n")->layers.empty());
+}
+
+TEST_F(OpFile, TakesQuotesAndCommentsAsTheyStand) {
+  const auto read_options = read(
+      "\xEF\xBB\xBF//a comment\n#another\n\t BPT_Scene \"my # scene.grf\" // a third\n"
+      "BPT_Output_Image a#b//c.png\t#fourth\n\n   \nBPT_EM_Background \"/maps/sky.exr\"\n"
+      "BPT_Checkpoint ../keep.bin");
+  ASSERT_TRUE(read_options) << diagnostics_.to_text();
+  EXPECT_EQ(read_options->scene, folder_.path("my # scene.grf"));
+  EXPECT_EQ(read_options->output, folder_.path("a#b/c.png"));
+  EXPECT_EQ(read_options->environment, "/maps/sky.exr");
+  EXPECT_EQ(read_options->checkpoint, std::filesystem::path(folder_.path()).parent_path() / "keep.bin");
+}
+
+TEST_F(OpFile, ReportsQuotesThatAreNotClosed) {
+  EXPECT_EQ(errors_of("BPT_Scene \"a.grf\n"),
+            "OP:1:11: error: a quote that is not closed, expected another one in this line\n"
+            "  BPT_Scene \"a.grf\n"
+            "            ^\n");
+}
+
+TEST_F(OpFile, CountsColumnsInCharacters) {
+  EXPECT_EQ(errors_of("BPT_Scene \"\xC3\xA9\xC3\xA9.grf\" b\n"),
+            "OP:1:11: error: BPT_Scene: found 2 values, expected 1 (path)\n"
+            "  BPT_Scene \"\xC3\xA9\xC3\xA9.grf\" b\n"
+            "            ^\n");
+  read("\xC3\xA9\xC3\xA9 1\nBPT_Scene a.grf\nBPT_Depth \xC3\xA9 \"\n");
+  EXPECT_EQ(diagnostics_.entries().back().location.column, 13U);
+}
+
+TEST_F(OpFile, ReportsUnknownKeysHoweverTheyAreWritten) {
+  EXPECT_FALSE(read("BPT Pixel SampelRes 1 2\nfrobnicate 5\n"));
+  ASSERT_EQ(diagnostics_.entries().size(), 2U) << diagnostics_.to_text();
+  EXPECT_EQ(diagnostics_.entries()[0].message,
+            "unknown option 'BPT_Pixel_SampelRes': did you mean 'BPT_Pixel_SampleRes'?");
+  const std::string& unlike = diagnostics_.entries()[1].message;
+  EXPECT_TRUE(unlike.starts_with("unknown option 'frobnicate', expected one of BPT_Scene, ")) << unlike;
   for (const options::OptionInfo& option : options::option_table()) {
-    EXPECT_EQ(options::find_option(option.key), &option);
-    EXPECT_FALSE(option.meaning.empty());
-    for (const options::OptionInfo& other : options::option_table()) {
-      EXPECT_TRUE(&other == &option || option.flag.empty() || other.flag != option.flag) << option.flag;
-    }
+    EXPECT_NE(unlike.find(option.key), std::string::npos) << option.key;
   }
 }
 
-// The words of the table say what the struct has.
-TEST(OptionTable, DefaultsAreThoseOfTheStruct) {
-  for (const char* key :
-       {"BPT_Image_Resolution", "BPT_Up", "BPT_FieldOfView", "BPT_Background", "BPT_Depth", "BPT_Samples",
-        "BPT_Seed", "BPT_Threads", "BPT_EM_Background", "BPT_EM_Projection", "BPT_Pdf_memstat",
-        "BPT_Pdf_Factors_File", "BPT_Chrono_Sampling", "BPT_Chrono_Rendering", "BPT_Chrono_Prebuild"}) {
-    const options::OptionInfo& option = *options::find_option(key);
-    std::istringstream stream{std::string(option.default_value)};
-    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-    RenderOptions render_options;
-    EXPECT_EQ(options::set_option(render_options, option, words), std::nullopt) << key;
-    EXPECT_EQ(render_options, RenderOptions()) << key;
-  }
+TEST_F(OpFile, ReportsValuesOfTheNewKinds) {
+  EXPECT_FALSE(
+      read("BPT_Scene a.grf\nBPT_Layers albedo,nromal\nBPT_DisplayServer 14158\nBPT_TargetError 0\n"
+           "BPT_Exposure 101\nBPT_Pixel_SampleRes 1\nBPT_MaxTime -1\nBPT_Depth\n"));
+  std::string messages;
+  for (const grf::Diagnostic& entry : diagnostics_.entries()) messages += entry.message + "\n";
+  EXPECT_EQ(
+      messages,
+      "BPT_Layers: found 'nromal', expected one of albedo, normal, depth, variance, samples, all, none: "
+      "did you mean 'normal'?\n"
+      "BPT_DisplayServer: found '14158', expected HOST:PORT, such as 127.0.0.1:14158, or none\n"
+      "BPT_TargetError: found '0', expected a number between 0 and 1000\n"
+      "BPT_Exposure: found '101', expected a number from -100 to 100\n"
+      "BPT_Pixel_SampleRes: found 1 value, expected 2 (int int)\n"
+      "BPT_MaxTime: found '-1', expected a number between 0 and 1000000000\n"
+      "BPT_Depth: found 0 values, expected 1 (int)\n");
 }
 
 }  // namespace

@@ -92,6 +92,11 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\nBPT_EM_Projection backplate\n"),
             "3: BPT_EM_Projection has no effect: no BPT_EM_Background is given\n"
             "2: BPT_RIS has no effect: a backplate lights nothing\n");
+  EXPECT_EQ(warnings_of("BPT_Pixel_Radial true\nBPT_Pixel_Random false\n"),
+            "2: BPT_Pixel_Radial has no effect: the integrator 'path' spreads its samples by itself\n"
+            "3: BPT_Pixel_Random has no effect: the integrator 'path' spreads its samples by itself\n");
+  EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Pixel_Radial true\nBPT_Samples 4\n"),
+            "4: BPT_Samples has no effect: the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\n"), "2: BPT_RIS has no effect: no BPT_EM_Background is given\n");
 }
 

@@ -11,7 +11,7 @@
 #include <png.h>
 #include <turbojpeg.h>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/transport/image/image_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -118,7 +118,7 @@ class ImageReader : public testing::Test {
   }
 
   std::string encoded(const Image& image, const std::string& name) {
-    EXPECT_TRUE(transport::write_image(image, folder_.path(name), diagnostics_));
+    EXPECT_TRUE(transport::write_image({image}, folder_.path(name), diagnostics_));
     return test::bytes_of(folder_.path(name));
   }
 
@@ -222,13 +222,18 @@ TEST_F(ImageReader, RefusesHugeImages) {
 
 TEST_F(ImageReader, SaysWhatIsWrong) {
   expect_error("a.exr", "", "the file is empty");
-  expect_error("b.bmp", "BM something", "expected OpenEXR, Radiance (hdr), pfm, PNG, JPEG or TGA");
+  expect_error("b.bmp", "BM something", "expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
   expect_error("c.pfm", "PF\n2 2\n", "it is broken (its first lines are not a kind, a width, a height");
   expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is broken (it ends early)");
   expect_error("e.pfm", "PF\n0 2\n-1\n", "it is broken (it has no pixels)");
   expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is broken (it has no pixels)");
   expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is broken (it ends early)");
   expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is broken (it ends early)");
+  expect_error("j.raw", std::string("\1\0\0", 3), "it is broken (it ends early)");
+  expect_error("k.raw", std::string(8, '\0'), "it is broken (it has no pixels)");
+  expect_error("l.raw", std::string("\1\0\0\0\1\0\0\0 twelve bytes and more", 30),
+               "it is broken (it is longer than its size says)");
+  expect_error("m.raw", std::string(40, '\xff'), "it is broken (it ends early)");
   expect_error("i.tga", "some text", "it is broken (");
   EXPECT_FALSE(transport::read_image(folder_.path("none.exr"), diagnostics_ = {}));
   EXPECT_EQ(diagnostics_.error_count(), 1U);
@@ -253,6 +258,7 @@ class BrokenImages : public ImageReader {
     return {{"a.exr", encoded(image, "image.exr")},
             {"a.png", encoded(image, "image.png")},
             {"a.pfm", pfm_of(image)},
+            {"a.raw", encoded(image, "image.raw")},
             {"a.hdr", radiance_file(4, 3)},
             {"b.hdr", radiance_rle_file(20, 9)},
             {"a.tga", tga_file(4, 3)},

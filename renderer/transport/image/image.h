@@ -22,26 +22,10 @@ struct Image {
   }
 };
 
-/// A file format for images, told by the extension.
-struct ImageFormat {
-  std::string_view extension;  ///< lower case, without the dot
-  std::string_view title;
-  std::string (*encode)(const Image& image);
-};
-
-const std::vector<ImageFormat>& image_formats();
-
-/// The format that a path's extension means, or null after an error.
-const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics);
-
-/// Replaces the file by the image, or leaves it as it was and says why. EXR keeps linear radiance in 32-bit
-/// floats; PNG is sRGB-encoded, with radiance 1 as white.
-bool write_image(const Image& image, const std::string& path, grf::Diagnostics& diagnostics);
-
-/// Reads OpenEXR, Radiance, pfm, PNG, JPEG or TGA, told by what the file holds (TGA by its name). 8-bit
-/// images are taken to be sRGB-encoded, and 16-bit ones to be linear unless they say otherwise. Anything
-/// wrong with the file is one error, at the place that asked for it or of the file itself. Values are as they
-/// stand there, NaN and negative ones too.
+/// Reads OpenEXR, Radiance, pfm, raw, PNG, JPEG or TGA, told by what the file holds (raw and TGA by its
+/// name). 8-bit images are taken to be sRGB-encoded, and 16-bit ones to be linear unless they say otherwise.
+/// Anything wrong with the file is one error, at the place that asked for it or of the file itself. Values
+/// are as they stand there, NaN and negative ones too.
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at = {});
 

@@ -132,6 +132,21 @@ Image decode_pfm(std::string_view bytes) {
   return image;
 }
 
+// Width and height, then floats, rows from the top: `encode_raw`.
+
+Image decode_raw(std::string_view bytes) {
+  std::array<std::uint32_t, 2> size = {};
+  if (bytes.size() < sizeof(size)) throw std::runtime_error("it ends early");
+  std::memcpy(size.data(), bytes.data(), sizeof(size));
+  bytes.remove_prefix(sizeof(size));
+  const std::size_t row = std::max<std::size_t>(1, sizeof(Rgb) * size[0]);
+  if (bytes.size() / row < size[1]) throw std::runtime_error("it ends early");
+  Image image = blank_image(size[0], size[1]);
+  if (bytes.size() != row * size[1]) throw std::runtime_error("it is longer than its size says");
+  std::memcpy(&image.pixels.front().x, bytes.data(), bytes.size());
+  return image;
+}
+
 // PNG: 16-bit files keep their 16 bits.
 
 Image decode_png(std::string_view bytes) {
@@ -193,6 +208,7 @@ struct Decoder {
 };
 
 constexpr std::array Decoders = {
+    Decoder{"", "raw", decode_raw},  // the first, because its first bytes, a width, may be anything
     Decoder{"\x76\x2f\x31\x01", "exr", decode_exr},
     Decoder{"#?", "hdr", decode_radiance},
     Decoder{"PF", "pfm", decode_pfm},
@@ -265,7 +281,7 @@ std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagn
   };
   if (bytes->empty()) return fail("the file is empty");
   const Decoder* decoder = decoder_of(*bytes, path);
-  if (decoder == nullptr) return fail("expected OpenEXR, Radiance (hdr), pfm, PNG, JPEG or TGA");
+  if (decoder == nullptr) return fail("expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
   try {
     return decoder->decode(*bytes);
   } catch (const std::bad_alloc&) {

@@ -1,0 +1,82 @@
+#include "renderer/command/compare_command.h"
+
+#include <cstdio>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/transport/image/image_error.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using transport::Image;
+using transport::ImageError;
+
+/// Nothing after an error.
+std::optional<ImageError> compare(const CompareArguments& arguments, Diagnostics& diagnostics) {
+  const auto image = transport::read_image(arguments.image, diagnostics);
+  const auto reference = transport::read_image(arguments.reference, diagnostics);
+  if (!image || !reference) return std::nullopt;
+  if (image->width != reference->width || image->height != reference->height) {
+    diagnostics.error(grf::whole_file(arguments.image),
+                      fmt::format("the image has {} x {} pixels, expected {} x {} as '{}' has", image->width,
+                                  image->height, reference->width, reference->height, arguments.reference));
+    return std::nullopt;
+  }
+  const ImageError error = transport::error_of(*image, *reference);
+  if (error.nan_pixels < image->pixels.size()) return error;
+  diagnostics.error(grf::whole_file(arguments.image),
+                    fmt::format("no pixel is finite both here and in '{}'", arguments.reference));
+  return std::nullopt;
+}
+
+nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
+void print_json(const ImageError& error) {
+  nlohmann::ordered_json json;
+  json["rmse"] = error.rmse;
+  json["relmse"] = error.relmse;
+  json["average_relative_error"] = number_or_null(error.average_relative_error);
+  json["psnr"] = number_or_null(error.psnr);
+  json["max"] = error.max;
+  json["nan_pixels"] = error.nan_pixels;
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const ImageError& error) {
+  const auto print = [](const char* name, const std::string& value) {
+    fmt::print("  {:<24}{}\n", name, value);
+  };
+  const auto number = [](double value) { return fmt::format("{:.6g}", value); };
+  print("rmse", number(error.rmse));
+  print("relmse", number(error.relmse));
+  print("average relative error", error.average_relative_error
+                                      ? fmt::format("{:.4g} %", 100 * *error.average_relative_error)
+                                      : "none, the reference is black");
+  print("psnr", error.psnr ? fmt::format("{:.4g} dB", *error.psnr) : "none");
+  print("max", number(error.max));
+  print("pixels that are NaN", fmt::format("{}", error.nan_pixels));
+}
+
+}  // namespace
+
+ExitCode compare(const CompareArguments& arguments) {
+  Diagnostics diagnostics;
+  const auto error = compare(arguments, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (!error) return ExitCode::BadInput;
+  if (arguments.json) {
+    print_json(*error);
+  } else {
+    print_text(*error);
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace command

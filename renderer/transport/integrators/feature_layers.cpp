@@ -1,0 +1,109 @@
+#include "renderer/transport/integrators/feature_layers.h"
+
+#include <limits>
+
+#include <tbb/parallel_for.h>
+
+#include "renderer/transport/sobol.h"
+#include "renderer/transport/thread_sanitizer.h"
+#include "renderer/transport/threads.h"
+
+namespace transport {
+namespace {
+
+/// Sums over the camera rays of one pixel.
+struct PixelFeatures {
+  Rgb albedo = Rgb(0);
+  Vec3f normal = Vec3f(0);
+  float depth = 0;
+  int hits = 0;
+};
+
+/// An unbiased estimate, from directions that the sampling scheme draws.
+Rgb albedo_estimate(const reflectance::Reflector& reflector, const Vec3f& u, PathNumbers& numbers) {
+  constexpr int Directions = 4;
+  const PointSet points = numbers.next_set(Directions);
+  Rgb sum(0);
+  for (int i = 0; i < Directions; ++i) {
+    const Uniform4 xi = points[i];
+    if (const auto drawn = reflector.sample(u, {xi.xy(), xi.z})) sum += drawn->weight;
+  }
+  return sum / Directions;
+}
+
+/// As paths see it: an interpolated normal that points away from the eye gives way to the true one.
+Vec3f normal_towards(const Vec3f& back, const SurfacePoint& point) {
+  const float side = back.dot(point.geometric_normal) < 0 ? -1.0F : 1.0F;
+  const Vec3f shading = side * point.shading_normal;
+  return shading.dot(back) > 0 ? shading : side * point.geometric_normal;
+}
+
+class FeatureRays {
+ public:
+  FeatureRays(const CompiledScene& scene, const View& view, int width, int height)
+      : scene_(scene),
+        camera_(view, width, height),
+        eye_(view.eye),
+        forward_((view.target - view.eye).normalized()) {}
+
+  void add(float x, float y, PathNumbers& numbers, PixelFeatures& features) const {
+    const Ray ray = camera_.ray(x, y);
+    const auto point = scene_.intersect(ray);
+    if (!point) return;
+    const Vec3f back = -ray.direction;
+    const Vec3f normal = normal_towards(back, *point);
+    ++features.hits;
+    features.normal += normal;
+    features.depth += (point->position - eye_).dot(forward_);
+    const reflectance::Reflector* reflector = scene_.reflector(*point->surface);
+    if (reflector == nullptr) return;
+    const Vec3f u = reflectance::Frame(normal).to_local(back);
+    if (u.z > 0) features.albedo += point->colour * albedo_estimate(*reflector, u, numbers);
+  }
+
+ private:
+  const CompiledScene& scene_;
+  Camera camera_;
+  Vec3f eye_;
+  Vec3f forward_;
+};
+
+}  // namespace
+
+FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int width, int height, int samples,
+                             std::uint32_t seed, int threads) {
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  FeatureLayers layers;
+  layers.albedo = {width, height, std::vector<Rgb>(count)};
+  layers.normal = {width, height, std::vector<Rgb>(count)};
+  layers.depth.resize(count);
+  const FeatureRays rays(scene, view, width, height);
+  const auto fill = [&](int x, int y) {
+    const std::uint32_t pixel_seed =
+        hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
+    PixelFeatures sum;
+    for (int sample = 0; sample < samples; ++sample) {
+      PathNumbers numbers(pixel_seed, static_cast<std::uint32_t>(sample));
+      const Uniform4 place = numbers.next();
+      rays.add(static_cast<float>(x) + place.x, static_cast<float>(y) + place.y, numbers, sum);
+    }
+    const std::size_t index =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    layers.albedo.pixels[index] = sum.albedo / static_cast<float>(samples);
+    layers.normal.pixels[index] = sum.normal / static_cast<float>(samples);
+    layers.depth[index] =
+        sum.hits > 0 ? sum.depth / static_cast<float>(sum.hits) : std::numeric_limits<float>::infinity();
+  };
+  run_with_threads(threads, [&] {
+    publish(&layers);
+    tbb::parallel_for(0, height, [&](int y) {
+      see(&layers);
+      for (int x = 0; x < width; ++x) fill(x, y);
+      publish(&layers);
+    });
+    see(&layers);
+  });
+  return layers;
+}
+
+}  // namespace transport
