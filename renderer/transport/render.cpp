@@ -23,7 +23,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called fr
 Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
-      camera_(settings.view, settings.width, settings.height),
+      camera_(seen_from(scene.origin(), settings.view), settings.width, settings.height),
       film_(settings.width, settings.height),
       start_(std::chrono::steady_clock::now()),
       start_ticks_(processor_ticks()) {}

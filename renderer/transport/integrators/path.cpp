@@ -29,11 +29,13 @@ struct Scattering {
         reflector(surface_reflector),
         geometric_normal(back.dot(point.geometric_normal) < 0 ? -point.geometric_normal
                                                               : point.geometric_normal),
-        frame(shading_normal(back)),
+        frame(shading_normal(back), point.tangent),
         u(frame.to_local(back)) {}
 
   /// Light passes through no surface, whatever an interpolated normal says.
-  bool is_above(const Vec3f& world_direction) const { return world_direction.dot(geometric_normal) > 0; }
+  bool is_above(const Vec3f& world_direction) const {
+    return point.is_above(world_direction, geometric_normal, frame.z);
+  }
 
  private:
   // An interpolated normal that points away from the eye would make the surface black: the true one serves.
@@ -144,10 +146,10 @@ void Path::add_area_light(const Scattering& scattering, float choice, const Vec2
   const float area_density = (1 - environment_share_) * light.density;
   const auto lit = lit_from(scattering, direction, to_solid_angle(area_density, to_light, light.normal));
   if (!lit) return;
-  const Vec3f origin = scattering.point.origin_towards(direction);
   const Vec3f end = offset_towards(light.position, light.error, light.normal, -direction);
   ++counter_.rays;
-  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light.radiance;
+  if (!scene_.is_occluded(scattering.point.ray_to(end, direction), light.emitter))
+    radiance_ += *lit * light.radiance;
 }
 
 void Path::add_environment_light(const Scattering& scattering, const Vec2f& xi) {
@@ -156,7 +158,7 @@ void Path::add_environment_light(const Scattering& scattering, const Vec2f& xi) 
   const auto lit = lit_from(scattering, light->direction, environment_share_ * light->density);
   if (!lit) return;
   ++counter_.rays;
-  if (scene_.escapes({scattering.point.origin_towards(light->direction), light->direction})) {
+  if (scene_.escapes(scattering.point.ray_towards(light->direction))) {
     radiance_ += *lit * light->radiance;
   }
 }
@@ -174,7 +176,7 @@ void Path::add_resampled_light(const Scattering& scattering) {
   const auto add_if_visible = [&](const Vec3f& v, const Rgb& estimate) {
     const Vec3f direction = scattering.frame.to_world(v);
     ++counter_.rays;
-    if (!scene_.escapes({scattering.point.origin_towards(direction), direction})) return;
+    if (!scene_.escapes(scattering.point.ray_towards(direction))) return;
     radiance_ += throughput_ * scattering.point.colour * estimate;
   };
   reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
@@ -196,7 +198,8 @@ bool Path::scatter(const Scattering& scattering, const Uniform4& xi) {
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
   density_ = drawn->is_mirror ? 0 : drawn->density;
-  ray_ = {scattering.point.origin_towards(direction), direction};
+  ray_ = scattering.point.ray_towards(direction);
+  if (density_ > 0) ray_.cone = ray_.cone.widened(density_);
   return true;
 }
 

@@ -35,8 +35,12 @@ LightSample Emitters::sample(float choice, const Vec2f& xi) const {
     point = {1 - root, root * xi.y};
   }
   const Vec3f extent = absolute(emitter.corner) + absolute(emitter.edge1) + absolute(emitter.edge2);
-  return {emitter.corner + emitter.edge1 * point.x + emitter.edge2 * point.y, extent * InterpolationError,
-          emitter.doubled_area_normal().normalized(), emitter.radiance, area_density(index)};
+  return {emitter.corner + emitter.edge1 * point.x + emitter.edge2 * point.y,
+          extent * InterpolationError,
+          emitter.doubled_area_normal().normalized(),
+          emitter.radiance,
+          area_density(index),
+          static_cast<std::uint32_t>(index)};
 }
 
 }  // namespace transport

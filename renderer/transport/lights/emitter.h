@@ -5,12 +5,12 @@
 
 #include "grf/math.h"
 #include "renderer/reflectance/geometry.h"
-#include "renderer/transport/scene/ray_caster.h"
 
 namespace transport {
 
 using grf::Colour;
 using grf::Vec2f;
+using grf::Vec3f;
 using reflectance::Rgb;
 
 /// A parallelogram, or the half of one that is a triangle, that emits from its front: the side to which
@@ -33,6 +33,7 @@ struct LightSample {
   Vec3f normal;
   Rgb radiance;
   float density = 0;  ///< per unit of emitting area, the choice of the emitter included
+  std::uint32_t emitter = 0;
 };
 
 /// All that emits, to be sampled in proportion to power.
