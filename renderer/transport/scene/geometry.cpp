@@ -47,7 +47,6 @@ Instance::Instance(const Matrix44d& matrix) {
   to_scene.linear = linear_part(matrix);
   to_scene.translation = Vec3f(matrix.translation());
   normal_map = linear_part(matrix.inverse().transposed());
-  if (matrix.determinant() < 0) normal_map *= -1;
   // Two maps of points, of four products each, and the inverse that Embree computes in float.
   constexpr double RoundingErrors = 12 * 0x1p-24;
   error_factor = static_cast<float>(RoundingErrors * condition(matrix));

@@ -68,8 +68,7 @@ struct Instance {
   explicit Instance(const grf::Matrix44d& to_scene);
 
   AffineMap to_scene;
-  /// The inverse transpose, turned round where the map mirrors: fronts stay where they were relative to
-  /// normals.
+  /// The inverse transpose: under a map that mirrors, too, fronts stay where they were relative to normals.
   grf::Matrix33f normal_map;
   /// Bounds what rounding does on the way to the instance and back, as `error_factor * (|p| + error_extent)`
   /// along each axis, p being the point in the scene (largest components).

@@ -45,7 +45,8 @@ HitTriangle::HitTriangle(const Geometry& geometry, const TriangleHit& hit, const
 // A point that rounding takes over the edge of its triangle is outside of a closed room. So it keeps the
 // distance of some such errors to the edges, as long as the triangle is that large.
 void HitTriangle::keep_off_edges() {
-  const float margin = 2 * largest_component(error_);
+  // Its own error counts along all axes, and so does that of the test against the triangle across the edge.
+  const float margin = 6 * largest_component(error_);
   const float longest_edge = largest_component(b_ - a_) + largest_component(c_ - a_);
   const float area = largest_component(doubled_area_);
   // As a barycentric weight: the distance to an edge over the height on it, which is the doubled area over
@@ -133,12 +134,12 @@ Vec3f HitTriangle::tangent(const Vec3f& axis, const Vec3f& normal) const {
 Vec3f HitTriangle::rise() const {
   const Vec3f place = interpolate(a_, b_, c_);
   const float side = ray_.direction.dot(normal_in_scene(doubled_area_)) <= 0 ? 1.0F : -1.0F;
-  const auto above = [&](const Vec3f& corner, const Vec3f& normal) {
-    return normal * std::max(0.0F, (corner - place).dot(normal) * side);
+  const auto above = [&](const Vec3f& corner, std::uint32_t index) {
+    Vec3f normal = normal_in_scene(mesh_.normals[index]);
+    if (is_placed_by_map()) normal.normalize();
+    return normal * std::max(0.0F, vector_in_scene(corner - place).dot(normal) * side);
   };
-  const Vec3f rise = interpolate(above(a_, mesh_.normals[corners_[0]]), above(b_, mesh_.normals[corners_[1]]),
-                                 above(c_, mesh_.normals[corners_[2]]));
-  return vector_in_scene(rise * side);
+  return interpolate(above(a_, corners_[0]), above(b_, corners_[1]), above(c_, corners_[2])) * side;
 }
 
 }  // namespace transport
