@@ -87,11 +87,11 @@ std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnosti
   transport::CompileSettings settings;
   settings.threads = render_options.threads;
   const bool has_scheme = override_scheme(render_options, settings, diagnostics);
-  const auto scene = grf::read(path, diagnostics);
+  auto scene = grf::read(path, diagnostics);
   if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics) || !has_scheme) {
     return std::nullopt;
   }
-  auto compiled = transport::compile(*scene, diagnostics, settings);
+  auto compiled = transport::compile(std::move(*scene), diagnostics, settings);
   if (compiled && compiled->triangle_count() == 0) {
     diagnostics.error(grf::whole_file(path), "the scene has nothing to render, expected a mesh or a light");
     return std::nullopt;
@@ -118,7 +118,7 @@ bool load_surroundings(const RenderOptions& render_options, transport::RenderSet
   return map.has_value();
 }
 
-transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3f& bounds) {
+transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3d& bounds) {
   transport::RenderSettings settings;
   settings.width = render_options.size.width;
   settings.height = render_options.size.height;

@@ -56,6 +56,15 @@ struct Frame {
     y = {b, sign + z.y * z.y * a, -z.y};
   }
 
+  /// With x along the tangent, as far as the normal lets it; as without one where the tangent is 0 or
+  /// parallel to the normal.
+  Frame(const Vec3f& normal, const Vec3f& tangent) : Frame(normal) {
+    const Vec3f along = tangent - normal * normal.dot(tangent);
+    if (!(along.length2() > 1e-12F * tangent.length2())) return;
+    x = along.normalized();
+    y = z.cross(x);
+  }
+
   Vec3f to_local(const Vec3f& world) const { return {world.dot(x), world.dot(y), world.dot(z)}; }
   Vec3f to_world(const Vec3f& local) const { return local.x * x + local.y * y + local.z * z; }
 };

@@ -19,29 +19,37 @@ Vec3f rightwards(const Vec3f& forward, const Vec3f& up) {
 
 }  // namespace
 
-View view_of(const grf::Box3f& bounds, float field_of_view, float aspect) {
+View view_of(const grf::Box3d& bounds, float field_of_view, float aspect) {
   View view;
   view.field_of_view = field_of_view;
   if (bounds.isEmpty()) {
-    view.eye = Vec3f(0, 0, 1);
+    view.eye = grf::Vec3d(0, 0, 1);
     return view;
   }
-  const float radius = std::max(bounds.size().length() / 2, 1e-6F);
+  const double radius = bounds.size().length() > 0 ? bounds.size().length() / 2 : 1e-6;
   const float tangent = half_height(field_of_view) * std::min(1.0F, aspect);
   const float sine = tangent / std::sqrt(1 + tangent * tangent);
   view.target = bounds.center();
-  view.eye = view.target + Vec3f(0, 0.35F, 1).normalized() * (radius / sine);
+  view.eye = view.target + grf::Vec3d(0, 0.35, 1).normalized() * (radius / sine);
   return view;
+}
+
+View seen_from(const grf::Vec3d& origin, const View& view) {
+  View result = view;
+  result.eye -= origin;
+  result.target -= origin;
+  return result;
 }
 
 Camera::Camera(const View& view, int width, int height)
     : eye_(view.eye), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
-  const Vec3f forward = (view.target - view.eye).normalized();
+  const Vec3f forward((view.target - view.eye).normalized());
   const Vec3f right = rightwards(forward, view.up);
   const Vec3f up = right.cross(forward);
   const float size = 2 * half_height(view.field_of_view) / static_cast<float>(height);
   step_x_ = right * size;
   step_y_ = up * -size;
+  pixel_angle_ = size;
   corner_ = forward - step_x_ * (static_cast<float>(width) / 2) - step_y_ * (static_cast<float>(height) / 2);
 }
 
@@ -62,6 +70,8 @@ Imath::M44f Camera::world_to_image() const {
   return world_to_camera() * project;
 }
 
-Ray Camera::ray(float x, float y) const { return {eye_, (corner_ + step_x_ * x + step_y_ * y).normalized()}; }
+Ray Camera::ray(float x, float y) const {
+  return {eye_, (corner_ + step_x_ * x + step_y_ * y).normalized(), {}, {0, pixel_angle_}};
+}
 
 }  // namespace transport

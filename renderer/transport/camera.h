@@ -5,23 +5,27 @@
 
 namespace transport {
 
-/// Where the eye is and what it sees.
+/// Where the eye is and what it sees, in the world: in double, so that scenes far from its origin can be
+/// seen.
 struct View {
-  Vec3f eye = Vec3f(0);
-  Vec3f target = Vec3f(0);
+  grf::Vec3d eye = grf::Vec3d(0);
+  grf::Vec3d target = grf::Vec3d(0);
   Vec3f up = Vec3f(0, 1, 0);  ///< where it is parallel to the view, the z axis (or, if need be, x) is taken
   float field_of_view = 45;   ///< vertical, degrees, between 0 and 180
 };
 
 /// A view of the whole box, from in front (looking along -z) and slightly above.
-View view_of(const grf::Box3f& bounds, float field_of_view, float aspect);
+View view_of(const grf::Box3d& bounds, float field_of_view, float aspect);
+
+/// The same view in coordinates that have this point as their origin.
+View seen_from(const grf::Vec3d& origin, const View& view);
 
 /// A pinhole camera.
 class Camera {
  public:
   Camera(const View& view, int width, int height);
 
-  /// The ray through a point of the image: pixels, from the upper left corner.
+  /// The ray through a point of the image: pixels, from the upper left corner. Its cone is one pixel wide.
   Ray ray(float x, float y) const;
 
   /// From world space to the camera's, for row vectors: x to the right, y up, and the eye looks down -z.
@@ -39,6 +43,7 @@ class Camera {
   Vec3f step_y_;
   float width_;
   float height_;
+  float pixel_angle_ = 0;
 };
 
 }  // namespace transport

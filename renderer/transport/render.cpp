@@ -24,7 +24,7 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
       kernel_(kernel_of(scene, settings.integrator)),
-      camera_(settings.view, settings.width, settings.height),
+      camera_(seen_from(scene.origin(), settings.view), settings.width, settings.height),
       film_(settings.width, settings.height),
       start_(std::chrono::steady_clock::now()),
       start_ticks_(processor_ticks()) {}

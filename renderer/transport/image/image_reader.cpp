@@ -21,6 +21,7 @@
 #include "grf/text_file.h"
 #include "renderer/transport/image/image.h"
 #include "renderer/transport/image/image_decoders.h"
+#include "renderer/transport/image/srgb.h"
 
 namespace transport {
 namespace {
@@ -255,12 +256,7 @@ Image blank_image(std::int64_t width, std::int64_t height, std::string_view file
 }
 
 void decode_srgb(const std::uint8_t* bytes, Image& image) {
-  std::array<float, 256> linear = {};
-  for (std::size_t i = 0; i < linear.size(); ++i) {
-    const double encoded = static_cast<double>(i) / 255;
-    linear[i] =
-        static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
-  }
+  const SrgbTable& linear = srgb_table();
   for (Rgb& pixel : image.pixels) {
     pixel = {linear[bytes[0]], linear[bytes[1]], linear[bytes[2]]};
     bytes += 3;

@@ -42,8 +42,8 @@ class FeatureRays {
  public:
   FeatureRays(const CompiledScene& scene, const View& view, int width, int height)
       : scene_(scene),
-        camera_(view, width, height),
-        eye_(view.eye),
+        camera_(seen_from(scene.origin(), view), width, height),
+        eye_(scene.to_local(view.eye)),
         forward_((view.target - view.eye).normalized()) {}
 
   void add(float x, float y, PathNumbers& numbers, PixelFeatures& features) const {
@@ -57,7 +57,7 @@ class FeatureRays {
     features.depth += (point->position - eye_).dot(forward_);
     const reflectance::Reflector* reflector = scene_.reflector(*point->surface);
     if (reflector == nullptr) return;
-    const Vec3f u = reflectance::Frame(normal).to_local(back);
+    const Vec3f u = reflectance::Frame(normal, point->tangent).to_local(back);
     if (u.z > 0) features.albedo += point->colour * albedo_estimate(*reflector, u, numbers);
   }
 

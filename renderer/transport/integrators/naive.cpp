@@ -37,6 +37,12 @@ class NaivePaths {
   std::vector<PointSet> points_;
 };
 
+Ray scattered(const SurfacePoint& point, const Vec3f& direction, const ScatterSample& drawn) {
+  Ray ray = point.ray_towards(direction);
+  if (!drawn.is_mirror) ray.cone = ray.cone.widened(drawn.density);
+  return ray;
+}
+
 Uniforms uniforms(const Uniform4& xi) { return {xi.xy(), xi.z}; }
 
 std::optional<SurfacePoint> NaivePaths::intersect(const Ray& ray) {
@@ -94,7 +100,7 @@ Rgb NaivePaths::follow(Ray ray, int path) {
     const Vec3f direction = scattering.frame.to_world(drawn->direction);
     throughput *= drawn->weight * point->colour;
     if (!scattering.is_above(direction) || reflectance::is_black(throughput)) return radiance;
-    ray = {point->origin_towards(direction), direction};
+    ray = scattered(*point, direction, *drawn);
   }
 }
 
@@ -111,7 +117,7 @@ Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& behind) {
     const Vec3f direction = scattering.frame.to_world(drawn.direction);
     const Rgb weight = drawn.weight * point->colour;
     if (scattering.is_above(direction) && !reflectance::is_black(weight)) {
-      sum += Imath::V3d(weight * follow({point->origin_towards(direction), direction}, path));
+      sum += Imath::V3d(weight * follow(scattered(*point, direction, drawn), path));
     }
     ++path;
   }

@@ -144,10 +144,10 @@ void Path<Has>::add_area_light(const Scattering& scattering, float choice, const
   if (!light || !scattering.is_above(light->direction)) return;
   const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
-  const Vec3f origin = scattering.point.origin_towards(light->direction);
   const Vec3f end = offset_towards(light->position, light->error, light->normal, -light->direction);
   ++counter_.rays;
-  if (!scene_.is_occluded({origin, end - origin})) radiance_ += *lit * light->radiance;
+  const Ray ray = scattering.point.ray_to(end, light->direction);
+  if (!scene_.is_occluded(ray, light->emitter)) radiance_ += *lit * light->radiance;
 }
 
 template <PathEffects Has>
@@ -157,7 +157,7 @@ void Path<Has>::add_environment_light(const Scattering& scattering, const Vec2f&
   const auto lit = lit_from(scattering, light->direction, environment_share_ * light->density);
   if (!lit) return;
   ++counter_.rays;
-  if (scene_.escapes({scattering.point.origin_towards(light->direction), light->direction})) {
+  if (scene_.escapes(scattering.point.ray_towards(light->direction))) {
     radiance_ += *lit * light->radiance;
   }
 }
@@ -176,7 +176,7 @@ void Path<Has>::add_resampled_light(const Scattering& scattering) {
   const auto add_if_visible = [&](const Vec3f& v, const Rgb& estimate) {
     const Vec3f direction = scattering.frame.to_world(v);
     ++counter_.rays;
-    if (!scene_.escapes({scattering.point.origin_towards(direction), direction})) return;
+    if (!scene_.escapes(scattering.point.ray_towards(direction))) return;
     radiance_ += throughput_ * scattering.point.colour * estimate;
   };
   reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
@@ -207,7 +207,8 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   density_ = drawn->is_mirror ? 0 : drawn->density;
   from_ = scattering.point.position;
   from_normal_ = scattering.frame.z;
-  ray_ = {scattering.point.origin_towards(direction), direction};
+  ray_ = scattering.point.ray_towards(direction);
+  if (density_ > 0) ray_.cone = ray_.cone.widened(density_);
   return true;
 }
 

@@ -15,11 +15,13 @@ class Scattering {
         reflector(surface_reflector),
         geometric_normal(back.dot(point.geometric_normal) < 0 ? -point.geometric_normal
                                                               : point.geometric_normal),
-        frame(shading_normal(back)),
+        frame(shading_normal(back), point.tangent),
         u(frame.to_local(back)) {}
 
   /// Light passes through no surface, whatever an interpolated normal says.
-  bool is_above(const Vec3f& world_direction) const { return world_direction.dot(geometric_normal) > 0; }
+  bool is_above(const Vec3f& world_direction) const {
+    return point.is_above(world_direction, geometric_normal, frame.z);
+  }
 
   const SurfacePoint& point;
   const reflectance::Reflector& reflector;

@@ -5,7 +5,7 @@
 
 namespace transport {
 
-float environment_share(const EnvironmentMap* environment, const Lights& lights, const grf::Box3f& bounds) {
+float environment_share(const EnvironmentMap* environment, const Lights& lights, const grf::Box3d& bounds) {
   if (environment == nullptr || environment->is_black()) return 0;
   if (lights.empty()) return 1;
   constexpr double Least = 0.2;

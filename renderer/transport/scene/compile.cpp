@@ -1,11 +1,14 @@
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "grf/visit.h"
 #include "renderer/transport/scene/compiled_scene.h"
-#include "renderer/transport/scene/triangulation.h"
+#include "renderer/transport/scene/mesh_builder.h"
+#include "renderer/transport/scene/surface_set.h"
+#include "renderer/transport/scene/survey.h"
 
 namespace transport {
 namespace {
@@ -14,234 +17,237 @@ using grf::AreaLight;
 using grf::Matrix44d;
 using grf::Mesh;
 using grf::Placement;
-using grf::ResolvedSurface;
+using grf::Vec3d;
 
-Vec3f transformed(const Vec3f& position, const Matrix44d& to_world) {
-  return Vec3f(grf::Vec3d(position) * to_world);
-}
-
-Vec3f transformed_edge(const Vec3f& edge, const Matrix44d& to_world) {
-  grf::Vec3d result;
-  to_world.multDirMatrix(grf::Vec3d(edge), result);
+Vec3f transformed_edge(const Vec3f& edge, const Matrix44d& map) {
+  Vec3d result;
+  map.multDirMatrix(Vec3d(edge), result);
   return Vec3f(result);
 }
 
-/// Normals follow the inverse transpose.
-Matrix44d normal_matrix(const Matrix44d& to_world) { return to_world.inverse().transposed(); }
+/// The y axis of an object in the scene, see CompiledSurface.
+Vec3f axis_of(const Matrix44d& to_world) {
+  Vec3d axis;
+  to_world.inverse().transposed().multDirMatrix(Vec3d(0, 1, 0), axis);
+  return Vec3f(mirrors(to_world) ? -axis.normalized() : axis.normalized());
+}
 
-bool mirrors(const Matrix44d& to_world) { return to_world.determinant() < 0; }
+/// A mesh or a light, where it stands.
+struct Placed {
+  const Mesh* mesh = nullptr;
+  const AreaLight* light = nullptr;
+  std::uint32_t first_surface = 0;
+  Matrix44d to_scene;
+};
 
+/// Lists what is placed, with its surfaces, while the scope that they need is at hand; then makes the arrays,
+/// whose sizes are known by then.
 class Compiler {
  public:
-  Compiler(const CompileSettings& settings, grf::Diagnostics& diagnostics)
+  Compiler(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics)
       : settings_(settings),
         diagnostics_(diagnostics),
-        reflectors_(settings.scheme, settings.missed_part, diagnostics) {}
-
-  void add(const Mesh& mesh, const Placement& placement);
-  void add(const grf::MeshLight& light, const Placement& placement);
-  void add(const AreaLight& light, const Placement& placement);
-
-  CompiledScene finish() {
-    if (textured_faces_ > 0) {
-      diagnostics_.warning({}, fmt::format("textures are not rendered: {} {} shown without", textured_faces_,
-                                           textured_faces_ == 1 ? "face is" : "faces are"));
-    }
-    if (emitters_.empty()) geometry_.emitter_of_triangle.clear();
-    for (const Vec3f& position : geometry_.positions) geometry_.bounds.extendBy(position);
-    geometry_.positions.emplace_back(0.0F);  // padding, see RayCaster
-    return CompiledScene(std::move(geometry_), std::move(surfaces_), reflectors_.build(settings_.threads),
-                         Lights(std::move(emitters_)));
+        survey_(scene, settings.most_copied_triangles),
+        reflectors_(settings.scheme, settings.missed_part, diagnostics),
+        textures_(diagnostics),
+        surfaces_(reflectors_, textures_) {
+    geometry_.origin = survey_.origin;
   }
 
+  bool has_room();
+  void list(const grf::Scene& scene);
+  void build();
+  /// Reads images and makes tables, and builds what casts rays.
+  std::optional<CompiledScene> finish();
+
  private:
-  void add_vertices(const Mesh& mesh, const Matrix44d& to_world);
-  bool has_room_for(const Mesh& mesh);
-  std::vector<std::uint32_t> add_surfaces(const Mesh& mesh, const grf::Scope& scope);
-  std::vector<std::uint32_t> add_light_surfaces(const Mesh& mesh, const grf::Scope& scope);
-  void add_faces(const Mesh& mesh, const Matrix44d& to_world, const std::vector<std::uint32_t>& surfaces);
-  void add_face(const Mesh& mesh, std::size_t face, std::uint32_t surface, std::uint32_t first_vertex,
-                bool turn);
-  void add_triangle(const std::array<std::uint32_t, 3>& corners, TriangleSurface surface,
-                    std::uint32_t emitter);
-  std::uint32_t reflector_of(const ResolvedSurface& surface);
-  std::uint32_t add_triangle_emitter(const std::array<std::uint32_t, 3>& corners, const Rgb& radiance);
+  void list(const Mesh& mesh, const Placement& placement);
+  Matrix44d to_scene(const Placement& placement) const;
+  MeshSize size_of_first_mesh() const;
+  void place(const Placed& placed, MeshBuilder& builder);
+  void place_light(const Placed& placed, MeshBuilder& builder);
+  void place_instance(const Placed& placed);
+  std::uint32_t mesh_index(const Placed& placed);
+  void add_emitters(const TriangleMesh& mesh, std::size_t first_triangle, std::uint32_t first_surface,
+                    std::uint32_t instance, const Matrix44d& map);
+  void add_emitter(const Emitter& emitter, const TriangleId& id);
 
   const CompileSettings& settings_;
   grf::Diagnostics& diagnostics_;
+  Survey survey_;
   ReflectorSetBuilder reflectors_;
+  TextureSetBuilder textures_;
+  SurfaceSetBuilder surfaces_;
+  std::vector<Placed> placed_;
   Geometry geometry_;
-  std::vector<CompiledSurface> surfaces_;
   std::vector<Emitter> emitters_;
-  std::size_t textured_faces_ = 0;
-  bool is_too_large_ = false;
+  std::unordered_map<const Mesh*, std::uint32_t> index_of_mesh_;
+  grf::Box3d local_bounds_;
 };
 
-void Compiler::add(const Mesh& mesh, const Placement& placement) {
-  if (!has_room_for(mesh)) return;
-  add_faces(mesh, placement.to_world, add_surfaces(mesh, placement.scope));
-  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    if (mesh.surface(i).texture) ++textured_faces_;
-  }
+// A scene that is small as a file can be large by what it includes many times.
+bool Compiler::has_room() {
+  constexpr std::size_t Most = 200'000'000;
+  if (survey_.triangles <= Most && survey_.instances <= Most / 10) return true;
+  diagnostics_.error(
+      {}, fmt::format("more than {} million triangles, or {} million instances, cannot be rendered",
+                      Most / 1'000'000, Most / 10'000'000));
+  return false;
 }
 
-void Compiler::add(const grf::MeshLight& light, const Placement& placement) {
-  if (!has_room_for(*light.mesh)) return;
-  add_faces(*light.mesh, placement.to_world, add_light_surfaces(*light.mesh, placement.scope));
+Matrix44d Compiler::to_scene(const Placement& placement) const {
+  return placement.to_world * Matrix44d().setTranslation(-geometry_.origin);
 }
 
-// Each instance is a copy here, so a scene that is small as a file can be large.
-bool Compiler::has_room_for(const Mesh& mesh) {
-  constexpr std::size_t MostTriangles = 200'000'000;
-  if (is_too_large_) return false;
-  is_too_large_ = geometry_.triangle_surfaces.size() + mesh.corners.size() > MostTriangles;
-  if (is_too_large_) {
-    diagnostics_.error(
-        {}, fmt::format("more than {} million triangles, each instance counted, cannot be rendered",
-                        MostTriangles / 1'000'000));
-  }
-  return !is_too_large_;
+void Compiler::list(const Mesh& mesh, const Placement& placement) {
+  const Vec3f axis = survey_.is_instanced(mesh) ? Vec3f(0, 1, 0) : axis_of(placement.to_world);
+  placed_.push_back({&mesh, nullptr, surfaces_.add(mesh, placement.scope, axis), to_scene(placement)});
 }
 
-// A mirroring transform turns triangles inside out: the other winding keeps their front where it was.
-void Compiler::add_faces(const Mesh& mesh, const Matrix44d& to_world,
-                         const std::vector<std::uint32_t>& surfaces) {
-  const auto first_vertex = static_cast<std::uint32_t>(geometry_.positions.size());
-  add_vertices(mesh, to_world);
-  const bool turn = mirrors(to_world);
-  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    add_face(mesh, i, surfaces[mesh.surface_of_face[i]], first_vertex, turn);
-  }
+void Compiler::list(const grf::Scene& scene) {
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
+    list(mesh, placement);
+  };
+  visitor.mesh_light = [&](const grf::MeshLight& light, const Placement& placement, const grf::Block&) {
+    const Mesh& mesh = *light.mesh;
+    placed_.push_back({&mesh, nullptr, surfaces_.add_light(mesh, placement.scope), to_scene(placement)});
+  };
+  visitor.light = [&](const AreaLight& light, const Placement& placement, const grf::Block&) {
+    const std::uint32_t surface = surfaces_.add_light(light.radiance.value_or(Colour(1)));
+    placed_.push_back({nullptr, &light, surface, to_scene(placement)});
+  };
+  grf::visit(scene, visitor);
 }
 
-void Compiler::add_vertices(const Mesh& mesh, const Matrix44d& to_world) {
-  const std::size_t first = geometry_.positions.size();
-  const std::size_t count = mesh.positions.size();
-  for (const Vec3f& position : mesh.positions) geometry_.positions.push_back(transformed(position, to_world));
-  if (!mesh.normals.empty()) geometry_.normals.resize(first, Vec3f(0));
-  if (!geometry_.normals.empty() || !mesh.normals.empty()) {
-    const Matrix44d to_world_normal = normal_matrix(to_world);
-    for (std::size_t i = 0; i < count; ++i) {
-      geometry_.normals.push_back(
-          mesh.normals.has(i) ? transformed_edge(mesh.normals[i], to_world_normal).normalized() : Vec3f(0));
+MeshSize Compiler::size_of_first_mesh() const {
+  MeshSize size;
+  for (const Placed& placed : placed_) {
+    if (placed.mesh == nullptr) {
+      size.vertices += 4;
+      size.triangles += 2;
+    } else if (!survey_.is_instanced(*placed.mesh)) {
+      size.add(*placed.mesh, surfaces_.needs_uvs(*placed.mesh, placed.first_surface),
+               settings_.has_irradiance);
     }
   }
-  if (!mesh.colours.empty()) geometry_.colours.resize(first, Colour(1));
-  if (!geometry_.colours.empty() || !mesh.colours.empty()) {
-    for (std::size_t i = 0; i < count; ++i) {
-      geometry_.colours.push_back(mesh.colours.has(i) ? mesh.colours[i] : Colour(1));
-    }
+  return size;
+}
+
+void Compiler::build() {
+  MeshBuilder builder(size_of_first_mesh());
+  geometry_.meshes.emplace_back();
+  geometry_.instances.emplace_back(Matrix44d());
+  for (const Placed& placed : placed_) place(placed, builder);
+  for (const Vec3f& position : builder.mesh().positions) local_bounds_.extendBy(Vec3d(position));
+  geometry_.meshes[0] = builder.finish();
+  if (!local_bounds_.isEmpty()) {
+    geometry_.bounds = {local_bounds_.min + geometry_.origin, local_bounds_.max + geometry_.origin};
+  }
+  placed_ = {};
+}
+
+void Compiler::place(const Placed& placed, MeshBuilder& builder) {
+  if (placed.mesh == nullptr) return place_light(placed, builder);
+  if (survey_.is_instanced(*placed.mesh)) return place_instance(placed);
+  const std::size_t first_triangle = builder.mesh().triangles.size();
+  builder.add(*placed.mesh, placed.to_scene, surfaces_.of(*placed.mesh, placed.first_surface),
+              placed.first_surface);
+  add_emitters(builder.mesh(), first_triangle, 0, 0, Matrix44d());
+}
+
+void Compiler::place_light(const Placed& placed, MeshBuilder& builder) {
+  const AreaLight& light = *placed.light;
+  const Matrix44d& map = placed.to_scene;
+  Emitter emitter{Vec3f(Vec3d(light.corner) * map), transformed_edge(light.edge1, map),
+                  transformed_edge(light.edge2, map), false, light.radiance.value_or(Colour(1))};
+  if (mirrors(map)) std::swap(emitter.edge1, emitter.edge2);
+  const auto first_triangle = static_cast<std::uint32_t>(builder.mesh().triangles.size());
+  builder.add(emitter, placed.first_surface);
+  if (reflectance::is_black(emitter.radiance)) return;
+  add_emitter(emitter, {0, first_triangle});
+  geometry_.emitter_table.push_back(geometry_.emitter_table.back());  // of its second triangle
+}
+
+std::uint32_t Compiler::mesh_index(const Placed& placed) {
+  const Mesh& mesh = *placed.mesh;
+  const auto [known, is_new] =
+      index_of_mesh_.try_emplace(&mesh, static_cast<std::uint32_t>(geometry_.meshes.size()));
+  if (!is_new) return known->second;
+  MeshSize size;
+  // Another instance may have a texture where this one has none.
+  size.add(mesh, true, settings_.has_irradiance);
+  MeshBuilder builder(size);
+  builder.add(mesh, Matrix44d(), surfaces_.of(mesh, placed.first_surface), 0);
+  geometry_.meshes.push_back(builder.finish());
+  return known->second;
+}
+
+void Compiler::place_instance(const Placed& placed) {
+  Instance instance(placed.to_scene);
+  instance.mesh = mesh_index(placed);
+  instance.first_surface = placed.first_surface;
+  instance.first_emitter = static_cast<std::uint32_t>(geometry_.emitter_table.size());
+  const auto index = static_cast<std::uint32_t>(geometry_.instances.size());
+  geometry_.instances.push_back(instance);
+  const TriangleMesh& mesh = geometry_.meshes[instance.mesh];
+  if (!mesh.emitting_runs.empty()) {
+    add_emitters(mesh, 0, placed.first_surface, index, placed.to_scene);
+  }
+  local_bounds_.extendBy(transformed(survey_.box_of(*placed.mesh), placed.to_scene));
+}
+
+void Compiler::add_emitters(const TriangleMesh& mesh, std::size_t first_triangle, std::uint32_t first_surface,
+                            std::uint32_t instance, const Matrix44d& map) {
+  const bool turns = mirrors(map);
+  for (std::size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
+    const Triangle& triangle = mesh.triangles[i];
+    const Rgb& radiance = surfaces_[first_surface + triangle.surface].emission;
+    if (reflectance::is_black(radiance)) continue;
+    std::array<Vec3d, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3d(mesh.positions[triangle.corners[k]]) * map;
+    if (turns) std::swap(corners[1], corners[2]);
+    const Emitter emitter{Vec3f(corners[0]), Vec3f(corners[1] - corners[0]), Vec3f(corners[2] - corners[0]),
+                          true, radiance};
+    add_emitter(emitter, {instance, static_cast<std::uint32_t>(i)});
   }
 }
 
-std::vector<std::uint32_t> Compiler::add_surfaces(const Mesh& mesh, const grf::Scope& scope) {
-  const std::vector<bool> used = used_surfaces(mesh);
-  std::vector<std::uint32_t> indices;
-  for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
-    indices.push_back(static_cast<std::uint32_t>(surfaces_.size()));
-    if (!used[i]) continue;
-    const ResolvedSurface resolved = resolve(mesh.surfaces[i], scope);
-    surfaces_.push_back({resolved.colour, resolved.emission.value_or(Colour(0)), reflector_of(resolved)});
+// One without area emits nothing, and cannot be met.
+void Compiler::add_emitter(const Emitter& emitter, const TriangleId& id) {
+  if (!(emitter.area() > 0)) {
+    geometry_.emitter_table.push_back(None);
+    return;
   }
-  return indices;
-}
-
-// The colour of a mesh light is what it emits.
-std::vector<std::uint32_t> Compiler::add_light_surfaces(const Mesh& mesh, const grf::Scope& scope) {
-  std::vector<std::uint32_t> indices;
-  for (const grf::Surface& surface : mesh.surfaces) {
-    indices.push_back(static_cast<std::uint32_t>(surfaces_.size()));
-    surfaces_.push_back({Rgb(1), resolve(surface, scope).colour, None});
-  }
-  return indices;
-}
-
-// An emitter without a BRDF reflects nothing; any other face without one is diffuse.
-std::uint32_t Compiler::reflector_of(const ResolvedSurface& surface) {
-  if (surface.brdf == nullptr && surface.emission) return None;
-  return reflectors_.index_of(surface);
-}
-
-void Compiler::add_face(const Mesh& mesh, std::size_t face, std::uint32_t surface, std::uint32_t first_vertex,
-                        bool turn) {
-  const auto corners = mesh.face(face);
-  std::vector<Vec3f> positions;
-  bool is_flat = geometry_.normals.empty();
-  for (const std::uint32_t corner : corners) {
-    positions.push_back(geometry_.positions[first_vertex + corner]);
-    is_flat = is_flat || geometry_.normals[first_vertex + corner] == Vec3f(0);
-  }
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangulate(positions, triangles);
-  const bool emits = !reflectance::is_black(surfaces_[surface].emission);
-  for (auto [a, b, c] : triangles) {
-    if (turn) std::swap(b, c);
-    const std::array<std::uint32_t, 3> vertices = {first_vertex + corners[a], first_vertex + corners[b],
-                                                   first_vertex + corners[c]};
-    const std::uint32_t emitter = emits ? add_triangle_emitter(vertices, surfaces_[surface].emission) : None;
-    add_triangle(vertices, {surface, is_flat}, emitter);
-  }
-}
-
-void Compiler::add_triangle(const std::array<std::uint32_t, 3>& corners, TriangleSurface surface,
-                            std::uint32_t emitter) {
-  geometry_.triangles.insert(geometry_.triangles.end(), corners.begin(), corners.end());
-  geometry_.triangle_surfaces.push_back(surface);
-  geometry_.emitter_of_triangle.push_back(emitter);
-}
-
-std::uint32_t Compiler::add_triangle_emitter(const std::array<std::uint32_t, 3>& corners,
-                                             const Rgb& radiance) {
-  const Vec3f& a = geometry_.positions[corners[0]];
-  const Emitter emitter{a, geometry_.positions[corners[1]] - a, geometry_.positions[corners[2]] - a, true,
-                        radiance};
-  if (!(emitter.area() > 0)) return None;
+  geometry_.emitter_table.push_back(static_cast<std::uint32_t>(emitters_.size()));
+  geometry_.emitter_triangles.push_back(id);
   emitters_.push_back(emitter);
-  return static_cast<std::uint32_t>(emitters_.size() - 1);
 }
 
-void Compiler::add(const AreaLight& light, const Placement& placement) {
-  const Matrix44d& to_world = placement.to_world;
-  Emitter emitter{transformed(light.corner, to_world), transformed_edge(light.edge1, to_world),
-                  transformed_edge(light.edge2, to_world), false, light.radiance.value_or(Colour(1))};
-  if (mirrors(to_world)) std::swap(emitter.edge1, emitter.edge2);
-  const auto first = static_cast<std::uint32_t>(geometry_.positions.size());
-  const Vec3f& corner = emitter.corner;
-  for (const Vec3f& position :
-       {corner, corner + emitter.edge1, corner + emitter.edge1 + emitter.edge2, corner + emitter.edge2}) {
-    geometry_.positions.push_back(position);
-    if (!geometry_.normals.empty()) geometry_.normals.emplace_back(0.0F);
-    if (!geometry_.colours.empty()) geometry_.colours.emplace_back(1.0F);
-  }
-  const auto surface = static_cast<std::uint32_t>(surfaces_.size());
-  surfaces_.push_back({Rgb(1), emitter.radiance, None});
-  std::uint32_t index = None;
-  if (emitter.area() > 0 && !reflectance::is_black(emitter.radiance)) {
-    index = static_cast<std::uint32_t>(emitters_.size());
-    emitters_.push_back(emitter);
-  }
-  add_triangle({first, first + 1, first + 2}, {surface, true}, index);
-  add_triangle({first, first + 2, first + 3}, {surface, true}, index);
+std::optional<CompiledScene> Compiler::finish() {
+  const std::size_t errors_before = diagnostics_.error_count();
+  std::vector<Texture> textures = textures_.build(settings_.threads);
+  if (diagnostics_.error_count() > errors_before) return std::nullopt;
+  return CompiledScene(std::move(geometry_), surfaces_.take(), reflectors_.build(settings_.threads),
+                       std::move(textures), std::move(emitters_));
 }
 
 }  // namespace
 
 std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
                                      const CompileSettings& settings) {
+  return compile(grf::Scene(scene), diagnostics, settings);  // meshes are shared, not copied
+}
+
+std::optional<CompiledScene> compile(grf::Scene&& scene, grf::Diagnostics& diagnostics,
+                                     const CompileSettings& settings) {
   const std::size_t errors_before = diagnostics.error_count();
-  Compiler compiler(settings, diagnostics);
-  grf::SceneVisitor visitor;
-  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
-    compiler.add(mesh, placement);
-  };
-  visitor.mesh_light = [&](const grf::MeshLight& light, const Placement& placement, const grf::Block&) {
-    compiler.add(light, placement);
-  };
-  visitor.light = [&](const AreaLight& light, const Placement& placement, const grf::Block&) {
-    compiler.add(light, placement);
-  };
-  grf::visit(scene, visitor);
+  Compiler compiler(scene, settings, diagnostics);
+  if (!compiler.has_room()) return std::nullopt;
+  compiler.list(scene);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
+  compiler.build();
+  scene = {};
   return compiler.finish();
 }
 

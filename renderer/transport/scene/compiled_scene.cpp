@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/transport/scene/hit.h"
+
 namespace transport {
-namespace {
-
-template <class Value>
-Value interpolate(const std::vector<Value>& values, const std::uint32_t* corners, const TriangleHit& hit) {
-  return values[corners[0]] * (1 - hit.u - hit.v) + values[corners[1]] * hit.u + values[corners[2]] * hit.v;
-}
-
-}  // namespace
 
 std::vector<std::string> Effects::names() const {
   std::vector<std::string> names;
@@ -25,46 +19,73 @@ std::vector<std::string> Effects::names() const {
   add(anisotropy, "anisotropy");
   add(interpolated_normals, "interpolated_normals");
   add(vertex_colours, "vertex_colours");
+  add(textures, "textures");
   return names;
 }
 
 CompiledScene::CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces,
-                             ReflectorSet reflectors, Lights lights)
-    : geometry_(std::move(geometry)),
+                             ReflectorSet reflectors, std::vector<Texture> textures,
+                             std::vector<Emitter> emitters)
+    : geometry_(std::make_unique<const Geometry>(std::move(geometry))),
       surfaces_(std::move(surfaces)),
       reflectors_(std::move(reflectors)),
-      lights_(std::move(lights)),
-      caster_(geometry_.positions, geometry_.triangles) {}
+      textures_(std::move(textures)),
+      lights_(std::move(emitters)),
+      caster_(*geometry_) {}
 
 std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
-  const auto hit = caster_.intersect(ray);
-  if (!hit) return std::nullopt;
-  return point_at(*hit);
+  const auto met = caster_.intersect(ray);
+  if (!met) return std::nullopt;
+  const HitTriangle hit(*geometry_, *met, ray);
+  const CompiledSurface& surface = surfaces_[hit.instance().first_surface + hit.triangle().surface];
+  std::optional<SurfacePoint> point = hit.point();
+  point->surface = &surface;
+  point->colour = surface.colour * hit.vertex_colour();
+  point->irradiance = hit.irradiance();
+  if (surface.texture != None) {
+    const Texture& texture = textures_[surface.texture];
+    point->colour *= texture.lookup(hit.uv(), hit.uv_scale() * point->cone.width);
+  }
+  if (surface.is_anisotropic) point->tangent = hit.tangent(surface.axis, point->shading_normal);
+  if (!reflectance::is_black(surface.emission)) {
+    const TriangleMesh& mesh = geometry_->meshes[hit.instance().mesh];
+    point->emitter =
+        geometry_->emitter_table[hit.instance().first_emitter + mesh.emitting_number(met->id.triangle)];
+  }
+  if (!hit.triangle().is_flat && surface.reflector != None) raise(*point, hit.rise());
+  return point;
 }
 
-SurfacePoint CompiledScene::point_at(const TriangleHit& hit) const {
-  const std::uint32_t* corners = &geometry_.triangles[3 * static_cast<std::size_t>(hit.triangle)];
-  const Vec3f& a = geometry_.positions[corners[0]];
-  const Vec3f& b = geometry_.positions[corners[1]];
-  const Vec3f& c = geometry_.positions[corners[2]];
-  const TriangleSurface& triangle = geometry_.triangle_surfaces[hit.triangle];
-  SurfacePoint point;
-  point.surface = &surfaces_[triangle.surface];
-  // From the corners and not along the ray: the error is then that of one interpolation. That of Embree's
-  // test of the next ray against this triangle grows with the whole triangle, so all of its corners count in
-  // full.
-  point.position = interpolate(geometry_.positions, corners, hit);
-  point.error = (absolute(a) + absolute(b) + absolute(c)) * InterpolationError;
-  point.geometric_normal = (b - a).cross(c - a).normalized();
-  point.shading_normal = point.geometric_normal;
-  if (!triangle.is_flat) {
-    const Vec3f normal = interpolate(geometry_.normals, corners, hit);
-    if (normal.length2() > 0) point.shading_normal = normal.normalized();
+void CompiledScene::raise(SurfacePoint& point, const Vec3f& rise) const {
+  // Less than that is no way up from the triangle.
+  const float least = 4 * absolute(point.geometric_normal).dot(point.error);
+  if (rise.length2() <= least * least) return;
+  const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, rise);
+  const Vec3f raised = point.position + rise;
+  if (caster_.is_occluded({foot, raised - foot, point.id})) return;
+  point.position = raised;
+  point.error += absolute(rise) * InterpolationError;
+  point.is_raised = true;
+}
+
+bool CompiledScene::is_occluded(const Ray& ray, std::uint32_t emitter) const {
+  if (emitter == None) return caster_.is_occluded(ray);
+  return caster_.is_occluded(ray, geometry_->emitter_triangles[emitter],
+                             lights_[emitter].is_triangle ? 1 : 2);
+}
+
+std::size_t CompiledScene::triangle_count() const {
+  std::size_t count = 0;
+  for (const Instance& instance : geometry_->instances) {
+    count += geometry_->meshes[instance.mesh].triangles.size();
   }
-  point.colour = point.surface->colour;
-  if (!geometry_.colours.empty()) point.colour *= interpolate(geometry_.colours, corners, hit);
-  if (!geometry_.emitter_of_triangle.empty()) point.emitter = geometry_.emitter_of_triangle[hit.triangle];
-  return point;
+  return count;
+}
+
+std::size_t CompiledScene::bytes() const {
+  std::size_t bytes = geometry_->bytes() + surfaces_.capacity() * sizeof(CompiledSurface);
+  for (const Texture& texture : textures_) bytes += texture.bytes();
+  return bytes;
 }
 
 bool CompiledScene::is_matte() const {
@@ -72,13 +93,21 @@ bool CompiledScene::is_matte() const {
                      [](const reflectance::Reflector& reflector) { return reflector.is_matte(); });
 }
 
-Effects CompiledScene::effects() const {
+Effects CompiledScene::geometry_effects() const {
   Effects effects;
+  for (const TriangleMesh& mesh : geometry_->meshes) {
+    if (!mesh.colours.empty()) effects.vertex_colours = true;
+    if (mesh.normals.empty() || effects.interpolated_normals) continue;
+    effects.interpolated_normals = std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                                               [](const Triangle& triangle) { return !triangle.is_flat; });
+  }
+  return effects;
+}
+
+Effects CompiledScene::effects() const {
+  Effects effects = geometry_effects();
   effects.area_lights = !lights_.empty();
-  effects.interpolated_normals =
-      std::any_of(geometry_.triangle_surfaces.begin(), geometry_.triangle_surfaces.end(),
-                  [](const TriangleSurface& triangle) { return !triangle.is_flat; });
-  effects.vertex_colours = !geometry_.colours.empty();
+  effects.textures = !textures_.empty();
   for (const reflectance::Reflector& reflector : reflectors_.reflectors) {
     const reflectance::Brdf& brdf = reflector.brdf();
     if (reflectance::has_mirror(brdf)) effects.mirror_reflection = true;

@@ -1,9 +1,9 @@
-// A scene for rays: flat, immutable, triangles and tables. Made in one explicit step from the scene that
-// people edit; no station on the way renumbers faces.
+// A scene for rays: immutable, triangles and tables. Made in one explicit step from the scene that people
+// edit; no station on the way renumbers faces.
 #pragma once
 
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,36 +11,13 @@
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 #include "renderer/transport/lights/lights.h"
+#include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/ray_caster.h"
-#include "renderer/transport/scene/ray_offset.h"
 #include "renderer/transport/scene/reflector_set.h"
+#include "renderer/transport/scene/surface_point.h"
+#include "renderer/transport/scene/texture.h"
 
 namespace transport {
-
-constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
-
-struct CompiledSurface {
-  Rgb colour = Rgb(1);
-  Rgb emission = Rgb(0);
-  std::uint32_t reflector = None;  ///< None: black
-};
-
-/// What a triangle has besides its corners.
-struct TriangleSurface {
-  std::uint32_t surface = 0;
-  bool is_flat = true;  ///< shaded with its own normal and not with its corners'
-};
-
-/// Arrays of a scene in world space; the way from `grf::Scene` to `CompiledScene`.
-struct Geometry {
-  std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;   ///< unit, or 0 where a vertex has none; empty if no vertex has one
-  std::vector<Colour> colours;  ///< 1 where a vertex has none; empty if no vertex has one
-  std::vector<std::uint32_t> triangles;
-  std::vector<TriangleSurface> triangle_surfaces;
-  std::vector<std::uint32_t> emitter_of_triangle;  ///< None for most; empty if nothing emits
-  grf::Box3f bounds;
-};
 
 /// What a scene makes a path tracer do. A kernel is to do no more than that.
 struct Effects {
@@ -51,41 +28,38 @@ struct Effects {
   bool anisotropy = false;
   bool interpolated_normals = false;
   bool vertex_colours = false;
+  bool textures = false;
 
   std::vector<std::string> names() const;
 };
 
-/// Where a ray met a surface.
-struct SurfacePoint {
-  Vec3f position;
-  Vec3f error;             ///< bounds of the position's rounding error, for each axis
-  Vec3f geometric_normal;  ///< unit, on the front
-  Vec3f shading_normal;    ///< unit
-  Rgb colour;
-  const CompiledSurface* surface = nullptr;
-  std::uint32_t emitter = None;
-
-  /// Where rays in this direction start.
-  Vec3f origin_towards(const Vec3f& direction) const {
-    return offset_towards(position, error, geometric_normal, direction);
-  }
-};
-
+/// Coordinates, of rays and of what they meet, are those of the world less an origin. That is (0,0,0) but for
+/// scenes so far from the world's origin that floats would make steps of them.
 class CompiledScene {
  public:
   CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
-                Lights lights);
+                std::vector<Texture> textures, std::vector<Emitter> emitters);
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
-  bool is_occluded(const Ray& ray) const { return caster_.is_occluded(ray); }
+
+  /// True if anything is between the origin and origin + direction; if that is a point of an emitter, then
+  /// but for the emitter itself.
+  bool is_occluded(const Ray& ray, std::uint32_t emitter = None) const;
   bool escapes(const Ray& ray) const { return caster_.escapes(ray); }
 
   const Lights& lights() const { return lights_; }
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
     return surface.reflector == None ? nullptr : &reflectors_.reflectors[surface.reflector];
   }
-  const grf::Box3f& bounds() const { return geometry_.bounds; }
-  std::size_t triangle_count() const { return geometry_.triangle_surfaces.size(); }
+
+  /// What to subtract from coordinates of the world.
+  const grf::Vec3d& origin() const { return geometry_->origin; }
+  Vec3f to_local(const grf::Vec3d& world) const { return Vec3f(world - geometry_->origin); }
+  const grf::Box3d& bounds() const { return geometry_->bounds; }  ///< in the world
+
+  std::size_t triangle_count() const;                                             ///< each instance counted
+  std::size_t instance_count() const { return geometry_->instances.size() - 1; }  ///< of shared meshes
+  std::size_t bytes() const;  ///< of triangles, their attributes and textures, without what Embree has
   Effects effects() const;
   /// True if all that reflects is `diffuse`, sampled by cosine.
   bool is_matte() const;
@@ -96,24 +70,34 @@ class CompiledScene {
   double table_seconds() const { return reflectors_.seconds; }
 
  private:
-  SurfacePoint point_at(const TriangleHit& hit) const;
+  Effects geometry_effects() const;
+  void raise(SurfacePoint& point, const Vec3f& rise) const;
 
-  Geometry geometry_;
+  std::unique_ptr<const Geometry> geometry_;  ///< its arrays stay where they are, for the caster
   std::vector<CompiledSurface> surfaces_;
   ReflectorSet reflectors_;
+  std::vector<Texture> textures_;
   Lights lights_;
-  RayCaster caster_;  ///< shares the triangles of the geometry
+  RayCaster caster_;
 };
 
 struct CompileSettings {
   std::optional<SchemeOverride> scheme;  ///< checked against the catalogue too
   reflectance::MissedPart missed_part = reflectance::MissedPart::DrawnByCosine;
-  int threads = 0;  ///< that make tables; 0: as many as the machine has
+  int threads = 0;              ///< that make tables and read textures; 0: as many as the machine has
+  bool has_irradiance = false;  ///< keeps the irradiance of vertices
+  /// A mesh that is placed more than once is copied if all its copies together have no more triangles than
+  /// that: rays meet them sooner than instances.
+  std::size_t most_copied_triangles = 10'000;
 };
 
 /// Compiles a scene that was checked against the catalogue. A sampling scheme that cannot serve the BRDF of
-/// its faces is an error, and nothing is returned.
+/// its faces, and an image that cannot be read, is an error, and nothing is returned.
 std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
+                                     const CompileSettings& settings = {});
+
+/// The same, and frees what the scene alone holds before the memory for casting rays is needed.
+std::optional<CompiledScene> compile(grf::Scene&& scene, grf::Diagnostics& diagnostics,
                                      const CompileSettings& settings = {});
 
 }  // namespace transport

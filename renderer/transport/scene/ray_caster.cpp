@@ -1,30 +1,52 @@
 #include "renderer/transport/scene/ray_caster.h"
 
+#include <cmath>
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <vector>
 
 #include <embree3/rtcore.h>
 
 namespace transport {
 namespace {
 
-void share_geometry(RTCGeometry geometry, std::span<const Vec3f> positions,
-                    std::span<const std::uint32_t> triangles) {
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
-                             sizeof(Vec3f), positions.size() - 1);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0,
-                             3 * sizeof(std::uint32_t), triangles.size() / 3);
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+/// What a shadow ray passes through. Embree hands its filter the context that the ray was cast with.
+struct ShadowContext {
+  RTCIntersectContext embree;
+  TriangleId from;
+  TriangleId target;
+  std::uint32_t target_count = 0;
+
+  bool passes(const TriangleId& id) const {
+    if (id == from) return true;
+    return id.instance == target.instance && id.triangle - target.triangle < target_count;
+  }
+};
+
+// What is placed once is no instance for Embree, and the first one here.
+std::uint32_t instance_of(unsigned embree_instance) {
+  return embree_instance == RTC_INVALID_GEOMETRY_ID ? 0 : embree_instance;
 }
 
-RTCRay to_embree(const Ray& ray, float farthest) {
+void filter_shadow_hits(const RTCFilterFunctionNArguments* arguments) {
+  const auto* context = reinterpret_cast<const ShadowContext*>(arguments->context);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const TriangleId id = {instance_of(RTCHitN_instID(arguments->hit, arguments->N, i, 0)),
+                           RTCHitN_primID(arguments->hit, arguments->N, i)};
+    if (context->passes(id)) arguments->valid[i] = 0;
+  }
+}
+
+RTCRay to_embree(const Ray& ray, float nearest, float farthest) {
   RTCRay embree_ray;
   embree_ray.org_x = ray.origin.x;
   embree_ray.org_y = ray.origin.y;
   embree_ray.org_z = ray.origin.z;
-  // Not 0, at which a ray that starts in the plane of an axis-aligned triangle would meet it: there the error
-  // bound by which origins are moved off a surface is 0.
-  embree_ray.tnear = std::numeric_limits<float>::min();
+  embree_ray.tnear = nearest;
   embree_ray.dir_x = ray.direction.x;
   embree_ray.dir_y = ray.direction.y;
   embree_ray.dir_z = ray.direction.z;
@@ -36,65 +58,133 @@ RTCRay to_embree(const Ray& ray, float farthest) {
   return embree_ray;
 }
 
+// Not 0, at which a ray that starts in the plane of an axis-aligned triangle would meet it: there the error
+// bound by which origins are moved off a surface is 0.
+constexpr float Nearest = std::numeric_limits<float>::min();
+
+RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
+                             sizeof(Vec3f), mesh.positions.size() - 1);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                             sizeof(Triangle), mesh.triangles.size());
+  rtcSetGeometryOccludedFilterFunction(geometry, filter_shadow_hits);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+/// Attaches and gives away a geometry.
+void attach(RTCScene scene, RTCGeometry geometry, unsigned id) {
+  rtcAttachGeometryByID(scene, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
+RTCGeometry instance_of(RTCDevice device, RTCScene scene, const AffineMap& map) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, scene);
+  const auto& m = map.linear;
+  const std::array<float, 12> columns = {m[0][0], m[0][1],           m[0][2],           m[1][0],
+                                         m[1][1], m[1][2],           m[2][0],           m[2][1],
+                                         m[2][2], map.translation.x, map.translation.y, map.translation.z};
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
 }  // namespace
 
-struct RayCaster::Scene {
+struct RayCaster::Scenes {
   RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  RTCScene top = nullptr;
+  std::vector<RTCScene> meshes;  ///< of instances; null for the first mesh
 
-  Scene() = default;
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-  ~Scene() {
-    if (scene != nullptr) rtcReleaseScene(scene);
+  Scenes() = default;
+  Scenes(const Scenes&) = delete;
+  Scenes& operator=(const Scenes&) = delete;
+  ~Scenes() {
+    if (top != nullptr) rtcReleaseScene(top);
+    for (RTCScene mesh : meshes) {
+      if (mesh != nullptr) rtcReleaseScene(mesh);
+    }
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
-  bool meets_anything(const Ray& ray, float farthest) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    RTCRay query = to_embree(ray, farthest);
-    rtcOccluded1(scene, &context, &query);
+  RTCScene new_scene() const {
+    RTCScene scene = rtcNewScene(device);
+    if (scene == nullptr) throw std::bad_alloc();
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    return scene;
+  }
+  void check() const {
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
+  }
+  void build_meshes(const Geometry& geometry);
+  void build_top(const Geometry& geometry);
+
+  bool meets_anything(const Ray& ray, float farthest, const TriangleId& target, std::uint32_t count) const {
+    ShadowContext context{{}, ray.from, target, count};
+    rtcInitIntersectContext(&context.embree);
+    RTCRay query = to_embree(ray, Nearest, farthest);
+    rtcOccluded1(top, &context.embree, &query);
     return query.tfar < 0;
   }
 };
 
-RayCaster::RayCaster(std::span<const Vec3f> positions, std::span<const std::uint32_t> triangles)
-    : scene_(std::make_unique<Scene>()) {
-  scene_->device = rtcNewDevice(nullptr);
-  if (scene_->device == nullptr) throw std::runtime_error("Embree cannot start on this machine");
-  scene_->scene = rtcNewScene(scene_->device);
-  rtcSetSceneFlags(scene_->scene, RTC_SCENE_FLAG_ROBUST);
-  if (!triangles.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    share_geometry(geometry, positions, triangles);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_->scene, geometry);
-    rtcReleaseGeometry(geometry);
+void RayCaster::Scenes::build_meshes(const Geometry& geometry) {
+  meshes.resize(geometry.meshes.size(), nullptr);
+  for (std::size_t i = 1; i < meshes.size(); ++i) {
+    meshes[i] = new_scene();
+    attach(meshes[i], triangles_of(device, geometry.meshes[i]), 0);
+    rtcCommitScene(meshes[i]);
+    check();
   }
-  rtcCommitScene(scene_->scene);
-  if (rtcGetDeviceError(scene_->device) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
+
+void RayCaster::Scenes::build_top(const Geometry& geometry) {
+  top = new_scene();
+  if (!geometry.meshes[0].triangles.empty()) attach(top, triangles_of(device, geometry.meshes[0]), 0);
+  for (std::size_t i = 1; i < geometry.instances.size(); ++i) {
+    const Instance& instance = geometry.instances[i];
+    attach(top, instance_of(device, meshes[instance.mesh], instance.to_scene), static_cast<unsigned>(i));
+  }
+  rtcCommitScene(top);
+  check();
+}
+
+RayCaster::RayCaster(const Geometry& geometry) : scenes_(std::make_unique<Scenes>()) {
+  scenes_->device = rtcNewDevice(nullptr);
+  if (scenes_->device == nullptr) throw std::runtime_error("Embree cannot start on this processor");
+  scenes_->build_meshes(geometry);
+  scenes_->build_top(geometry);
 }
 
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
+// A ray that is back at the triangle that it leaves goes on behind it: rare enough for a second look, which
+// costs other rays nothing, as a filter would.
 std::optional<TriangleHit> RayCaster::intersect(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit query;
-  query.ray = to_embree(ray, std::numeric_limits<float>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return TriangleHit{query.hit.primID, query.hit.u, query.hit.v};
+  float nearest = Nearest;
+  while (true) {
+    RTCRayHit query;
+    query.ray = to_embree(ray, nearest, Infinity);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scenes_->top, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    const TriangleId id = {instance_of(query.hit.instID[0]), query.hit.primID};
+    if (id != ray.from) return TriangleHit{id, query.hit.u, query.hit.v, query.ray.tfar};
+    nearest = std::nextafter(query.ray.tfar, Infinity);
+  }
 }
 
-bool RayCaster::is_occluded(const Ray& ray) const { return scene_->meets_anything(ray, 1 - 1e-4F); }
-
-bool RayCaster::escapes(const Ray& ray) const {
-  return !scene_->meets_anything(ray, std::numeric_limits<float>::infinity());
+bool RayCaster::is_occluded(const Ray& ray, const TriangleId& target, std::uint32_t count) const {
+  return scenes_->meets_anything(ray, 1, target, count);
 }
+
+bool RayCaster::escapes(const Ray& ray) const { return !scenes_->meets_anything(ray, Infinity, {}, 0); }
 
 }  // namespace transport

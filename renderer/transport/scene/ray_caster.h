@@ -3,31 +3,29 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 
-#include "grf/math.h"
+#include "renderer/transport/scene/geometry.h"
+#include "renderer/transport/scene/ray.h"
 
 namespace transport {
 
-using grf::Vec3f;
-
-struct Ray {
-  Vec3f origin;
-  Vec3f direction;  ///< need not be of unit length: distances along the ray count in its lengths
-};
-
 struct TriangleHit {
-  std::uint32_t triangle = 0;
+  TriangleId id;
   /// Weights of the second and the third corner.
   float u = 0, v = 0;
+  float distance = 0;  ///< in lengths of the ray's direction
 };
 
-/// Finds what rays meet: the one user of Embree. Its robust mode leaves no cracks along shared edges.
+/// Finds what rays meet: the one user of Embree. Its robust mode leaves no cracks along shared edges of a
+/// mesh.
+///
+/// The first mesh is met without a transform; the others through Embree's instances, and only those that an
+/// instance places.
 class RayCaster {
  public:
-  /// Triangles as three vertex indices each. The arrays must outlive the caster, and the last position is
-  /// not to be used: Embree reads 16 bytes for a vertex of 12, so one is needed behind the others.
-  RayCaster(std::span<const Vec3f> positions, std::span<const std::uint32_t> triangles);
+  /// The triangles and positions must stay where they are while the caster exists. The last position of a
+  /// mesh is not to be used: Embree reads 16 bytes for a vertex of 12, so one is needed behind the others.
+  explicit RayCaster(const Geometry& geometry);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
@@ -35,16 +33,16 @@ class RayCaster {
   /// The nearest triangle in front of the origin.
   std::optional<TriangleHit> intersect(const Ray& ray) const;
 
-  /// True if anything is between the origin and origin + direction, but for the last 1e-4 of the way: what
-  /// the ray ends on is not in its own way.
-  bool is_occluded(const Ray& ray) const;
+  /// True if anything is between the origin and origin + direction, but for `count` triangles from `target`
+  /// on: what the ray ends on is not in its own way.
+  bool is_occluded(const Ray& ray, const TriangleId& target = {}, std::uint32_t count = 0) const;
 
   /// True if nothing is in front of the origin, however far.
   bool escapes(const Ray& ray) const;
 
  private:
-  struct Scene;
-  std::unique_ptr<Scene> scene_;
+  struct Scenes;
+  std::unique_ptr<Scenes> scenes_;
 };
 
 }  // namespace transport

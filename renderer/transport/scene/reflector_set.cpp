@@ -22,6 +22,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 std::uint32_t ReflectorSetBuilder::index_of(const grf::ResolvedSurface& surface) {
+  if (surface.brdf != nullptr && !surface.brdf->terms.empty()) return index_by_text(surface);
+  const auto [known, is_new] = index_by_place_.try_emplace({surface.brdf, surface.pdf});
+  if (is_new) known->second = index_by_text(surface);
+  return known->second;
+}
+
+std::uint32_t ReflectorSetBuilder::index_by_text(const grf::ResolvedSurface& surface) {
   const grf::PdfModel* pdf = scheme_of(surface);
   const std::string brdf =
       surface.brdf != nullptr ? brdfs_.identity(*surface.brdf, surface.brdf_scope) : std::string();

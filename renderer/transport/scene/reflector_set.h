@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grf/diagnostics.h"
@@ -35,7 +36,7 @@ struct ReflectorSet {
   double seconds = 0;             ///< that building them took
 };
 
-/// Collects pairs of BRDFs and schemes, and then makes their reflectors.
+/// Collects pairs of BRDFs and schemes, and then makes their reflectors. The scene must not change meanwhile.
 class ReflectorSetBuilder {
  public:
   ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, reflectance::MissedPart missed_part,
@@ -44,6 +45,9 @@ class ReflectorSetBuilder {
 
   /// Which reflector will serve a surface; after an error, any.
   std::uint32_t index_of(const grf::ResolvedSurface& surface);
+  bool is_anisotropic(std::uint32_t index) const {
+    return index < pairs_.size() && reflectance::is_anisotropic(pairs_[index].brdf);
+  }
 
   /// Makes the tables of all of them, in parallel, and warns of schemes that miss part of their BRDF. There
   /// must have been no error.
@@ -62,6 +66,7 @@ class ReflectorSetBuilder {
   const grf::PdfModel* scheme_of(const grf::ResolvedSurface& surface) const {
     return override_ ? &override_->model : surface.pdf;
   }
+  std::uint32_t index_by_text(const grf::ResolvedSurface& surface);
   std::uint32_t add(const grf::ResolvedSurface& surface);
   bool use_factors_file(const grf::ResolvedSurface& surface, Pair& pair);
   void warn_of_what_is_missed(const Pair& pair, const reflectance::Reflector& reflector);
@@ -71,6 +76,9 @@ class ReflectorSetBuilder {
   grf::Diagnostics& diagnostics_;
   reflectance::BrdfMaker brdfs_;
   std::map<std::string, std::uint32_t> index_by_text_;
+  /// Of models that are what they are in every scope, by where they stand in the scene: thousands of
+  /// instances ask for the same ones.
+  std::map<std::pair<const grf::BrdfModel*, const grf::PdfModel*>, std::uint32_t> index_by_place_;
   std::vector<Pair> pairs_;
   double seconds_ = 0;  ///< that tables took which are made before `build`
 };

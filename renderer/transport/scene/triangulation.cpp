@@ -14,9 +14,9 @@ double cross(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The corners in the plane in which the polygon is largest, counter-clockwise: the axis along which its
-/// normal is longest is left out.
-std::vector<Point> flattened(std::span<const grf::Vec3f> corners) {
+/// Puts the corners into the plane in which the polygon is largest, counter-clockwise: the axis along which
+/// its normal is longest is left out.
+void flatten(std::span<const grf::Vec3f> corners, std::span<Point> points) {
   grf::Vec3d normal(0);
   const grf::Vec3d origin(corners[0]);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -28,12 +28,10 @@ std::vector<Point> flattened(std::span<const grf::Vec3f> corners) {
   }
   const int x = (axis + 1) % 3;
   const int y = (axis + 2) % 3;
-  std::vector<Point> points;
-  points.reserve(corners.size());
-  for (const grf::Vec3f& corner : corners) {
-    points.emplace_back(normal[axis] < 0 ? -double(corner[x]) : double(corner[x]), double(corner[y]));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double along_x = corners[i][x];
+    points[i] = {normal[axis] < 0 ? -along_x : along_x, double(corners[i][y])};
   }
-  return points;
 }
 
 /// Clips ears off the polygon while it finds any; returns false if it gets stuck.
@@ -82,7 +80,7 @@ void fan(std::uint32_t corners, std::vector<Triangle>& triangles) {
   for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
 }
 
-bool is_convex(const std::vector<Point>& points) {
+bool is_convex(std::span<const Point> points) {
   const std::size_t n = points.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (cross(points[i], points[(i + 1) % n], points[(i + 2) % n]) < 0) return false;
@@ -95,7 +93,13 @@ bool is_convex(const std::vector<Point>& points) {
 void triangulate(std::span<const grf::Vec3f> corners, std::vector<Triangle>& triangles) {
   const auto count = static_cast<std::uint32_t>(corners.size());
   if (count == 3) return fan(count, triangles);
-  std::vector<Point> points = flattened(corners);
+  if (count == 4) {  // most polygons are: they do without memory from the heap
+    std::array<Point, 4> points;
+    flatten(corners, points);
+    if (is_convex(points)) return fan(count, triangles);
+  }
+  std::vector<Point> points(count);
+  flatten(corners, points);
   if (is_convex(points)) return fan(count, triangles);
   const std::size_t before = triangles.size();
   if (!EarClipper(std::move(points)).run(triangles)) {

@@ -1,0 +1,146 @@
+#include "renderer/transport/scene/mesh_builder.h"
+
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "renderer/transport/scene/triangulation.h"
+
+namespace transport {
+namespace {
+
+using grf::Matrix44d;
+
+Colour sum_of(const grf::Irradiance& irradiance) {
+  if (const auto* value = std::get_if<Colour>(&irradiance)) return *value;
+  Colour sum(0);
+  for (const grf::DirectionalIrradiance& part :
+       std::get<std::vector<grf::DirectionalIrradiance>>(irradiance)) {
+    sum += part.irradiance;
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool mirrors(const Matrix44d& map) { return map.determinant() < 0; }
+
+std::size_t triangle_count(const grf::Mesh& mesh) { return mesh.corners.size() - 2 * mesh.face_count(); }
+
+void MeshSize::add(const grf::Mesh& mesh, bool needs_uvs, bool needs_irradiance) {
+  vertices += mesh.positions.size();
+  triangles += triangle_count(mesh);
+  has_normals |= !mesh.normals.empty();
+  has_colours |= !mesh.colours.empty();
+  has_uvs |= needs_uvs && !mesh.uvs.empty();
+  has_irradiance |= needs_irradiance && !mesh.irradiance.empty();
+}
+
+MeshBuilder::MeshBuilder(const MeshSize& size) : size_(size) {
+  mesh_.triangles.reserve(size.triangles);
+  mesh_.positions.reserve(size.vertices + 1);
+  if (size.has_normals) mesh_.normals.reserve(size.vertices);
+  if (size.has_colours) mesh_.colours.reserve(size.vertices);
+  if (size.has_uvs) mesh_.uvs.reserve(size.vertices);
+  if (size.has_irradiance) mesh_.irradiance.reserve(size.vertices);
+}
+
+// A mirroring map turns triangles inside out: the other winding keeps their front where it was.
+void MeshBuilder::add(const grf::Mesh& mesh, const Matrix44d& map, std::span<const CompiledSurface> surfaces,
+                      std::uint32_t first_surface) {
+  const auto first_vertex = static_cast<std::uint32_t>(mesh_.positions.size());
+  add_vertices(mesh, map);
+  const bool turns = mirrors(map);
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const std::uint32_t surface = mesh.surface_of_face[face];
+    const bool emits = !reflectance::is_black(surfaces[surface].emission);
+    add_face(mesh, face, first_vertex, turns);
+    for (const std::array<std::uint32_t, 3>& corners : face_triangles_) {
+      Triangle triangle;
+      triangle.corners = corners;
+      triangle.surface = (first_surface + surface) & 0x7fffffffU;
+      triangle.is_flat = is_flat(corners) ? 1U : 0U;
+      add_triangle(triangle, emits);
+    }
+  }
+}
+
+void MeshBuilder::add_vertices(const grf::Mesh& mesh, const Matrix44d& map) {
+  for (const Vec3f& position : mesh.positions) mesh_.positions.emplace_back(grf::Vec3d(position) * map);
+  if (size_.has_normals) add_normals(mesh, map);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (size_.has_colours) mesh_.colours.push_back(mesh.colours.has(i) ? mesh.colours[i] : Colour(1));
+    if (size_.has_uvs) mesh_.uvs.push_back(mesh.uvs.has(i) ? mesh.uvs[i] : Vec2f(0));
+    if (size_.has_irradiance) {
+      mesh_.irradiance.push_back(mesh.irradiance.has(i) ? sum_of(mesh.irradiance[i])
+                                                        : Colour(std::numeric_limits<float>::quiet_NaN()));
+    }
+  }
+}
+
+// Normals follow the inverse transpose.
+void MeshBuilder::add_normals(const grf::Mesh& mesh, const Matrix44d& map) {
+  const Matrix44d normal_map = map.inverse().transposed();
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    grf::Vec3d normal(0);
+    if (mesh.normals.has(i)) normal_map.multDirMatrix(grf::Vec3d(mesh.normals[i]), normal);
+    mesh_.normals.emplace_back(normal.normalized());
+  }
+}
+
+void MeshBuilder::add_face(const grf::Mesh& mesh, std::size_t face, std::uint32_t first_vertex, bool turns) {
+  const auto corners = mesh.face(face);
+  face_positions_.clear();
+  face_triangles_.clear();
+  for (const std::uint32_t corner : corners) face_positions_.push_back(mesh.positions[corner]);
+  triangulate(face_positions_, face_triangles_);
+  for (std::array<std::uint32_t, 3>& triangle : face_triangles_) {
+    if (turns) std::swap(triangle[1], triangle[2]);
+    for (std::uint32_t& corner : triangle) corner = first_vertex + corners[corner];
+  }
+}
+
+bool MeshBuilder::is_flat(const std::array<std::uint32_t, 3>& corners) const {
+  if (mesh_.normals.empty()) return true;
+  const auto lacks_normal = [&](std::uint32_t corner) { return mesh_.normals[corner] == Vec3f(0); };
+  return lacks_normal(corners[0]) || lacks_normal(corners[1]) || lacks_normal(corners[2]);
+}
+
+void MeshBuilder::add_triangle(const Triangle& triangle, bool emits) {
+  const auto index = static_cast<std::uint32_t>(mesh_.triangles.size());
+  mesh_.triangles.push_back(triangle);
+  if (!emits) return;
+  if (mesh_.emitting_runs.empty() || last_emitting_triangle_ + 1 != index) {
+    mesh_.emitting_runs.push_back({index, emitting_triangles_});
+  }
+  last_emitting_triangle_ = index;
+  ++emitting_triangles_;
+}
+
+void MeshBuilder::add(const Emitter& light, std::uint32_t surface) {
+  const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+  const Vec3f& corner = light.corner;
+  for (const Vec3f& position :
+       {corner, corner + light.edge1, corner + light.edge1 + light.edge2, corner + light.edge2}) {
+    mesh_.positions.push_back(position);
+    if (size_.has_normals) mesh_.normals.emplace_back(0.0F);
+    if (size_.has_colours) mesh_.colours.emplace_back(1.0F);
+    if (size_.has_uvs) mesh_.uvs.emplace_back(0.0F);
+    if (size_.has_irradiance) mesh_.irradiance.emplace_back(std::numeric_limits<float>::quiet_NaN());
+  }
+  const bool emits = !reflectance::is_black(light.radiance);
+  for (const std::array<std::uint32_t, 3>& corners :
+       {std::array{first, first + 1, first + 2}, std::array{first, first + 2, first + 3}}) {
+    Triangle triangle;
+    triangle.corners = corners;
+    triangle.surface = surface & 0x7fffffffU;
+    add_triangle(triangle, emits);
+  }
+}
+
+TriangleMesh MeshBuilder::finish() {
+  mesh_.positions.emplace_back(0.0F);  // padding, see RayCaster
+  return std::move(mesh_);
+}
+
+}  // namespace transport

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "grf/mesh.h"
+#include "renderer/transport/lights/emitter.h"
+#include "renderer/transport/scene/geometry.h"
+#include "renderer/transport/scene/surface_point.h"
+
+namespace transport {
+
+bool mirrors(const grf::Matrix44d& map);
+std::size_t triangle_count(const grf::Mesh& mesh);
+
+/// How much a mesh of triangles will hold, and which optional values of vertices.
+struct MeshSize {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  bool has_normals = false;
+  bool has_colours = false;
+  bool has_uvs = false;
+  bool has_irradiance = false;
+
+  void add(const grf::Mesh& mesh, bool needs_uvs, bool needs_irradiance);
+};
+
+/// Makes triangles of polygons. All memory is reserved at once, and nothing else is taken for a face of three
+/// or four corners.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const MeshSize& size);
+
+  /// Adds all faces, moved by a map; the surfaces are those of the scene from the mesh's first on.
+  void add(const grf::Mesh& mesh, const grf::Matrix44d& map, std::span<const CompiledSurface> surfaces,
+           std::uint32_t first_surface);
+  /// A parallelogram, as two triangles.
+  void add(const Emitter& light, std::uint32_t surface);
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  TriangleMesh finish();
+
+ private:
+  void add_vertices(const grf::Mesh& mesh, const grf::Matrix44d& map);
+  void add_normals(const grf::Mesh& mesh, const grf::Matrix44d& map);
+  void add_face(const grf::Mesh& mesh, std::size_t face, std::uint32_t first_vertex, bool turns);
+  bool is_flat(const std::array<std::uint32_t, 3>& corners) const;
+  void add_triangle(const Triangle& triangle, bool emits);
+
+  MeshSize size_;
+  TriangleMesh mesh_;
+  std::uint32_t emitting_triangles_ = 0;
+  std::uint32_t last_emitting_triangle_ = 0;
+  std::vector<Vec3f> face_positions_;
+  std::vector<std::array<std::uint32_t, 3>> face_triangles_;
+};
+
+}  // namespace transport

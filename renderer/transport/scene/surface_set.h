@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/mesh.h"
+#include "grf/visit.h"
+#include "renderer/transport/scene/reflector_set.h"
+#include "renderer/transport/scene/surface_point.h"
+#include "renderer/transport/scene/texture_set.h"
+
+namespace transport {
+
+/// Looks up what the surfaces of meshes refer to, where the meshes stand. A mesh that is placed many times
+/// has its surfaces once, as long as names mean the same there.
+class SurfaceSetBuilder {
+ public:
+  SurfaceSetBuilder(ReflectorSetBuilder& reflectors, TextureSetBuilder& textures)
+      : reflectors_(reflectors), textures_(textures) {}
+
+  /// The index of the first surface of a mesh; the others follow in the mesh's order. The axis is that of
+  /// CompiledSurface.
+  std::uint32_t add(const grf::Mesh& mesh, const grf::Scope& scope, const Vec3f& axis);
+  /// Those of a mesh light: their colour is what they emit.
+  std::uint32_t add_light(const grf::Mesh& mesh, const grf::Scope& scope);
+  std::uint32_t add_light(const Rgb& radiance);
+
+  std::span<const CompiledSurface> of(const grf::Mesh& mesh, std::uint32_t first) const {
+    return std::span(surfaces_).subspan(first, mesh.surfaces.size());
+  }
+  const CompiledSurface& operator[](std::size_t index) const { return surfaces_[index]; }
+  bool needs_uvs(const grf::Mesh& mesh, std::uint32_t first) const;
+  std::vector<CompiledSurface> take() { return std::move(surfaces_); }
+
+ private:
+  CompiledSurface compiled(const grf::Surface& surface, const grf::Scope& scope, const Vec3f& axis);
+  std::uint32_t index_of(const grf::Mesh& mesh, const std::vector<CompiledSurface>& surfaces);
+
+  ReflectorSetBuilder& reflectors_;
+  TextureSetBuilder& textures_;
+  std::vector<CompiledSurface> surfaces_;
+  std::unordered_map<const grf::Mesh*, std::vector<bool>> used_;
+  std::unordered_multimap<const grf::Mesh*, std::uint32_t> first_of_mesh_;
+};
+
+}  // namespace transport

@@ -1,0 +1,82 @@
+#include "renderer/transport/scene/survey.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/transport/scene/mesh_builder.h"
+
+namespace transport {
+namespace {
+
+using grf::Box3d;
+using grf::Vec3d;
+
+/// A mesh of a few triangles takes less memory copied than an instance does.
+constexpr std::size_t FewTriangles = 8;
+
+double largest_component(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+Vec3d origin_of(const Box3d& bounds) {
+  // Nearer than that, a shift would win no more than 4 bits.
+  constexpr double FarAway = 16;
+  if (bounds.isEmpty() || largest_component(bounds.center()) <= FarAway * largest_component(bounds.size())) {
+    return Vec3d(0);
+  }
+  return Vec3d(grf::Vec3f(bounds.center()));
+}
+
+struct Places {
+  std::size_t count = 0;
+  grf::Box3f box;
+};
+
+}  // namespace
+
+Box3d transformed(const grf::Box3f& box, const grf::Matrix44d& map) {
+  Box3d result;
+  for (int i = 0; i < 8 && !box.isEmpty(); ++i) {
+    const auto corner = [&](int axis) {
+      return double((i >> axis & 1) != 0 ? box.max[axis] : box.min[axis]);
+    };
+    result.extendBy(Vec3d(corner(0), corner(1), corner(2)) * map);
+  }
+  return result;
+}
+
+Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
+  std::unordered_map<const grf::Mesh*, Places> places;
+  Box3d bounds;
+  const auto add = [&](const grf::Mesh& mesh, const grf::Placement& placement) {
+    const auto [entry, is_new] = places.try_emplace(&mesh);
+    if (is_new) {
+      for (const grf::Vec3f& position : mesh.positions) entry->second.box.extendBy(position);
+    }
+    ++entry->second.count;
+    bounds.extendBy(transformed(entry->second.box, placement.to_world));
+  };
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    add(mesh, placement);
+  };
+  visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement& placement, const grf::Block&) {
+    add(*light.mesh, placement);
+  };
+  visitor.light = [&](const grf::AreaLight& light, const grf::Placement& placement, const grf::Block&) {
+    grf::Box3f box(light.corner);
+    box.extendBy(light.corner + light.edge1 + light.edge2);
+    bounds.extendBy(transformed(box, placement.to_world));
+    triangles += 2;
+  };
+  grf::visit(scene, visitor);
+  origin = origin_of(bounds);
+  for (const auto& [mesh, place] : places) {
+    const std::size_t count = triangle_count(*mesh);
+    const bool is_worth_it =
+        place.count > 1 && count > FewTriangles && count * place.count > most_copied_triangles;
+    if (is_worth_it) instanced.emplace(mesh, place.box);
+    if (is_worth_it) instances += place.count;
+    triangles += is_worth_it ? count : count * place.count;
+  }
+}
+
+}  // namespace transport
