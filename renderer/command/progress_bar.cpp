@@ -19,7 +19,7 @@ void ProgressBar::show(const transport::RenderProgress& progress) {
   constexpr int Width = 40;
   const int filled = static_cast<int>(progress.done * Width);
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} %  {} left\x1b[K", "", filled, "", Width - filled,
-             100 * progress.done, progress.done > 0 ? duration_text(progress.seconds_left) : "...");
+             100 * progress.done, progress.seconds_left ? duration_text(*progress.seconds_left) : "...");
   std::fflush(stderr);
 }
 
