@@ -2,24 +2,21 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "grf/check.h"
 #include "grf/read.h"
-#include "renderer/command/progress_bar.h"
+#include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_reports.h"
+#include "renderer/command/render_run.h"
 #include "renderer/options/op_file.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
@@ -71,9 +68,8 @@ std::optional<RenderOptions> read_options(const std::string& path, Diagnostics& 
   return render_options;
 }
 
-/// An image that cannot be kept is better known before the render than after it.
-bool can_write(const std::string& output, Diagnostics& diagnostics) {
-  if (transport::image_format_of(output, diagnostics) == nullptr) return false;
+/// What cannot be kept is better known before the render than after it.
+bool can_write_file(const std::string& output, std::string_view what, Diagnostics& diagnostics) {
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   const std::string folder_name = folder.empty() ? "." : folder.string();
   if (::access(folder_name.c_str(), W_OK | X_OK) != 0) {
@@ -81,8 +77,13 @@ bool can_write(const std::string& output, Diagnostics& diagnostics) {
     return false;
   }
   if (!std::filesystem::is_directory(output)) return true;
-  diagnostics.error(grf::whole_file(output), "cannot write the image: it is a directory");
+  diagnostics.error(grf::whole_file(output), fmt::format("cannot write the {}: it is a directory", what));
   return false;
+}
+
+bool can_write(const std::string& output, Diagnostics& diagnostics) {
+  return transport::image_format_of(output, diagnostics) != nullptr &&
+         can_write_file(output, "image", diagnostics);
 }
 
 /// The scheme that the options name, checked; false after an error.
@@ -145,61 +146,11 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.path.depth = render_options.depth;
   settings.path.measures_sampling = render_options.writes_sampling_time;
   settings.samples = render_options.samples;
+  settings.target_error = render_options.target_error;
+  settings.max_seconds = render_options.max_seconds;
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;
   return settings;
-}
-
-/// SIGINT and SIGTERM, held back from all threads that start from now on, so that one thread can wait for
-/// them: no handler interrupts anything half done.
-class HeldSignals {
- public:
-  HeldSignals() {
-    sigemptyset(&set_);
-    sigaddset(&set_, SIGINT);
-    sigaddset(&set_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &set_, &before_);
-  }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  /// Waits for a signal for at most this long; true if one came.
-  bool wait(std::chrono::milliseconds time) const {
-    const timespec timeout = {time.count() / 1000, (time.count() % 1000) * 1'000'000};
-    return sigtimedwait(&set_, nullptr, &timeout) > 0;
-  }
-
- private:
-  sigset_t set_ = {};
-  sigset_t before_ = {};
-};
-
-/// Runs the render to its end, or to a signal; true if it was interrupted.
-bool run(transport::Render& render) {
-  const HeldSignals signals;
-  std::atomic<bool> ended = false;
-  std::exception_ptr failure;
-  std::thread worker([&] {
-    try {
-      render.run();
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    ended = true;
-  });
-  ProgressBar bar;
-  bool interrupted = false;
-  while (!ended) {
-    if (signals.wait(std::chrono::milliseconds(20))) {
-      interrupted = true;
-      render.stop();
-    }
-    bar.show(render.progress());
-  }
-  worker.join();
-  if (failure) std::rethrow_exception(failure);
-  return interrupted;
 }
 
 std::size_t peak_memory_bytes() {
@@ -208,17 +159,21 @@ std::size_t peak_memory_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
+/// Tiles may differ by some samples when a render was stopped.
+nlohmann::json whole_if_exact(double number) {
+  const auto whole = static_cast<std::int64_t>(number);
+  return static_cast<double>(whole) == number ? nlohmann::json(whole) : nlohmann::json(number);
+}
+
 nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
                           const std::string& output, double setup_seconds, const CompiledScene& scene) {
   const double seconds = render.seconds();
   const auto error = render.film().estimated_error();
-  const double pixels = static_cast<double>(render_options.size.width) * render_options.size.height;
   nlohmann::json summary;
   summary["output"] = output;
   summary["width"] = render_options.size.width;
   summary["height"] = render_options.size.height;
-  summary["samples"] = render_options.samples;
-  if (render.is_stopped()) summary["samples"] = static_cast<double>(render.path_count()) / pixels;
+  summary["samples"] = whole_if_exact(render.samples_per_pixel());
   summary["setup_seconds"] = setup_seconds;
   summary["render_seconds"] = seconds;
   summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
@@ -229,11 +184,10 @@ nlohmann::json summary_of(const transport::Render& render, const RenderOptions& 
   return summary;
 }
 
-void print(const nlohmann::json& summary, bool json) {
-  if (json) {
-    fmt::print("{}\n", summary.dump(2));
-    return;
-  }
+void print(const nlohmann::json& summary, const RenderArguments& arguments) {
+  const bool has_lines = arguments.progress == "json";
+  if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
+  if (arguments.json || has_lines) return;
   const auto number = [&](const char* name) { return summary[name].get<double>(); };
   fmt::print("{}: {}x{} pixels, {:.4g} samples a pixel\n", summary["output"].get<std::string>(),
              summary["width"].get<int>(), summary["height"].get<int>(), number("samples"));
@@ -253,9 +207,13 @@ void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostic
 bool keep(const transport::Render& render, const CompiledScene& scene, const RenderOptions& render_options,
           const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
-  if (render.rejected_samples() > 0) {
+  const transport::RenderTotals totals = render.totals();
+  if (totals.rejected > 0) {
+    const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
-        {}, fmt::format("{} samples were not finite and count as black", render.rejected_samples()));
+        {}, fmt::format("{} samples were not finite and count as black; the first pixel that "
+                        "has one is ({}, {})",
+                        totals.rejected, totals.first_rejected % width, totals.first_rejected / width));
   }
   const transport::Image image = render.film().mean();
   bool kept = true;
@@ -276,7 +234,10 @@ std::optional<Job> prepare(const RenderOptions& render_options, const std::vecto
   const bool writable = std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
     return can_write(output, diagnostics);
   });
-  if (!writable) return std::nullopt;
+  const std::string& checkpoint = render_options.checkpoint;
+  if (!writable || (!checkpoint.empty() && !can_write_file(checkpoint, "checkpoint", diagnostics))) {
+    return std::nullopt;
+  }
   auto scene = load(render_options, diagnostics);
   transport::RenderSettings settings;
   if (scene) settings = settings_of(render_options, scene->bounds());
@@ -288,27 +249,78 @@ std::optional<Job> prepare(const RenderOptions& render_options, const std::vecto
   return Job{std::move(*scene), std::move(settings)};
 }
 
+ProgressStyle style_of(const std::string& progress) {
+  if (progress == "json") return ProgressStyle::Json;
+  return progress == "bar" ? ProgressStyle::Bar : ProgressStyle::None;
+}
+
+/// Time and error decide how many samples there are, unless their number was given.
+bool counts_samples(const RenderArguments& arguments, const RenderOptions& render_options) {
+  const bool has_samples =
+      arguments.flags.count("--samples") > 0 || render_options.locations.count("BPT_Samples") > 0;
+  return has_samples || (!render_options.target_error && !render_options.max_seconds);
+}
+
+/// The options of files and command line together; nothing after an error that was said.
+std::optional<RenderOptions> all_options(const RenderArguments& arguments, RenderOptions from_file) {
+  if (!apply_flags(arguments, from_file)) return std::nullopt;
+  from_file.display_server = arguments.display_server;
+  if (arguments.display_server.empty() || transport::display_address_of(arguments.display_server)) {
+    return from_file;
+  }
+  fmt::print(stderr,
+             "error: --display-server: found '{}', expected a host and a port, such as localhost:14158\n",
+             arguments.display_server);
+  return std::nullopt;
+}
+
+RunSettings run_settings_of(const RenderOptions& render_options, const std::string& output,
+                            const Diagnostics& diagnostics) {
+  RunSettings settings;
+  settings.checkpoint = render_options.checkpoint;
+  if (!settings.checkpoint.empty()) {
+    settings.fingerprint = fingerprint_of(render_options, diagnostics.files());
+  }
+  if (render_options.shows_window) settings.display = transport::DisplayAddress();
+  if (!render_options.display_server.empty()) {
+    settings.display = transport::display_address_of(render_options.display_server);
+  }
+  settings.title = output;
+  return settings;
+}
+
 }  // namespace
 
 grf::ExitCode render(const RenderArguments& arguments) {
   const auto start = Clock::now();
+  std::optional<Job> job;
+  std::optional<transport::Render> render;
+  Interruption interruption;  // ends before the render that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   std::vector<std::string> outputs;
-  std::optional<Job> job;
   if (render_options) {
-    if (!apply_flags(arguments, *render_options)) return ExitCode::BadCommandLine;
+    render_options = all_options(arguments, std::move(*render_options));
+    if (!render_options) return ExitCode::BadCommandLine;
     outputs = outputs_of(arguments, *render_options);
     job = prepare(*render_options, outputs, diagnostics);
   }
   print(diagnostics);
   if (!job) return ExitCode::BadInput;
-  transport::Render render(job->scene, job->settings);
+  if (!counts_samples(arguments, *render_options)) {
+    job->settings.samples = transport::RenderSettings::Unlimited;
+  }
+  const RunSettings settings = run_settings_of(*render_options, outputs.front(), diagnostics);
+  render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const bool interrupted = run(render);
-  if (!keep(render, job->scene, *render_options, outputs)) return ExitCode::BadInput;
-  print(summary_of(render, *render_options, outputs.front(), setup_seconds, job->scene), arguments.json);
-  return interrupted ? ExitCode::Interrupted : ExitCode::Done;
+  ProgressReport progress(style_of(arguments.progress));
+  Diagnostics of_run;
+  const bool has_run = run(*render, interruption, settings, progress, of_run);
+  print(of_run);
+  if (!has_run || !keep(*render, job->scene, *render_options, outputs)) return ExitCode::BadInput;
+  progress.finish(render->progress(), outputs.front());
+  print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->scene), arguments);
+  return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 }  // namespace command

@@ -162,6 +162,19 @@ std::vector<OptionInfo> image_options() {
        "the same seed gives the same image, bit for bit"},
       {"BPT_Threads", "--threads", NumberOption<int>{&Options::threads, 0, 4096}, "int", "0",
        "threads to use; 0: all"},
+      {"BPT_TargetError", "--target-error",
+       NumberOption<float, std::optional<float>>{&Options::target_error, 0, Largest, true}, "float", "none",
+       "stop once the estimated error, sqrt(relMSE) of the image, is no more than this, such as 0.02; "
+       "without "
+       "BPT_Samples, after as many samples as that takes"},
+      {"BPT_MaxTime", "--time",
+       NumberOption<float, std::optional<float>>{&Options::max_seconds, 0, Largest, true}, "float", "none",
+       "stop after so many seconds of rendering, with what there is; without BPT_Samples, not before"},
+      {"BPT_Checkpoint", "--checkpoint", PathOption{&Options::checkpoint, true}, "path", "none",
+       "where to keep what a render resumes from, every minute and at its end: the same command goes on from "
+       "it, and with more samples from a finished one too"},
+      {"BPT_DisplayWindow", "", BooleanOption<bool>{&Options::shows_window}, "bool", "false",
+       "show the image as it forms, in a viewer that listens at 127.0.0.1:14158"},
   };
 }
 

@@ -79,6 +79,11 @@ struct RenderOptions : SchemeOptions {
   int samples = 100;  ///< a pixel
   std::uint32_t seed = 0;
   int threads = 0;                     ///< 0: all
+  std::optional<float> target_error;   ///< stops there; see transport::RenderSettings
+  std::optional<float> max_seconds;    ///< stops after so long
+  std::string checkpoint;              ///< path of what a render resumes from; empty: none
+  std::string display_server;          ///< HOST:PORT of a viewer, of the command line alone; empty: none
+  bool shows_window = false;           ///< shows the image in a viewer on this machine
   bool writes_memory = false;          ///< `mem.op` beside the image
   bool writes_sampling_time = false;   ///< `samplingTime`
   bool writes_rendering_time = false;  ///< `renderingTime`

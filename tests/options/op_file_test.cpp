@@ -165,10 +165,10 @@ TEST(OptionTable, KeysAndFlagsAreDistinctAndExplained) {
 
 // The words of the table say what the struct has.
 TEST(OptionTable, DefaultsAreThoseOfTheStruct) {
-  for (const char* key :
-       {"BPT_Image_Resolution", "BPT_Up", "BPT_FieldOfView", "BPT_Background", "BPT_Depth", "BPT_Samples",
-        "BPT_Seed", "BPT_Threads", "BPT_EM_Background", "BPT_EM_Projection", "BPT_Pdf_memstat",
-        "BPT_Pdf_Factors_File", "BPT_Chrono_Sampling", "BPT_Chrono_Rendering", "BPT_Chrono_Prebuild"}) {
+  for (const char* key : {"BPT_Image_Resolution", "BPT_Up", "BPT_FieldOfView", "BPT_Background", "BPT_Depth",
+                          "BPT_Samples", "BPT_Seed", "BPT_Threads", "BPT_EM_Background", "BPT_EM_Projection",
+                          "BPT_Pdf_memstat", "BPT_Checkpoint", "BPT_DisplayWindow", "BPT_Pdf_Factors_File",
+                          "BPT_Chrono_Sampling", "BPT_Chrono_Rendering", "BPT_Chrono_Prebuild"}) {
     const options::OptionInfo& option = *options::find_option(key);
     std::istringstream stream{std::string(option.default_value)};
     const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
