@@ -124,7 +124,7 @@ bool Render::render_tile(const TileWork& work, FilmTile& tile) {
         const int image_x = tile.bounds.x + x;
         const int image_y = tile.bounds.y + y;
         if (tile.add(x, y, number % Film::Scramblings, sample(image_x, image_y, number, counter))) continue;
-        assert(!"a sample is not finite");
+        assert(false && "a sample is not finite");
         ++done.rejected;
         const auto index = static_cast<std::uint64_t>(image_y) * settings_.width + image_x;
         done.first_rejected = std::min(done.first_rejected, index);
