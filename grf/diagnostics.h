@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,11 @@ class Diagnostics {
   bool is_full() const { return kept_errors_ >= MaximumErrors; }
   const std::vector<Diagnostic>& entries() const { return entries_; }
 
+  /// What is said is about files: this takes down one that was read.
+  void add_file(const std::string& path) { files_.insert(path); }
+  /// All of them, by the paths under which they were read.
+  const std::set<std::string>& files() const { return files_; }
+
   /// `file:line:column: error: message`, the source line, a caret under the column, and the chain of
   /// includes, for each entry.
   std::string to_text() const;
@@ -51,6 +57,7 @@ class Diagnostics {
   void add(Severity severity, SourceLocation location, std::string_view message);
 
   std::vector<Diagnostic> entries_;
+  std::set<std::string> files_;
   std::size_t error_count_ = 0;
   std::size_t warning_count_ = 0;
   std::size_t kept_errors_ = 0;

@@ -117,12 +117,15 @@ std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostic
   auto bytes = file.is_regular() ? read_all(file.descriptor(), file.size()) : nullptr;
   if (!bytes)
     diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
+  else
+    diagnostics.add_file(path);
   return bytes;
 }
 
 std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagnostics& diagnostics,
                                                  const SourceLocation& asked_for_at) {
   const FileToRead file(path);
+  if (file.is_regular()) diagnostics.add_file(path);
   if (file.is_regular() && file.size() == 0) return std::make_shared<const std::string_view>();
   void* bytes = file.is_regular() ? ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, file.descriptor(), 0)
                                   : MAP_FAILED;
@@ -138,6 +141,12 @@ std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagno
 }
 
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {
+  return replace_file(
+      path, [bytes](const FileWriter& write) { return write(bytes); }, diagnostics);
+}
+
+bool replace_file(const std::string& path, const std::function<bool(const FileWriter& write)>& fill,
+                  Diagnostics& diagnostics) {
   // Through a symbolic link, the file that it points to is the one to replace.
   const std::string target = canonical_path(path);
   const auto fail = [&](const char* what) {
@@ -157,7 +166,8 @@ bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& 
   Descriptor file(create_beside(target, replaces ? 0600 : 0666, temporary));
   if (file.value() < 0) return fail("create the file");
   const bool written = (!replaces || ::fchmod(file.value(), old.st_mode & 0777U) == 0) &&
-                       write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close() &&
+                       fill([&](std::string_view bytes) { return write_all(file.value(), bytes); }) &&
+                       ::fsync(file.value()) == 0 && file.close() &&
                        ::rename(temporary.c_str(), target.c_str()) == 0;
   if (!written) {
     const int why = errno;

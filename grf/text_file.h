@@ -1,6 +1,7 @@
 // Whole files in and out, with what can go wrong said in words.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,14 @@ std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagno
 /// Replaces the file by the bytes, or leaves it as it was and says why: a temporary file beside it is
 /// filled, forced to the disk and renamed over it.
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);
+
+/// Appends bytes to a file that is being filled; false if that failed.
+using FileWriter = std::function<bool(std::string_view bytes)>;
+
+/// The same for a file too large to be held in memory: `fill` writes it in parts, and returns false as soon
+/// as that fails.
+bool replace_file(const std::string& path, const std::function<bool(const FileWriter& write)>& fill,
+                  Diagnostics& diagnostics);
 
 /// The path of a file that is named in another one: relative names start at that one's folder, and both
 /// kinds of separators are understood.

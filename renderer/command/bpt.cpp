@@ -51,7 +51,16 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
             fmt::format("{} ({})", option.meaning, option.default_value))
         ->type_name(type_name_of(option));
   }
-  render->add_flag("--json", arguments.json, "print the summary as JSON");
+  render
+      ->add_option(
+          "--progress", arguments.progress,
+          "bar: on standard error, if that is a terminal; json: up to four times a second a line on "
+          "standard output, an object of done (0 to 1), seconds, seconds_left, estimated_error (null "
+          "while unknown) and image (null until it is written, which the last line tells); none (bar)")
+      ->type_name("bar|json|none")
+      ->check(CLI::IsMember({"bar", "json", "none"}));
+  render->add_flag("--json", arguments.json,
+                   "print the summary as JSON; after --progress json as one more line");
 }
 
 void add_sample(CLI::App& sample, command::BrdfArguments& arguments) {

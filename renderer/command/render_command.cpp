@@ -2,24 +2,22 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <pthread.h>
 #include <sys/resource.h>
 
 #include "grf/check.h"
 #include "grf/read.h"
-#include "renderer/command/progress_bar.h"
+#include "renderer/command/render_fingerprint.h"
+#include "renderer/command/render_job.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
+#include "renderer/command/render_run.h"
 #include "renderer/options/op_file.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
@@ -71,140 +69,27 @@ std::optional<RenderOptions> read_options(const std::string& path, Diagnostics& 
   return render_options;
 }
 
-/// The scheme that the options name, checked; false after an error.
-bool override_scheme(const RenderOptions& render_options, transport::CompileSettings& settings,
-                     Diagnostics& diagnostics) {
-  options::warn_of_unused_options(render_options, diagnostics);
-  auto model = options::scheme_model(render_options);
-  if (!model) return true;
-  if (!grf::check(*model, reflectance::scheme_infos(), "PDF", diagnostics)) return false;
-  settings.scheme = {std::move(*model), render_options.factors_file};
-  return true;
-}
-
-std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
-  const std::string& path = render_options.scene;
-  transport::CompileSettings settings;
-  settings.threads = render_options.threads;
-  const bool has_scheme = override_scheme(render_options, settings, diagnostics);
-  auto scene = grf::read(path, diagnostics);
-  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics) || !has_scheme) {
-    return std::nullopt;
-  }
-  auto compiled = transport::compile(std::move(*scene), diagnostics, settings);
-  if (compiled && compiled->triangle_count() == 0) {
-    diagnostics.error(grf::whole_file(path), "the scene has nothing to render, expected a mesh or a light");
-    return std::nullopt;
-  }
-  return compiled;
-}
-
-/// Reads the image around or behind the scene; false after an error.
-bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
-                       Diagnostics& diagnostics) {
-  const std::string& path = render_options.environment;
-  if (path.empty()) return true;
-  const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
-  if (render_options.projection == "backplate") {
-    auto image = transport::read_image(path, diagnostics, location);
-    if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
-    return settings.backplate != nullptr;
-  }
-  auto map = transport::read_environment_map(path, diagnostics, location);
-  if (map) settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
-  if (render_options.resampling) {
-    settings.integrator.resampling = {render_options.resampling->first, render_options.resampling->second};
-  }
-  return map.has_value();
-}
-
-transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3d& bounds) {
-  transport::RenderSettings settings;
-  settings.width = render_options.size.width;
-  settings.height = render_options.size.height;
-  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  settings.view = transport::view_of(bounds, render_options.field_of_view, aspect);
-  if (render_options.viewer) settings.view.eye = *render_options.viewer;
-  if (render_options.target) settings.view.target = *render_options.target;
-  settings.view.up = render_options.up;
-  settings.integrator.background = render_options.background;
-  settings.integrator.depth = render_options.depth;
-  settings.integrator.measures_sampling = render_options.writes_sampling_time;
-  settings.samples = render_options.samples_a_pixel();
-  settings.seed = render_options.seed;
-  settings.threads = render_options.threads;
-  return settings;
-}
-
-/// SIGINT and SIGTERM, held back from all threads that start from now on, so that one thread can wait for
-/// them: no handler interrupts anything half done.
-class HeldSignals {
- public:
-  HeldSignals() {
-    sigemptyset(&set_);
-    sigaddset(&set_, SIGINT);
-    sigaddset(&set_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &set_, &before_);
-  }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  /// Waits for a signal for at most this long; true if one came.
-  bool wait(std::chrono::milliseconds time) const {
-    const timespec timeout = {time.count() / 1000, (time.count() % 1000) * 1'000'000};
-    return sigtimedwait(&set_, nullptr, &timeout) > 0;
-  }
-
- private:
-  sigset_t set_ = {};
-  sigset_t before_ = {};
-};
-
-/// Runs the render to its end, or to a signal; true if it was interrupted.
-bool run(transport::Render& render) {
-  const HeldSignals signals;
-  std::atomic<bool> ended = false;
-  std::exception_ptr failure;
-  std::thread worker([&] {
-    try {
-      render.run();
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    ended = true;
-  });
-  ProgressBar bar;
-  bool interrupted = false;
-  while (!ended) {
-    if (signals.wait(std::chrono::milliseconds(20))) {
-      interrupted = true;
-      render.stop();
-    }
-    bar.show(render.progress());
-  }
-  worker.join();
-  if (failure) std::rethrow_exception(failure);
-  return interrupted;
-}
-
 std::size_t peak_memory_bytes() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
+/// Tiles may differ by some samples when a render was stopped.
+nlohmann::json whole_if_exact(double number) {
+  const auto whole = static_cast<std::int64_t>(number);
+  return static_cast<double>(whole) == number ? nlohmann::json(whole) : nlohmann::json(number);
+}
+
 nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
                           const std::string& output, double setup_seconds, const CompiledScene& scene) {
   const double seconds = render.seconds();
   const auto error = render.film().estimated_error();
-  const double pixels = static_cast<double>(render_options.size.width) * render_options.size.height;
   nlohmann::json summary;
   summary["output"] = output;
   summary["width"] = render_options.size.width;
   summary["height"] = render_options.size.height;
-  summary["samples"] = render_options.samples_a_pixel();
-  if (render.is_stopped()) summary["samples"] = static_cast<double>(render.path_count()) / pixels;
+  summary["samples"] = whole_if_exact(render.samples_per_pixel());
   summary["setup_seconds"] = setup_seconds;
   summary["render_seconds"] = seconds;
   summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
@@ -215,11 +100,10 @@ nlohmann::json summary_of(const transport::Render& render, const RenderOptions& 
   return summary;
 }
 
-void print(const nlohmann::json& summary, bool json) {
-  if (json) {
-    fmt::print("{}\n", summary.dump(2));
-    return;
-  }
+void print(const nlohmann::json& summary, const RenderArguments& arguments) {
+  const bool has_lines = arguments.progress == "json";
+  if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
+  if (arguments.json || has_lines) return;
   const auto number = [&](const char* name) { return summary[name].get<double>(); };
   fmt::print("{}: {}x{} pixels, {:.4g} samples a pixel\n", summary["output"].get<std::string>(),
              summary["width"].get<int>(), summary["height"].get<int>(), number("samples"));
@@ -239,9 +123,13 @@ void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostic
 bool keep(const transport::Render& render, const CompiledScene& scene, const transport::View& view,
           const RenderOptions& render_options, const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
-  if (render.rejected_samples() > 0) {
+  const transport::RenderTotals totals = render.totals();
+  if (totals.rejected > 0) {
+    const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
-        {}, fmt::format("{} samples were not finite and count as black", render.rejected_samples()));
+        {}, fmt::format("{} samples were not finite and count as black; the first pixel that "
+                        "has one is ({}, {})",
+                        totals.rejected, totals.first_rejected % width, totals.first_rejected / width));
   }
   const transport::ImageFile file = image_file_of(render, scene, view, render_options);
   const std::vector<std::string> fallbacks = transport::fallback_folders();
@@ -254,34 +142,51 @@ bool keep(const transport::Render& render, const CompiledScene& scene, const tra
   return kept;
 }
 
-/// What a render needs, once its files have been read.
-struct Job {
-  CompiledScene scene;
-  transport::RenderSettings settings;
-};
-
-std::optional<Job> prepare(const RenderOptions& render_options, const std::vector<std::string>& outputs,
-                           Diagnostics& diagnostics) {
+std::optional<RenderJob> prepare(const RenderOptions& render_options, const std::vector<std::string>& outputs,
+                                 Diagnostics& diagnostics) {
+  const std::string& checkpoint = render_options.checkpoint;
   if (!can_write(outputs, render_options, diagnostics)) return std::nullopt;
-  auto scene = load(render_options, diagnostics);
-  transport::RenderSettings settings;
-  if (scene) settings = settings_of(render_options, scene->bounds());
-  if (!load_surroundings(render_options, settings, diagnostics) || !scene) return std::nullopt;
-  if (settings.view.eye == settings.view.target) {
-    diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
-    return std::nullopt;
+  if (!checkpoint.empty() && !can_write_file(checkpoint, "checkpoint", diagnostics)) return std::nullopt;
+  return render_job(render_options, diagnostics);
+}
+
+ProgressStyle style_of(const std::string& progress) {
+  if (progress == "json") return ProgressStyle::Json;
+  return progress == "bar" ? ProgressStyle::Bar : ProgressStyle::None;
+}
+
+/// Time and error decide how many samples there are, unless their number was given.
+bool counts_samples(const RenderArguments& arguments, const RenderOptions& render_options) {
+  const bool has_samples =
+      arguments.flags.count("--samples") > 0 || render_options.locations.count("BPT_Samples") > 0;
+  return has_samples || (!render_options.target_error && !render_options.max_seconds);
+}
+
+RunSettings run_settings_of(const RenderOptions& render_options, const std::string& output,
+                            const Diagnostics& diagnostics) {
+  RunSettings settings;
+  settings.checkpoint = render_options.checkpoint;
+  if (!settings.checkpoint.empty()) {
+    settings.fingerprint = fingerprint_of(render_options, diagnostics.files());
   }
-  return Job{std::move(*scene), std::move(settings)};
+  if (render_options.shows_window) settings.display = transport::DisplayAddress();
+  if (!render_options.display_server.empty()) {
+    settings.display = transport::display_address_of(render_options.display_server);
+  }
+  settings.title = output;
+  return settings;
 }
 
 }  // namespace
 
 grf::ExitCode render(const RenderArguments& arguments) {
   const auto start = Clock::now();
+  std::optional<RenderJob> job;
+  std::optional<transport::Render> render;
+  Interruption interruption;  // ends before the render that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   std::vector<std::string> outputs;
-  std::optional<Job> job;
   if (render_options) {
     if (!apply_flags(arguments, *render_options)) return ExitCode::BadCommandLine;
     outputs = outputs_of(arguments, *render_options);
@@ -289,12 +194,22 @@ grf::ExitCode render(const RenderArguments& arguments) {
   }
   print(diagnostics);
   if (!job) return ExitCode::BadInput;
-  transport::Render render(job->scene, job->settings);
+  if (!counts_samples(arguments, *render_options)) {
+    job->settings.samples = transport::RenderSettings::Unlimited;
+  }
+  const RunSettings settings = run_settings_of(*render_options, outputs.front(), diagnostics);
+  render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const bool interrupted = run(render);
-  if (!keep(render, job->scene, job->settings.view, *render_options, outputs)) return ExitCode::BadInput;
-  print(summary_of(render, *render_options, outputs.front(), setup_seconds, job->scene), arguments.json);
-  return interrupted ? ExitCode::Interrupted : ExitCode::Done;
+  ProgressReport progress(style_of(arguments.progress));
+  Diagnostics of_run;
+  const bool has_run = run(*render, interruption, settings, progress, of_run);
+  print(of_run);
+  if (!has_run || !keep(*render, job->scene, job->settings.view, *render_options, outputs)) {
+    return ExitCode::BadInput;
+  }
+  progress.finish(render->progress(), outputs.front());
+  print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->scene), arguments);
+  return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 }  // namespace command

@@ -13,6 +13,7 @@ struct RenderArguments {
   std::string scene;                         ///< an OP file, or a GRF scene
   std::map<std::string, std::string> flags;  ///< options of the table by their flags, as `--samples`
   std::vector<std::string> outputs;          ///< images to write, of one type each; empty: what the file says
+  std::string progress = "bar";              ///< or `json`, or `none`
   bool json = false;
 };
 

@@ -20,25 +20,12 @@ using transport::ImageLayer;
 bool can_write(const std::string& output, const options::ImageSize& size, Diagnostics& diagnostics) {
   const transport::ImageFormat* format = transport::image_format_of(output, diagnostics);
   if (format == nullptr) return false;
-  const auto fail = [&](const std::string& why) {
-    diagnostics.error(grf::whole_file(output), why);
-    return false;
-  };
-  if (std::max(size.width, size.height) > format->largest_side) {
-    return fail(fmt::format("files of this type have at most {} pixels a side", format->largest_side));
+  if (std::max(size.width, size.height) <= format->largest_side) {
+    return can_write_file(output, "image", diagnostics);
   }
-  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
-  const std::string folder_name = folder.empty() ? "." : folder.string();
-  if (::access(folder_name.c_str(), W_OK | X_OK) != 0) {
-    return fail(fmt::format("cannot write into the folder '{}'", folder_name));
-  }
-  std::error_code error;
-  const auto status = std::filesystem::status(output, error);
-  if (std::filesystem::is_directory(status)) return fail("cannot write the image: it is a directory");
-  if (!std::filesystem::exists(status)) return true;
-  // Replacing a device or a pipe would take it away from everybody.
-  if (!std::filesystem::is_regular_file(status)) return fail("cannot write the image: it is no regular file");
-  return ::access(output.c_str(), W_OK) == 0 || fail("cannot write the image: the file is read-only");
+  diagnostics.error(grf::whole_file(output),
+                    fmt::format("files of this type have at most {} pixels a side", format->largest_side));
+  return false;
 }
 
 double mean_samples(const Film& film) {
@@ -90,6 +77,29 @@ void add_options(const RenderOptions& render_options, std::vector<ImageAttribute
 }
 
 }  // namespace
+
+bool can_write_file(const std::string& path, std::string_view what, Diagnostics& diagnostics) {
+  const auto fail = [&](const std::string& why) {
+    diagnostics.error(grf::whole_file(path), why);
+    return false;
+  };
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const std::string folder_name = folder.empty() ? "." : folder.string();
+  if (::access(folder_name.c_str(), W_OK | X_OK) != 0) {
+    return fail(fmt::format("cannot write into the folder '{}'", folder_name));
+  }
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(status))
+    return fail(fmt::format("cannot write the {}: it is a directory", what));
+  if (!std::filesystem::exists(status)) return true;
+  // Replacing a device or a pipe would take it away from everybody.
+  if (!std::filesystem::is_regular_file(status)) {
+    return fail(fmt::format("cannot write the {}: it is no regular file", what));
+  }
+  return ::access(path.c_str(), W_OK) == 0 ||
+         fail(fmt::format("cannot write the {}: the file is read-only", what));
+}
 
 bool can_write(const std::vector<std::string>& outputs, const RenderOptions& render_options,
                Diagnostics& diagnostics) {

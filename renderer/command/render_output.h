@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grf/diagnostics.h"
@@ -15,6 +16,9 @@ namespace command {
 /// is better known before the render than after it.
 bool can_write(const std::vector<std::string>& outputs, const options::RenderOptions& render_options,
                grf::Diagnostics& diagnostics);
+
+/// The same for any file; `what` it is goes into messages.
+bool can_write_file(const std::string& path, std::string_view what, grf::Diagnostics& diagnostics);
 
 /// The image of a render that has ended, with the layers that the options ask for, and with attributes: each
 /// option by its key (of the eye and the samples what they came to), the camera, the program's version, the

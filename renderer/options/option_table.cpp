@@ -99,11 +99,14 @@ std::vector<OptionInfo> running_options() {
   using Limit = NumberOption<float, std::optional<float>>;
   return {
       {"BPT_TargetError", "--target-error", Limit{&Options::target_error, 0, 1000, true}, "float", "none",
-       "stop at this estimated error of the image, sqrt(relMSE): 0.02 is 2 %"},
+       "stop once the estimated error, sqrt(relMSE) of the image, is no more than this: 0.02 is 2 %; without "
+       "BPT_Samples, after as many samples as that takes"},
       {"BPT_MaxTime", "--time", Limit{&Options::max_seconds, 0, 1e9F, true}, "float", "none",
-       "stop after so many seconds, with what there is"},
+       "stop after so many seconds of rendering, with what there is; without BPT_Samples, not before"},
       {"BPT_Checkpoint", "--checkpoint", PathOption{&Options::checkpoint, true}, "path", "none",
-       "where to keep what an interrupted render resumes from"},
+       "where to keep what a render resumes from, every minute and at its end: the same command goes on from "
+       "it, "
+       "and with more samples from a finished one too"},
       {"BPT_Threads", "--threads", NumberOption<int>{&Options::threads, 0, 4096}, "int", "0",
        "threads to use; 0: all"},
       {"BPT_DisplayWindow", "", BooleanOption<bool>{&Options::shows_window}, "bool", "false",

@@ -12,21 +12,79 @@ namespace transport {
 
 using reflectance::Rgb;
 
+/// A rectangle of pixels of an image.
+struct TileBounds {
+  int x = 0;  ///< of the upper left pixel
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  std::size_t pixel_count() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+};
+
+/// The sums of one tile, which a worker takes out of the film, adds samples to, and puts back. All pixels of
+/// a tile have as many samples.
+class FilmTile {
+ public:
+  static constexpr int Scramblings = 2;
+
+  // Double, so that a million samples lose nothing.
+  using PixelSums = std::array<Imath::V3d, Scramblings>;
+  using Counts = std::array<std::uint32_t, Scramblings>;
+
+  TileBounds bounds;
+  Counts counts = {};
+  std::vector<PixelSums> pixels;  ///< rows from the top
+
+  std::uint32_t sample_count() const { return counts[0] + counts[1]; }
+
+  /// Adds to the sums of a pixel, by its place within the tile. A sample that is not finite counts as black
+  /// and is reported: returns false. The counts are not touched, because they are of all pixels.
+  bool add(int x, int y, int scrambling, const Rgb& radiance);
+
+  /// The mean of all samples; black without any.
+  Rgb mean(std::size_t pixel) const;
+  /// The variance of that mean, from the two halves; 0 while there is but one.
+  Rgb variance(std::size_t pixel) const;
+  /// The sum of variance / (mean^2 + 0.01) over pixels and channels; nothing while there is but one half.
+  std::optional<double> error_sum() const;
+
+ private:
+  Imath::V3d exact_mean(const PixelSums& sums) const;
+  Imath::V3d exact_variance(const PixelSums& sums) const;
+};
+
 /// Where the samples of an image are added up. Each pixel keeps two sums, of samples from two independent
 /// scramblings of the point sequence: samples of one sequence are not independent, so the error of a pixel
 /// comes from how far the two means are apart.
+///
+/// A tile's pixels lie together, so that workers on different tiles share no cache line; a pixel takes 48
+/// bytes, so an image of 16384 x 16384 pixels 13 GB.
 class Film {
  public:
-  static constexpr int Scramblings = 2;
+  static constexpr int Scramblings = FilmTile::Scramblings;
+  static constexpr int TileSize = 16;
 
   Film(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Samples of one pixel must not be added by two threads at once. One that is not finite counts as black
-  /// and is reported: returns false.
-  bool add(int x, int y, int scrambling, const Rgb& radiance);
+  // Tiles count from 0, row by row.
+  int tiles_across() const { return (width_ + TileSize - 1) / TileSize; }
+  int tiles_down() const { return (height_ + TileSize - 1) / TileSize; }
+  int tile_count() const { return static_cast<int>(tiles_.size()); }
+  TileBounds bounds_of(int tile) const;
+  const FilmTile::Counts& counts_of(int tile) const { return tiles_[index(tile)].counts; }
+  std::uint32_t sample_count_of(int tile) const { return counts_of(tile)[0] + counts_of(tile)[1]; }
+  /// FilmTile::error_sum of a tile; 0 where that is nothing.
+  double error_sum_of(int tile) const { return tiles_[index(tile)].error_sum; }
+
+  /// Copies a tile; what the copy held is overwritten.
+  void copy_tile(int tile, FilmTile& copy) const;
+  void put_back(int tile, const FilmTile& copy);
 
   /// How many samples a pixel has.
   std::uint32_t sample_count(int x, int y) const;
@@ -42,21 +100,31 @@ class Film {
   std::optional<double> estimated_error() const;
 
  private:
-  struct Pixel {
-    // Double, so that a million samples lose nothing.
-    std::array<Imath::V3d, Scramblings> sum = {Imath::V3d(0), Imath::V3d(0)};
-    std::array<std::uint32_t, Scramblings> count = {};
+  struct TileState {
+    FilmTile::Counts counts = {};
+    double error_sum = 0;
   };
 
-  std::size_t index_of(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-  }
-  static Imath::V3d mean_of(const Pixel& pixel);
-  static Imath::V3d variance_of(const Pixel& pixel);
+  static std::size_t index(int tile) { return static_cast<std::size_t>(tile); }
+  std::size_t first_pixel(const TileBounds& bounds) const;
+  template <class Function>
+  Image image_of(Function function) const;
 
   int width_;
   int height_;
-  std::vector<Pixel> pixels_;
+  std::vector<TileState> tiles_;
+  std::vector<FilmTile::PixelSums> pixels_;  ///< tile after tile
 };
+
+/// Writes a tile's values, of which `function` gives one for each pixel's index, to their place in an image.
+template <class Function>
+void write_tile(const TileBounds& bounds, Function function, Image& image) {
+  std::size_t from = 0;
+  for (int y = bounds.y; y < bounds.y + bounds.height; ++y) {
+    std::size_t to = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                     static_cast<std::size_t>(bounds.x);
+    for (int x = 0; x < bounds.width; ++x) image.pixels[to++] = function(from++);
+  }
+}
 
 }  // namespace transport

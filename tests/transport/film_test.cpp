@@ -9,23 +9,69 @@
 namespace {
 
 using transport::Film;
+using transport::FilmTile;
 using transport::Image;
 using transport::Rgb;
 
+/// Adds a sample to each pixel of a tile; `radiance` gives it for a place within the tile.
+template <class Function>
+void add_to_tile(Film& film, int tile, int scrambling, Function radiance) {
+  FilmTile sums;
+  film.copy_tile(tile, sums);
+  for (int y = 0; y < sums.bounds.height; ++y) {
+    for (int x = 0; x < sums.bounds.width; ++x) sums.add(x, y, scrambling, radiance(x, y));
+  }
+  ++sums.counts[static_cast<std::size_t>(scrambling)];
+  film.put_back(tile, sums);
+}
+
+void add(Film& film, int tile, int scrambling, const Rgb& radiance) {
+  add_to_tile(film, tile, scrambling, [&](int, int) { return radiance; });
+}
+
 TEST(Film, KeepsMeanAndVarianceOfTwoHalves) {
-  Film film(2, 1);
-  film.add(0, 0, 0, Rgb(1, 2, 3));
-  film.add(0, 0, 1, Rgb(3, 2, 1));
+  Film film(Film::TileSize + 1, 1);
+  add(film, 0, 0, Rgb(1, 2, 3));
+  add(film, 0, 1, Rgb(3, 2, 1));
   EXPECT_EQ(film.mean().at(0, 0), Rgb(2, 2, 2));
   EXPECT_EQ(film.variance().at(0, 0), Rgb(1, 0, 1));
-  EXPECT_EQ(film.mean().at(1, 0), Rgb(0));
+  EXPECT_EQ(film.mean().at(Film::TileSize, 0), Rgb(0));
   EXPECT_EQ(film.sample_count(0, 0), 2U);
+  EXPECT_EQ(film.sample_count(Film::TileSize, 0), 0U);
+}
+
+// Two samples against one: the variance of the mean of three is 2/9 of the squared difference.
+TEST(Film, WeighsHalvesOfDifferentSize) {
+  Film film(1, 1);
+  for (const int scrambling : {0, 1, 0}) add(film, 0, scrambling, Rgb(scrambling == 0 ? 1.0F : 4.0F));
+  EXPECT_EQ(film.mean().at(0, 0), Rgb(2));
+  EXPECT_EQ(film.variance().at(0, 0), Rgb(2));
 }
 
 TEST(Film, KnowsNoErrorFromOneHalf) {
   Film film(1, 1);
-  film.add(0, 0, 0, Rgb(1));
+  add(film, 0, 0, Rgb(1));
   EXPECT_FALSE(film.estimated_error());
+}
+
+// Sizes that are no multiple of a tile's.
+TEST(Film, EveryPixelHasItsPlace) {
+  Film film(2 * Film::TileSize + 3, Film::TileSize + 5);
+  std::size_t pixels = 0;
+  for (int tile = 0; tile < film.tile_count(); ++tile) {
+    const transport::TileBounds bounds = film.bounds_of(tile);
+    pixels += bounds.pixel_count();
+    add_to_tile(film, tile, 0, [&](int x, int y) {
+      return Rgb(static_cast<float>(bounds.x + x), static_cast<float>(bounds.y + y), 1);
+    });
+  }
+  const Image image = film.mean();
+  EXPECT_EQ(pixels, image.pixels.size());
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      ASSERT_EQ(image.at(x, y), Rgb(static_cast<float>(x), static_cast<float>(y), 1));
+    }
+  }
 }
 
 TEST(Film, EstimatesTheTrueError) {
@@ -34,9 +80,9 @@ TEST(Film, EstimatesTheTrueError) {
   std::mt19937 random(1);
   std::exponential_distribution<float> radiance(1);
   Film film(Side, Side);
-  for (int y = 0; y < Side; ++y) {
-    for (int x = 0; x < Side; ++x) {
-      for (int i = 0; i < Samples; ++i) film.add(x, y, i % 2, Rgb(radiance(random), 1, 1));
+  for (int tile = 0; tile < film.tile_count(); ++tile) {
+    for (int i = 0; i < Samples; ++i) {
+      add_to_tile(film, tile, i % 2, [&](int, int) { return Rgb(radiance(random), 1, 1); });
     }
   }
   // The first channel has mean 1 and variance 1 / Samples, the others have no error.
@@ -48,17 +94,21 @@ TEST(Film, EstimatesTheTrueError) {
   EXPECT_NEAR(*film.estimated_error(), expected, 0.05 * expected);
 }
 
-TEST(Film, TakesNothingThatIsNotFinite) {
+TEST(Film, LeavesOutWhatIsNotFinite) {
   Film film(1, 1);
-  EXPECT_TRUE(film.add(0, 0, 0, Rgb(1)));
-  EXPECT_FALSE(film.add(0, 0, 1, Rgb(std::numeric_limits<float>::quiet_NaN())));
-  EXPECT_FALSE(film.add(0, 0, 1, Rgb(std::numeric_limits<float>::infinity())));
-  EXPECT_TRUE(std::isfinite(film.mean().at(0, 0).x));
+  FilmTile tile;
+  film.copy_tile(0, tile);
+  EXPECT_TRUE(tile.add(0, 0, 0, Rgb(1)));
+  EXPECT_FALSE(tile.add(0, 0, 1, Rgb(std::numeric_limits<float>::quiet_NaN())));
+  EXPECT_FALSE(tile.add(0, 0, 1, Rgb(std::numeric_limits<float>::infinity())));
+  tile.counts = {1, 2};
+  film.put_back(0, tile);
+  EXPECT_EQ(film.mean().at(0, 0), Rgb(1 / 3.0F));
 }
 
 TEST(Film, LosesNothingOverAMillionSamples) {
   Film film(1, 1);
-  for (int i = 0; i < 1'000'000; ++i) film.add(0, 0, i % 2, Rgb(0.1F));
+  for (int i = 0; i < 1'000'000; ++i) add(film, 0, i % 2, Rgb(0.1F));
   EXPECT_EQ(film.mean().at(0, 0), Rgb(0.1F));
 }
 

@@ -1,0 +1,132 @@
+#include "renderer/command/render_job.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "grf/check.h"
+#include "grf/read.h"
+#include "renderer/options/scheme_model.h"
+#include "renderer/reflectance/scheme.h"
+#include "renderer/transport/image/image.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using options::RenderOptions;
+using transport::CompiledScene;
+using transport::Integrator;
+using transport::PixelPlacing;
+
+/// The scheme that the options name, checked; false after an error.
+bool override_scheme(const RenderOptions& render_options, transport::CompileSettings& settings,
+                     Diagnostics& diagnostics) {
+  options::warn_of_unused_options(render_options, diagnostics);
+  auto model = options::scheme_model(render_options);
+  if (!model) return true;
+  if (!grf::check(*model, reflectance::scheme_infos(), "PDF", diagnostics)) return false;
+  settings.scheme = {std::move(*model), render_options.factors_file};
+  return true;
+}
+
+Integrator integrator_of(const RenderOptions& render_options) {
+  if (render_options.ray_casting) return Integrator::Normals;
+  return render_options.integrator == "naive" ? Integrator::Naive : Integrator::Path;
+}
+
+std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  const std::string& path = render_options.scene;
+  transport::CompileSettings settings;
+  settings.threads = render_options.threads;
+  settings.has_irradiance = render_options.uses_irradiance;
+  if (integrator_of(render_options) == Integrator::Naive) {
+    settings.missed_part = reflectance::MissedPart::Missing;
+  }
+  const bool has_scheme = override_scheme(render_options, settings, diagnostics);
+  auto scene = grf::read(path, diagnostics);
+  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics) || !has_scheme) {
+    return std::nullopt;
+  }
+  auto compiled = transport::compile(std::move(*scene), diagnostics, settings);
+  if (compiled && compiled->triangle_count() == 0) {
+    diagnostics.error(grf::whole_file(path), "the scene has nothing to render, expected a mesh or a light");
+    return std::nullopt;
+  }
+  return compiled;
+}
+
+/// Reads the image around or behind the scene; false after an error.
+bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
+                       Diagnostics& diagnostics) {
+  const std::string& path = render_options.environment;
+  if (path.empty()) return true;
+  const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
+  if (render_options.projection == "backplate") {
+    auto image = transport::read_image(path, diagnostics, location);
+    if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
+    return settings.backplate != nullptr;
+  }
+  auto map = transport::read_environment_map(path, diagnostics, location);
+  if (map)
+    settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
+  if (render_options.resampling) {
+    settings.integrator.resampling = {render_options.resampling->first, render_options.resampling->second};
+  }
+  return map.has_value();
+}
+
+/// Where samples lie in a pixel, and how many there are of them.
+void place_samples(const RenderOptions& render_options, transport::RenderSettings& settings) {
+  settings.samples = render_options.samples_a_pixel();
+  if (settings.integrator.integrator == Integrator::Path) return;
+  settings.placing = PixelPlacing::Centre;
+  if (settings.integrator.integrator == Integrator::Normals) {
+    settings.samples = 1;
+    return;
+  }
+  const auto [columns, rows] = render_options.pixel_samples;
+  settings.samples = columns * rows;
+  settings.grid_columns = columns;
+  if (render_options.pixel_random) settings.placing = PixelPlacing::Sobol;
+  if (render_options.pixel_radial) settings.placing = PixelPlacing::Regular;
+}
+
+transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3d& bounds) {
+  transport::RenderSettings settings;
+  settings.width = render_options.size.width;
+  settings.height = render_options.size.height;
+  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+  settings.view = transport::view_of(bounds, render_options.field_of_view, aspect);
+  if (render_options.viewer) settings.view.eye = *render_options.viewer;
+  if (render_options.target) settings.view.target = *render_options.target;
+  settings.view.up = render_options.up;
+  settings.integrator.background = render_options.background;
+  settings.integrator.depth = render_options.depth;
+  settings.integrator.measures_sampling = render_options.writes_sampling_time;
+  settings.integrator.integrator = integrator_of(render_options);
+  settings.integrator.secondary_rays =
+      render_options.secondary_rays_root * render_options.secondary_rays_root;
+  place_samples(render_options, settings);
+  settings.target_error = render_options.target_error;
+  settings.max_seconds = render_options.max_seconds;
+  settings.seed = render_options.seed;
+  settings.threads = render_options.threads;
+  return settings;
+}
+
+}  // namespace
+
+std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  auto scene = load(render_options, diagnostics);
+  transport::RenderSettings settings;
+  if (scene) settings = settings_of(render_options, scene->bounds());
+  if (!load_surroundings(render_options, settings, diagnostics) || !scene) return std::nullopt;
+  if (settings.view.eye == settings.view.target) {
+    diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
+    return std::nullopt;
+  }
+  return RenderJob{std::move(*scene), std::move(settings)};
+}
+
+}  // namespace command

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "grf/diagnostics.h"
+#include "renderer/options/render_options.h"
+#include "renderer/transport/render.h"
+
+namespace command {
+
+/// What a render needs, once its files have been read.
+struct RenderJob {
+  transport::CompiledScene scene;
+  transport::RenderSettings settings;
+};
+
+/// Reads and compiles the scene that the options name, with all that they say of it; nothing after an error.
+std::optional<RenderJob> render_job(const options::RenderOptions& render_options,
+                                    grf::Diagnostics& diagnostics);
+
+}  // namespace command

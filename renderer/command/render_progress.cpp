@@ -1,0 +1,82 @@
+#include "renderer/command/render_progress.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace command {
+namespace {
+
+using transport::RenderProgress;
+
+constexpr std::chrono::milliseconds Interval(250);
+
+std::string bar_of(const RenderProgress& progress) {
+  constexpr int Width = 30;
+  const int filled = static_cast<int>(progress.done * Width);
+  std::string bar =
+      fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %", "", filled, "", Width - filled, 100 * progress.done);
+  if (progress.estimated_error) bar += fmt::format("  error {:.2f} %", 100 * *progress.estimated_error);
+  return bar + (progress.seconds_left ? fmt::format("  {} left", duration_text(*progress.seconds_left)) : "");
+}
+
+nlohmann::json json_of(const std::optional<double>& number) {
+  return number && std::isfinite(*number) ? nlohmann::json(*number) : nlohmann::json(nullptr);
+}
+
+void print_json(const RenderProgress& progress, const nlohmann::json& image) {
+  nlohmann::ordered_json line;
+  line["done"] = progress.done;
+  line["seconds"] = progress.seconds;
+  line["seconds_left"] = json_of(progress.seconds_left);
+  line["estimated_error"] = json_of(progress.estimated_error);
+  line["image"] = image;
+  // Not fmt::print, which throws: that nobody reads any more is no reason to stop.
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  std::fputs((line.dump(-1, ' ', false, replace) + "\n").c_str(), stdout);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+ProgressReport::ProgressReport(ProgressStyle style) : style_(style) {
+  if (style == ProgressStyle::Bar && ::isatty(STDERR_FILENO) == 0) style_ = ProgressStyle::None;
+}
+
+ProgressReport::~ProgressReport() { clear(); }
+
+/// The line is left empty for what comes next.
+void ProgressReport::clear() {
+  if (style_ == ProgressStyle::Bar) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ProgressReport::show(const RenderProgress& progress) {
+  const auto now = std::chrono::steady_clock::now();
+  if (style_ == ProgressStyle::None || now < next_) return;
+  next_ = now + Interval;
+  if (style_ == ProgressStyle::Json) {
+    // That it is done, the last line says, once the image is there.
+    if (progress.done < 1) print_json(progress, nullptr);
+    return;
+  }
+  fmt::print(stderr, "\r{}\x1b[K", bar_of(progress));
+  std::fflush(stderr);
+}
+
+void ProgressReport::finish(const RenderProgress& progress, const std::string& image) {
+  if (style_ == ProgressStyle::Json) print_json(progress, image);
+  clear();
+  style_ = ProgressStyle::None;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace command

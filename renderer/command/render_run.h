@@ -1,0 +1,30 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "renderer/command/interruption.h"
+#include "renderer/command/render_progress.h"
+#include "renderer/transport/checkpoint.h"
+#include "renderer/transport/display_client.h"
+
+namespace command {
+
+/// What goes on beside a render.
+struct RunSettings {
+  std::string checkpoint;  ///< path; empty: none
+  transport::Fingerprint fingerprint;
+  std::optional<transport::DisplayAddress> display;
+  std::string title;  ///< of the displayed image
+};
+
+/// Runs a render to its end, or to a signal: resumes it from its checkpoint, keeps that up to date every
+/// minute and at the end, and shows progress and the image. False if the checkpoint cannot be resumed from:
+/// nothing has then been rendered. That a checkpoint cannot be written, or that there is no viewer, is a
+/// warning.
+bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
+         ProgressReport& progress, grf::Diagnostics& diagnostics);
+
+}  // namespace command

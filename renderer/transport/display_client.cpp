@@ -1,0 +1,197 @@
+#include "renderer/transport/display_client.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "renderer/transport/display_packets.h"
+
+namespace transport {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+/// Between two looks at the render.
+constexpr milliseconds Pause(50);
+/// After which a wait looks whether it has become pointless.
+constexpr milliseconds Step(20);
+/// Of tiles that are sent as one rectangle: 100 KB.
+constexpr int LongestRun = 32;
+/// For a viewer to answer at all.
+constexpr milliseconds ConnectTime(3000);
+
+std::string reason() { return std::generic_category().message(errno); }
+
+/// Whether the socket can be written within a step.
+bool is_writable(int socket) {
+  pollfd wait = {socket, POLLOUT, 0};
+  return ::poll(&wait, 1, static_cast<int>(Step.count())) > 0;
+}
+
+struct FreeAddresses {
+  void operator()(addrinfo* addresses) const { ::freeaddrinfo(addresses); }
+};
+
+}  // namespace
+
+std::optional<DisplayAddress> display_address_of(std::string_view text) {
+  DisplayAddress address;
+  std::string_view host = text;
+  std::string_view port;
+  if (text.starts_with('[')) {
+    const std::size_t end = text.find(']');
+    if (end == std::string_view::npos) return std::nullopt;
+    host = text.substr(1, end - 1);
+    port = text.substr(end + 1);
+  } else if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
+    host = text.substr(0, colon);
+    port = text.substr(colon);
+  }
+  if (!host.empty()) address.host = host;
+  if (port.empty()) return host.empty() ? std::nullopt : std::optional(address);
+  const bool is_number =
+      std::all_of(port.begin() + 1, port.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (port[0] != ':' || port.size() < 2 || port.size() > 6 || !is_number) return std::nullopt;
+  address.port = port.substr(1);
+  const int number = std::stoi(address.port);
+  return number >= 1 && number <= 65535 ? std::optional(address) : std::nullopt;
+}
+
+DisplayClient::DisplayClient(const Render& render, DisplayAddress address, std::string image_name)
+    : render_(render),
+      address_(std::move(address)),
+      name_(std::move(image_name)),
+      sent_(static_cast<std::size_t>(render.film().tile_count())),
+      thread_([this] { run(); }) {}
+
+DisplayClient::~DisplayClient() {
+  finish(milliseconds(0));
+  if (socket_ >= 0) ::close(socket_);
+}
+
+void DisplayClient::finish(milliseconds time) {
+  if (!thread_.joinable()) return;
+  deadline_ = (Clock::now() + time).time_since_epoch();
+  finishes_ = true;
+  thread_.join();
+}
+
+std::optional<std::string> DisplayClient::take_problem() {
+  const std::lock_guard lock(problem_lock_);
+  return std::exchange(problem_, std::nullopt);
+}
+
+bool DisplayClient::is_out_of_time() const { return Clock::now().time_since_epoch() >= deadline_.load(); }
+
+void DisplayClient::fail(const std::string& why) {
+  const std::lock_guard lock(problem_lock_);
+  problem_ = why;
+}
+
+void DisplayClient::run() {
+  if (!connect()) return;
+  // A viewer that still has an image of that name, from an earlier render, would go on showing that one.
+  bool goes_on = send(close_image_packet(name_)) &&
+                 send(create_image_packet(name_, render_.settings().width, render_.settings().height));
+  while (goes_on) {
+    const bool is_last = finishes_;  // what changes from now on is sent in the next round
+    goes_on = send_changes() && !is_last;
+    for (auto waited = milliseconds(0); goes_on && !finishes_ && waited < Pause; waited += Step) {
+      std::this_thread::sleep_for(Step);
+    }
+  }
+}
+
+bool DisplayClient::connect() {
+  addrinfo hints = {};
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  const int failure = ::getaddrinfo(address_.host.c_str(), address_.port.c_str(), &hints, &found);
+  const std::unique_ptr<addrinfo, FreeAddresses> addresses(found);
+  std::string why = failure != 0 ? ::gai_strerror(failure) : "";
+  for (const addrinfo* a = found; a != nullptr; a = a->ai_next) {
+    socket_ = ::socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol);
+    if (socket_ < 0) continue;
+    int problem = ::connect(socket_, a->ai_addr, a->ai_addrlen) == 0 ? 0 : errno;
+    if (problem == EINPROGRESS) {
+      problem = ETIMEDOUT;
+      for (auto waited = milliseconds(0); waited < ConnectTime && !is_out_of_time(); waited += Step) {
+        socklen_t size = sizeof(problem);
+        if (!is_writable(socket_)) continue;
+        ::getsockopt(socket_, SOL_SOCKET, SO_ERROR, &problem, &size);
+        break;
+      }
+    }
+    if (problem == 0) return true;
+    why = std::generic_category().message(problem);
+    ::close(std::exchange(socket_, -1));
+  }
+  fail(fmt::format(
+      "no viewer listens at {} ({}): start one that speaks tev's protocol, such as tev, to see the "
+      "image as it forms",
+      address_.text(), why));
+  return false;
+}
+
+bool DisplayClient::send(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+      if (is_out_of_time()) return false;
+      is_writable(socket_);
+    } else if (errno != EINTR) {
+      fail(fmt::format("the viewer at {} is gone ({}): the render goes on without it", address_.text(),
+                       reason()));
+      return false;
+    }
+  }
+  return true;
+}
+
+bool DisplayClient::send_changes() {
+  for (int row = 0; row < render_.film().tiles_down(); ++row) {
+    if (is_out_of_time() || !send_row(row)) return false;
+  }
+  return true;
+}
+
+/// Sends each run of neighbouring tiles that have changed as one rectangle.
+bool DisplayClient::send_row(int row) {
+  const int across = render_.film().tiles_across();
+  FilmTile tile;
+  for (int first = row * across; first < (row + 1) * across; ++first) {
+    const auto has_changed = [&](int i) {
+      return render_.sample_count_of(i) != sent_[static_cast<std::size_t>(i)];
+    };
+    int last = first;
+    while (last < (row + 1) * across && last - first < LongestRun && has_changed(last)) ++last;
+    if (last == first) continue;
+    const TileBounds start = render_.film().bounds_of(first);
+    const TileBounds end = render_.film().bounds_of(last - 1);
+    const TileBounds bounds = {start.x, start.y, end.x + end.width - start.x, start.height};
+    Image part{bounds.width, bounds.height, std::vector<Rgb>(bounds.pixel_count())};
+    for (int i = first; i < last; ++i) {
+      render_.copy_tile(i, tile);
+      sent_[static_cast<std::size_t>(i)] = tile.sample_count();
+      const TileBounds place = {tile.bounds.x - bounds.x, 0, tile.bounds.width, tile.bounds.height};
+      write_tile(
+          place, [&](std::size_t p) { return tile.mean(p); }, part);
+    }
+    if (!send(update_image_packet(name_, bounds, part.pixels))) return false;
+    first = last - 1;
+  }
+  return true;
+}
+
+}  // namespace transport

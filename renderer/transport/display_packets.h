@@ -1,0 +1,23 @@
+// Packets of the network protocol of the image viewer tev (https://github.com/Tom94/tev), which other viewers
+// speak too. A packet is its whole length (uint32), its type (a byte) and its fields, all little-endian;
+// texts end with a zero.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "renderer/transport/film.h"
+
+namespace transport {
+
+/// Has the viewer forget an image of that name, if it has one.
+std::string close_image_packet(std::string_view name);
+
+/// Makes a black image with the channels R, G, B, and shows it.
+std::string create_image_packet(std::string_view name, int width, int height);
+
+/// Replaces a rectangle of the image.
+std::string update_image_packet(std::string_view name, const TileBounds& bounds,
+                                const std::vector<Rgb>& pixels);
+
+}  // namespace transport

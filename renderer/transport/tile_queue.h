@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "renderer/transport/film.h"
+
+namespace transport {
+
+/// Some samples of a tile: those from `first` on, before `last`.
+struct TileWork {
+  int tile = 0;
+  int first = 0;
+  int last = 0;
+};
+
+/// What the workers do next, until all tiles have so many samples. The tile that has the fewest comes first,
+/// and of those the nearest to the image's centre; there is no end of a pass to wait for. The first passes
+/// over the image are short, so that there is soon something to look at, and so are the last pieces of work,
+/// so that all workers end at about the same time. How the work is cut does not show in the image.
+class TileQueue {
+ public:
+  /// The film says what there is already.
+  TileQueue(const Film& film, int samples, int threads);
+
+  /// A tile that no other worker has; nothing once there is none. Whoever took it says when it is done.
+  std::optional<TileWork> take();
+  void done(const TileWork& work);
+
+  /// Whether all tiles have their samples.
+  bool is_finished();
+
+ private:
+  int length_of_next(int samples) const;
+
+  struct Waiting {
+    int samples = 0;
+    int rank = 0;  ///< in the order from the centre outwards
+    bool operator>(const Waiting& other) const {
+      return std::pair(samples, rank) > std::pair(other.samples, other.rank);
+    }
+  };
+
+  const int samples_;
+  const int threads_;
+  std::vector<int> tile_of_rank_;
+  std::vector<int> rank_of_tile_;
+  std::mutex mutex_;            ///< of what follows
+  std::size_t unfinished_ = 0;  ///< tiles
+  std::int64_t remaining_ = 0;  ///< samples of tiles that nobody has taken
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
+};
+
+/// All tiles of a film, ring by ring from its centre: neighbours follow each other.
+std::vector<int> tiles_from_the_centre(const Film& film);
+
+}  // namespace transport

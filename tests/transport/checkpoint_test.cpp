@@ -1,0 +1,187 @@
+#include "renderer/transport/checkpoint.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/transport/sample_scenes.h"
+
+namespace {
+
+using transport::Fingerprint;
+using transport::Image;
+using transport::Render;
+using transport::RenderEnd;
+using transport::RenderSettings;
+
+constexpr Fingerprint Ours = {1, 2, 3};
+
+class Checkpoint : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_.path("state");
+  transport::CompiledScene scene_ =
+      test::scene_of("light begin rgb (9,9,9) (-1,3,-1) (2,0,0) (0,0,2) end\n" +
+                     test::quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)"));
+
+  static RenderSettings settings(int samples) {
+    test::Look look;
+    look.eye = transport::Vec3f(0, 2, 5);
+    look.width = 45;
+    look.height = 33;
+    look.samples = samples;
+    return test::settings_of(look);
+  }
+
+  static Image whole(const transport::CompiledScene& scene, const RenderSettings& settings) {
+    Render render(scene, settings);
+    render.run();
+    return render.film().mean();
+  }
+
+  /// Renders until so many paths are there, in the middle of a pass, and keeps the state.
+  void render_part(const transport::CompiledScene& scene, const RenderSettings& settings,
+                   std::uint64_t paths) const {
+    Render render(scene, settings);
+    grf::Diagnostics diagnostics;
+    ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
+    const std::uint64_t before = render.path_count();
+    std::thread stopper([&] {
+      while (render.path_count() < before + paths && render.end() == RenderEnd::NotYet) {
+        std::this_thread::yield();
+      }
+      render.stop();
+    });
+    render.run();
+    stopper.join();
+    ASSERT_TRUE(write_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
+  }
+
+  Image resumed(const transport::CompiledScene& scene, const RenderSettings& settings) const {
+    Render render(scene, settings);
+    grf::Diagnostics diagnostics;
+    EXPECT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
+    render.run();
+    const double pixels = static_cast<double>(settings.width) * settings.height;
+    EXPECT_EQ(static_cast<double>(render.path_count()), settings.samples * pixels);
+    return render.film().mean();
+  }
+
+  /// What is said of the file, which stays as it is.
+  std::string refusal(const Fingerprint& fingerprint, const RenderSettings& settings) const {
+    const std::string before = test::bytes_of(path_);
+    Render render(scene_, settings);
+    grf::Diagnostics diagnostics;
+    EXPECT_FALSE(resume_from_checkpoint(path_, fingerprint, render, diagnostics));
+    EXPECT_EQ(diagnostics.error_count(), 1U);
+    EXPECT_EQ(render.path_count(), 0U);
+    EXPECT_TRUE(test::bytes_of(path_) == before);
+    return diagnostics.to_text();
+  }
+};
+
+TEST_F(Checkpoint, SampleScenesResumeToTheSameImage) {
+  for (const std::string& path : test::sample_op_files()) {
+    test::SampleScene sample = test::sample_scene(path);
+    const Image expected = whole(sample.scene, sample.settings);
+    for (const int threads : {1, 2, 7}) {
+      std::filesystem::remove(path_);
+      sample.settings.threads = threads;
+      for (const std::uint64_t paths : {300U, 4000U}) render_part(sample.scene, sample.settings, paths);
+      EXPECT_EQ(resumed(sample.scene, sample.settings).pixels, expected.pixels)
+          << path << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST_F(Checkpoint, IsWrittenWhileWorkersGoOn) {
+  const Image expected = whole(scene_, settings(200));
+  Render render(scene_, settings(200));
+  std::thread worker([&] { render.run(); });
+  int written = 0;
+  grf::Diagnostics diagnostics;
+  while (render.end() == RenderEnd::NotYet && written < 50) {
+    ASSERT_TRUE(write_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
+    ++written;
+  }
+  render.stop();
+  worker.join();
+  EXPECT_GT(written, 0);
+  EXPECT_EQ(resumed(scene_, settings(200)).pixels, expected.pixels);
+}
+
+TEST_F(Checkpoint, OfAFinishedRenderGoesOnWithMoreSamples) {
+  EXPECT_EQ(resumed(scene_, settings(7)).pixels,
+            whole(scene_, settings(7)).pixels);  // no file: from the start
+  render_part(scene_, settings(7), 7 * 45 * 33);
+  EXPECT_EQ(resumed(scene_, settings(7)).pixels, whole(scene_, settings(7)).pixels);
+  EXPECT_EQ(resumed(scene_, settings(20)).pixels, whole(scene_, settings(20)).pixels);
+}
+
+TEST_F(Checkpoint, LeadsToTheSameSampleAtATargetError) {
+  RenderSettings until = settings(RenderSettings::Unlimited);
+  until.target_error = 0.03;
+  Render uninterrupted(scene_, until);
+  uninterrupted.run();
+  render_part(scene_, until, 45 * 33 * 18);  // between two looks at the error
+  Render render(scene_, until);
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
+  render.run();
+  EXPECT_EQ(render.film().mean().pixels, uninterrupted.film().mean().pixels);
+  EXPECT_EQ(render.path_count(), uninterrupted.path_count());
+}
+
+TEST_F(Checkpoint, KeepsWhatWasDoneInAllRuns) {
+  render_part(scene_, settings(100), 20000);
+  Render render(scene_, settings(100));
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
+  const transport::RenderTotals before = render.totals();
+  EXPECT_GE(before.paths, 20000U);
+  EXPECT_GT(before.rays, before.paths);
+  EXPECT_GT(before.seconds, 0);
+  EXPECT_GT(render.progress().done, 0);
+  EXPECT_NEAR(render.progress().done, static_cast<double>(before.paths) / (45 * 33 * 100), 1e-9);
+}
+
+TEST_F(Checkpoint, OfAnotherImageIsRefused) {
+  render_part(scene_, settings(10), 3000);
+  EXPECT_NE(refusal({9, 2, 3}, settings(10)).find("with other options"), std::string::npos);
+  EXPECT_NE(refusal({1, 9, 3}, settings(10)).find("of a scene with other contents"), std::string::npos);
+  EXPECT_NE(refusal({1, 2, 9}, settings(10)).find("by another build of bpt"), std::string::npos);
+  RenderSettings other = settings(10);
+  std::swap(other.width, other.height);
+  EXPECT_NE(refusal(Ours, other).find("with other options"), std::string::npos);
+  EXPECT_NE(refusal(Ours, settings(1)).find("more than the 1 that are asked for"), std::string::npos);
+}
+
+TEST_F(Checkpoint, ThatIsBrokenIsRefused) {
+  render_part(scene_, settings(10), 3000);
+  const std::string bytes = test::bytes_of(path_);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
+    folder_.add("state", bytes.substr(0, size));
+    EXPECT_NE(refusal(Ours, settings(10)).find("cannot resume from the checkpoint: "), std::string::npos);
+  }
+  for (std::size_t place = 0; place < bytes.size(); place += 1 + bytes.size() / 97) {
+    std::string changed = bytes;
+    changed[place] = static_cast<char>(changed[place] ^ 0x10);
+    folder_.add("state", changed);
+    EXPECT_NE(refusal(Ours, settings(10)).find("cannot resume from the checkpoint: "), std::string::npos);
+  }
+  folder_.add("state", bytes + "more");
+  EXPECT_NE(refusal(Ours, settings(10)).find("it is broken"), std::string::npos);
+  folder_.add("state", "BPT_Scene a.grf\n");
+  EXPECT_NE(refusal(Ours, settings(10)).find("it is no checkpoint"), std::string::npos);
+}
+
+TEST_F(Checkpoint, ThatCannotBeWrittenIsAnError) {
+  Render render(scene_, settings(1));
+  render.run();
+  grf::Diagnostics diagnostics;
+  EXPECT_FALSE(write_checkpoint(folder_.path("no/such/folder"), Ours, render, diagnostics));
+  EXPECT_EQ(diagnostics.error_count(), 1U);
+}
+
+}  // namespace

@@ -1,0 +1,248 @@
+// A viewer of our own that decodes tev's protocol from its description, independently of the code that sends.
+#include <cstring>
+#include <thread>
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "renderer/transport/display_client.h"
+#include "tests/transport/scene_helpers.h"
+
+namespace {
+
+using transport::DisplayAddress;
+using transport::DisplayClient;
+using transport::Render;
+
+/// Listens on a port that the system chooses.
+class Server {
+ public:
+  Server() : listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof(address);
+    if (::bind(listener_, reinterpret_cast<sockaddr*>(&address), size) != 0 || ::listen(listener_, 1) != 0 ||
+        ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
+      throw std::runtime_error("cannot listen");
+    }
+    port_ = ntohs(address.sin_port);
+  }
+  ~Server() { ::close(listener_); }
+
+  DisplayAddress address() const { return {"127.0.0.1", std::to_string(port_)}; }
+
+  int accept() const { return ::accept(listener_, nullptr, nullptr); }
+
+  /// All bytes of one connection.
+  std::string receive() const {
+    const int socket = accept();
+    std::string bytes;
+    std::array<char, 65536> part = {};
+    ssize_t count = 0;
+    while ((count = ::recv(socket, part.data(), part.size(), 0)) > 0) {
+      bytes.append(part.data(), static_cast<std::size_t>(count));
+    }
+    ::close(socket);
+    return bytes;
+  }
+
+ private:
+  int listener_;
+  int port_ = 0;
+};
+
+/// Reads the fields of a packet one by one.
+class Fields {
+ public:
+  explicit Fields(std::string_view bytes) : rest_(bytes) {}
+
+  template <class Number>
+  Number number() {
+    Number value;
+    if (rest_.size() < sizeof(value)) throw std::runtime_error("a packet is too short");
+    std::memcpy(&value, rest_.data(), sizeof(value));
+    rest_.remove_prefix(sizeof(value));
+    return value;
+  }
+  std::string text() {
+    const std::size_t end = rest_.find('\0');
+    if (end == std::string_view::npos) throw std::runtime_error("a text does not end");
+    std::string value(rest_.substr(0, end));
+    rest_.remove_prefix(end + 1);
+    return value;
+  }
+  std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+};
+
+/// What a viewer shows after some packets.
+struct Viewer {
+  std::string name;
+  std::vector<std::string> channels;
+  int width = 0;
+  int height = 0;
+  std::vector<std::vector<float>> values;  ///< of each channel
+  int updates = 0;
+  bool closed_first = false;
+
+  void show(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const auto length = Fields(bytes).number<std::uint32_t>();
+      if (length < 5 || length > bytes.size()) throw std::runtime_error("a packet has a wrong length");
+      Fields fields(bytes.substr(4, length - 4));
+      bytes.remove_prefix(length);
+      const int type = fields.number<std::uint8_t>();
+      if (type == 2) closed_first = name.empty() && !fields.text().empty();
+      if (type == 4) create(fields);
+      if (type == 6) update(fields);
+      if (type != 2 && type != 4 && type != 6) throw std::runtime_error("an unknown packet");
+    }
+  }
+
+  void create(Fields fields) {
+    fields.number<std::uint8_t>();
+    name = fields.text();
+    width = fields.number<std::int32_t>();
+    height = fields.number<std::int32_t>();
+    const int count = fields.number<std::int32_t>();
+    for (int i = 0; i < count; ++i) channels.push_back(fields.text());
+    values.assign(channels.size(), std::vector<float>(static_cast<std::size_t>(width * height)));
+  }
+
+  void update(Fields fields) {
+    ++updates;
+    fields.number<std::uint8_t>();
+    ASSERT_EQ(fields.text(), name);
+    const int count = fields.number<std::int32_t>();
+    ASSERT_EQ(count, static_cast<int>(channels.size()));
+    for (const std::string& channel : channels) ASSERT_EQ(fields.text(), channel);
+    std::array<std::int32_t, 4> box = {};
+    for (auto& side : box) side = fields.number<std::int32_t>();
+    std::vector<std::int64_t> offsets;
+    std::vector<std::int64_t> strides;
+    for (int i = 0; i < count; ++i) offsets.push_back(fields.number<std::int64_t>());
+    for (int i = 0; i < count; ++i) strides.push_back(fields.number<std::int64_t>());
+    const auto [x, y, w, h] = box;
+    ASSERT_TRUE(x >= 0 && y >= 0 && x + w <= width && y + h <= height);
+    ASSERT_EQ(fields.rest().size(), 3 * sizeof(float) * static_cast<std::size_t>(w * h));
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      for (int i = 0; i < w * h; ++i) {
+        const std::int64_t at = (offsets[c] + i * strides[c]) * static_cast<std::int64_t>(sizeof(float));
+        std::memcpy(&values[c][static_cast<std::size_t>((y + i / w) * width + x + i % w)],
+                    fields.rest().data() + at, sizeof(float));
+      }
+    }
+  }
+};
+
+class Display : public testing::Test {
+ protected:
+  transport::CompiledScene scene_ =
+      test::scene_of("light begin rgb (9,8,7) (-1,3,-1) (2,0,0) (0,0,2) end\n" +
+                     test::quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)"));
+
+  static transport::RenderSettings settings(int samples) {
+    test::Look look;
+    look.eye = transport::Vec3f(0, 2, 5);
+    look.width = 150;
+    look.height = 61;
+    look.samples = samples;
+    look.background = 0.25F;
+    return test::settings_of(look);
+  }
+};
+
+TEST_F(Display, ShowsTheFinalImageAndStatesBefore) {
+  const Server server;
+  std::string bytes;
+  std::thread viewer([&] { bytes = server.receive(); });
+  Render render(scene_, settings(150));
+  {
+    DisplayClient client(render, server.address(), "a picture.exr");
+    render.run();
+    client.finish(std::chrono::seconds(30));
+    EXPECT_EQ(client.take_problem(), std::nullopt);
+  }
+  viewer.join();
+  Viewer shown;
+  shown.show(bytes);
+  EXPECT_TRUE(shown.closed_first);
+  EXPECT_EQ(shown.name, "a picture.exr");
+  EXPECT_EQ(shown.channels, (std::vector<std::string>{"R", "G", "B"}));
+  ASSERT_EQ(shown.width, 150);
+  ASSERT_EQ(shown.height, 61);
+  EXPECT_GT(shown.updates, 8);  // more than the four rows of tiles twice
+  const transport::Image image = render.film().mean();
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      ASSERT_EQ(shown.values[c][i], image.pixels[i][static_cast<int>(c)]) << "pixel " << i;
+    }
+  }
+}
+
+TEST_F(Display, DoesWithoutAViewer) {
+  DisplayAddress nobody;
+  {
+    const Server gone;
+    nobody = gone.address();
+  }
+  Render render(scene_, settings(2));
+  DisplayClient client(render, nobody, "image");
+  render.run();
+  client.finish();
+  const auto problem = client.take_problem();
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->find("no viewer listens at " + nobody.text()), std::string::npos) << *problem;
+  EXPECT_EQ(client.take_problem(), std::nullopt);
+}
+
+TEST_F(Display, GoesOnWhenTheViewerIsGone) {
+  const Server server;
+  std::thread viewer([&] { ::close(server.accept()); });
+  Render render(scene_, settings(300));
+  DisplayClient client(render, server.address(), "image");
+  render.run();
+  viewer.join();
+  client.finish();
+  EXPECT_EQ(render.end(), transport::RenderEnd::Samples);
+  const auto problem = client.take_problem();
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->find("is gone"), std::string::npos) << *problem;
+}
+
+// The socket's buffers are full before the image is through.
+TEST_F(Display, WaitsForNoViewerThatDoesNotRead) {
+  const Server server;
+  transport::RenderSettings large = settings(1);
+  large.width = large.height = 1500;
+  Render render(scene_, large);
+  const auto start = std::chrono::steady_clock::now();
+  DisplayClient client(render, server.address(), "image");
+  render.run();
+  client.finish(std::chrono::milliseconds(100));
+  EXPECT_EQ(render.end(), transport::RenderEnd::Samples);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+}
+
+TEST(DisplayAddress, IsReadFromText) {
+  const auto text_of = [](std::string_view text) {
+    const auto address = transport::display_address_of(text);
+    return address ? address->host + " " + address->port : "";
+  };
+  EXPECT_EQ(text_of("example:80"), "example 80");
+  EXPECT_EQ(text_of("example"), "example 14158");
+  EXPECT_EQ(text_of(":80"), "127.0.0.1 80");
+  EXPECT_EQ(text_of("[::1]:80"), "::1 80");
+  EXPECT_EQ(text_of("[::1]"), "::1 14158");
+  for (const char* wrong : {"", "a:", "a:b", "a:0", "a:65536", "a:1234567", "[::1", "a:-1", "[::1]80"}) {
+    EXPECT_EQ(text_of(wrong), "") << wrong;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "renderer/options/op_file.h"
+#include "tests/transport/scene_helpers.h"
+
+namespace test {
+
+/// A scene of `samples/` with its own view, small.
+struct SampleScene {
+  std::string name;
+  transport::CompiledScene scene;
+  transport::RenderSettings settings;
+};
+
+inline SampleScene sample_scene(const std::string& op_path) {
+  grf::Diagnostics diagnostics;
+  const auto options = options::read_op_file(op_path, diagnostics);
+  const auto scene = options ? grf::read(options->scene, diagnostics) : std::nullopt;
+  auto compiled = scene ? transport::compile(*scene, diagnostics) : std::nullopt;
+  if (!compiled) throw std::runtime_error(diagnostics.to_text());
+  transport::RenderSettings settings;
+  settings.width = 37;  // tiles are cut off at two sides
+  settings.height = 29;
+  settings.samples = 12;
+  settings.seed = 5;
+  settings.view = transport::view_of(compiled->bounds(), options->field_of_view, 37.0F / 29.0F);
+  if (options->viewer) settings.view.eye = *options->viewer;
+  if (options->target) settings.view.target = *options->target;
+  settings.path.background = options->background;
+  settings.path.depth = options->depth;
+  return {op_path, std::move(*compiled), settings};
+}
+
+/// All that have an OP file, but for the bunny, of which the model is made by scripts/demo.
+inline std::vector<std::string> sample_op_files() {
+  std::vector<std::string> paths;
+  const std::filesystem::path folder = std::filesystem::path(GRANADA_SOURCE_DIR) / "samples";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const bool is_bunny = entry.path().parent_path().filename() == "bunny";
+    if (entry.path().extension() == ".op" && !is_bunny) paths.push_back(entry.path().string());
+  }
+  if (paths.size() < 2) throw std::runtime_error("there are too few sample scenes");
+  return paths;
+}
+
+}  // namespace test
