@@ -32,7 +32,7 @@ struct AdaptiveScheme {
         .parameters =
             {number_parameter(&Self::nqt, "nQT", 1, 1000, "trees over the view's angle to the normal"),
              number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
-                              "trees over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
+                              "trees over the view's azimuth; 0: as many as the BRDF needs, up to 16"),
              number_parameter(&Self::nmax, "nmax", 1.001F, 100,
                               "mode=reject: tries that a leaf may need in the mean",
                               grf::ParameterScale::Logarithmic),
@@ -66,7 +66,7 @@ struct AdaptiveScheme {
     } else {
       WarpTreesSettings settings;
       settings.theta_count = rounded(nqt);
-      if (rounded(naniso_qt) > 0) settings.phi_count = rounded(naniso_qt);
+      settings.phi_count = rounded(naniso_qt);
       warp_ = std::make_shared<const WarpTrees>(brdf, settings);
     }
   }
