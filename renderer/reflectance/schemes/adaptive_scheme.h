@@ -38,9 +38,8 @@ struct AdaptiveScheme {
                               grf::ParameterScale::Logarithmic),
              number_parameter(&Self::resolution, "res", 2, 8192,
                               "mode=reject: cells of the disc's grid along an edge"),
-             boolean_parameter(
-                 &Self::release, "release",
-                 "mode=reject: free the tables: less memory, and a density that is not quite exact"),
+             boolean_parameter(&Self::release, "release",
+                               "mode=reject: free the tables: less memory, and values are computed again"),
              word_parameter(&Self::mode, "mode", {"warp", "reject"}, "how a point of a tree is drawn")},
         .about =
             "For any BRDF, analytic, measured or combined, with no parameter set by hand. Quadtrees over the "
