@@ -101,6 +101,9 @@ const bool Registered = [] {
   for (const std::string& brdf : Brdfs) {
     benchmark::RegisterBenchmark(("draw/adaptive/" + brdf).c_str(), draw_by_warp, brdf);
   }
+  for (const test::ThesisCase& one : test::thesis_cases()) {
+    benchmark::RegisterBenchmark(("draw/adaptive/" + one.brdf).c_str(), draw_by_warp, one.brdf);
+  }
   return true;
 }();
 

@@ -32,15 +32,14 @@ struct AdaptiveScheme {
         .parameters =
             {number_parameter(&Self::nqt, "nQT", 1, 1000, "trees over the view's angle to the normal"),
              number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
-                              "trees over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
+                              "trees over the view's azimuth; 0: as many as the BRDF needs, up to 16"),
              number_parameter(&Self::nmax, "nmax", 1.001F, 100,
                               "mode=reject: tries that a leaf may need in the mean",
                               grf::ParameterScale::Logarithmic),
              number_parameter(&Self::resolution, "res", 2, 8192,
                               "mode=reject: cells of the disc's grid along an edge"),
-             boolean_parameter(
-                 &Self::release, "release",
-                 "mode=reject: free the tables: less memory, and a density that is not quite exact"),
+             boolean_parameter(&Self::release, "release",
+                               "mode=reject: free the tables: less memory, and values are computed again"),
              word_parameter(&Self::mode, "mode", {"warp", "reject"}, "how a point of a tree is drawn")},
         .about =
             "For any BRDF, analytic, measured or combined, with no parameter set by hand. Quadtrees over the "
@@ -66,7 +65,7 @@ struct AdaptiveScheme {
     } else {
       WarpTreesSettings settings;
       settings.theta_count = rounded(nqt);
-      if (rounded(naniso_qt) > 0) settings.phi_count = rounded(naniso_qt);
+      settings.phi_count = rounded(naniso_qt);
       warp_ = std::make_shared<const WarpTrees>(brdf, settings);
     }
   }

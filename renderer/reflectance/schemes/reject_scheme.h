@@ -26,7 +26,7 @@ struct RejectScheme : RejectionSampler {
                               "tables over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
              number_parameter(&Self::resolution, "res", 2, 8192, "cells of the disc's grid along an edge"),
              boolean_parameter(&Self::release, "release",
-                               "free the tables: less memory, and a density that is not quite exact")},
+                               "free the tables: less memory, and values are computed again")},
         .about =
             "Points of the whole disc of projected directions are drawn until one is accepted, under a "
             "table of f. What `adaptive` divides: good for matte surfaces, and slow for any lobe."};

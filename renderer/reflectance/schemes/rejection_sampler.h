@@ -36,7 +36,7 @@ class RejectionSampler {
   void sample_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                    std::vector<DirectionSample>& out) const {
     if (!trees_) return;
-    for (const RejectionTrees::Drawn& drawn : trees_->draw_many(brdf, u, xi)) {
+    for (const DrawnDirection& drawn : trees_->draw_many(brdf, u, xi)) {
       if (const auto sample = weighted(brdf, u, drawn.direction, drawn.density)) out.push_back(*sample);
     }
   }

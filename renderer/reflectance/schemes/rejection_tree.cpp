@@ -48,7 +48,7 @@ void RejectionTree::fill(const std::vector<float>& values, const DiscGrid& grid)
   const double least = is_black ? 1 : Floor / std::numbers::pi * integral / largest_;
   floor_ = half(std::max(static_cast<float>(least), LeastHalf));
   table_.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) table_[i] = std::max(values[i] / largest_, floor_);
+  for (std::size_t i = 0; i < values.size(); ++i) table_[i] = tabulated(values[i]);
 }
 
 RejectionTree::Node RejectionTree::measured(const CellRange& cells, const DiscGrid& grid) const {
@@ -93,19 +93,6 @@ RejectionTree::Leaf RejectionTree::leaf_of(double choice) const {
     }
     choice = std::clamp(rest / children[chosen].integral, 0.0, 1.0);
     leaf = {&children[chosen], leaf.cells.quarter(chosen)};
-  }
-  return leaf;
-}
-
-RejectionTree::Leaf RejectionTree::leaf_at(double x, double y) const {
-  const int column = DiscGrid::cell_of(x, resolution_);
-  const int row = DiscGrid::cell_of(y, resolution_);
-  Leaf leaf{nodes_.data(), whole()};
-  while (leaf.node->children >= 0) {
-    const CellRange& cells = leaf.cells;
-    const int child =
-        (column < (cells.x0 + cells.x1) / 2 ? 0 : 1) + (row < (cells.y0 + cells.y1) / 2 ? 0 : 2);
-    leaf = {&nodes_[leaf.node->children + child], cells.quarter(child)};
   }
   return leaf;
 }

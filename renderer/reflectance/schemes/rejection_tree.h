@@ -79,9 +79,6 @@ class RejectionTree {
   /// A leaf by its integral; choice is in [0,1).
   Leaf leaf_of(double choice) const;
 
-  /// The leaf that a point is in.
-  Leaf leaf_at(double x, double y) const;
-
   /// Shares a number of points among leaves (SplitN and Choose of section 5.3.1): calls visit(leaf, count).
   template <class Visit>
   void share(int count, MoreUniforms& more, Visit visit) const {
@@ -111,9 +108,15 @@ class RejectionTree {
                   DiscGrid::cell_of(x, resolution_)];
   }
 
-  /// What 1 in the table stands for, and the least value of a cell, relative to it.
-  float largest() const { return largest_; }
-  float floor() const { return floor_; }
+  /// What the table has for a value of its cell that it was made from.
+  half tabulated(float value) const { return std::max(value / largest_, floor_); }
+
+  /// Of the cell that a point is in.
+  Box cell_box(double x, double y) const {
+    const int column = DiscGrid::cell_of(x, resolution_);
+    const int row = DiscGrid::cell_of(y, resolution_);
+    return DiscGrid::box({column, row, column + 1, row + 1}, resolution_);
+  }
 
   /// By this a value becomes a density on the disc. It accounts for the points that the bound leaves out.
   float density_of_one() const { return density_of_one_; }
@@ -144,8 +147,8 @@ class RejectionTree {
   }
 
   int resolution_ = 0;
-  float largest_ = 0;
-  float floor_ = 0;
+  float largest_ = 0;  ///< value, which is 1 in the table
+  float floor_ = 0;    ///< the least in the table
   float density_of_one_ = 0;
   std::vector<Node> nodes_;
   std::vector<half> table_;

@@ -86,14 +86,15 @@ std::optional<RejectionTrees::View> RejectionTrees::view_of(const Vec3f& u) cons
   return View{&tree, view_direction(theta), direction.x, direction.y, azimuth(phi)};
 }
 
-float RejectionTrees::value(const Brdf& brdf, const View& view, const RejectionTree::Leaf& leaf, double x,
-                            double y) const {
-  const float f = scalar(brdf, view.tree_u, view.tree_azimuth, x, y) / view.tree->largest();
-  return std::clamp(f, view.tree->floor(), leaf.node->maximum);
+float RejectionTrees::value(const Brdf& brdf, const View& view, double x, double y) const {
+  const RejectionTree& tree = *view.tree;
+  if (tree.has_table()) return tree.at(x, y);
+  const Vec2f point = middle(tree.cell_box(x, y));
+  return tree.tabulated(scalar(brdf, view.tree_u, view.tree_azimuth, point.x, point.y));
 }
 
-std::optional<RejectionTrees::Drawn> RejectionTrees::draw(const Brdf& brdf, const Vec3f& u,
-                                                          const Uniforms& xi) const {
+std::optional<DrawnDirection> RejectionTrees::draw(const Brdf& brdf, const Vec3f& u,
+                                                   const Uniforms& xi) const {
   const auto view = view_of(u);
   if (!view) return std::nullopt;
   MoreUniforms more(xi);
@@ -104,9 +105,9 @@ std::optional<RejectionTrees::Drawn> RejectionTrees::draw(const Brdf& brdf, cons
   return drawn(brdf, u, *view, *point);
 }
 
-std::vector<RejectionTrees::Drawn> RejectionTrees::draw_many(const Brdf& brdf, const Vec3f& u,
-                                                             std::span<const Uniforms> xi) const {
-  std::vector<Drawn> all;
+std::vector<DrawnDirection> RejectionTrees::draw_many(const Brdf& brdf, const Vec3f& u,
+                                                      std::span<const Uniforms> xi) const {
+  std::vector<DrawnDirection> all;
   const auto view = view_of(u);
   if (!view || xi.empty()) return all;
   all.reserve(xi.size());
@@ -124,29 +125,21 @@ std::vector<RejectionTrees::Drawn> RejectionTrees::draw_many(const Brdf& brdf, c
 std::optional<RejectionTree::Point> RejectionTrees::draw_point(const Brdf& brdf, const View& view,
                                                                const RejectionTree::Leaf& leaf,
                                                                const Vec2f& first, MoreUniforms& more) const {
-  if (view.tree->has_table()) {
-    return view.tree->draw(leaf, first, more, [&](double x, double y) { return view.tree->at(x, y); });
-  }
-  return view.tree->draw(leaf, first, more,
-                         [&](double x, double y) { return value(brdf, view, leaf, x, y); });
+  return view.tree->draw(leaf, first, more, [&](double x, double y) { return value(brdf, view, x, y); });
 }
 
 /// The density is that of the direction as it is rounded, which may be in the next cell.
-RejectionTrees::Drawn RejectionTrees::drawn(const Brdf& brdf, const Vec3f& u, const View& view,
-                                            const RejectionTree::Point& point) const {
+DrawnDirection RejectionTrees::drawn(const Brdf& brdf, const Vec3f& u, const View& view,
+                                     const RejectionTree::Point& point) const {
   const Vec3f v = Turn(view.cosine, view.sine).from_plane(over_disc(point.x, point.y));
-  return {v, density(brdf, u, v), point.tries};
+  return {v, density(brdf, u, v)};
 }
 
 float RejectionTrees::density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
   const auto view = view_of(u);
   if (!view || !(v.z > 0)) return 0;
-  const RejectionTree& tree = *view->tree;
   const Vec3f local = Turn(view->cosine, view->sine).to_plane(v);
-  const float relative = tree.has_table()
-                             ? tree.at(local.x, local.y)
-                             : value(brdf, *view, tree.leaf_at(local.x, local.y), local.x, local.y);
-  return relative * tree.density_of_one() * v.z;
+  return value(brdf, *view, local.x, local.y) * view->tree->density_of_one() * v.z;
 }
 
 std::size_t RejectionTrees::bytes() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
+#include "renderer/reflectance/schemes/drawn_direction.h"
 #include "renderer/reflectance/schemes/rejection_tree.h"
 
 namespace reflectance {
@@ -19,7 +20,7 @@ struct RejectionSettings {
   int phis = 0;            ///< trees over its azimuth; 0: as many as the BRDF needs
   float most_tries = 2;    ///< that a leaf may need in the mean, over 1
   int resolution = 800;    ///< of the grid over the disc, along an edge
-  bool keep_table = true;  ///< else values come from the BRDF, and the density is not quite exact
+  bool keep_table = true;  ///< else values are computed anew, which takes longer
 };
 
 /// Directions in proportion to the mean of f over RGB times the cosine, by rejection: trees over the unit
@@ -27,26 +28,18 @@ struct RejectionSettings {
 /// lies relative to its view's azimuth, and is turned to u's, so that a lobe stays at the mirror direction;
 /// of an anisotropic BRDF, the nearest azimuth gives the shape.
 ///
-/// With the table, what is drawn from is constant in each cell of the grid, and the density is exact.
-/// Without, values are f at the tree's view, no less than the floor and no more than the leaf's largest
-/// value, and the density divides them by the integral of the table that was: it is as exact as that is, cell
-/// by cell.
+/// What is drawn from is constant in each cell of a grid, so that the density is exact: the cell's value
+/// comes from the table, or without one is computed again as it was for the tree.
 class RejectionTrees {
  public:
-  struct Drawn {
-    Vec3f direction;
-    float density = 0;  ///< per solid angle
-    int tries = 0;
-  };
-
   RejectionTrees(const Brdf& brdf, const RejectionSettings& settings);
 
   /// Nothing where u is under the horizon, the BRDF black, or RejectionTree::Bound met.
-  std::optional<Drawn> draw(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const;
+  std::optional<DrawnDirection> draw(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const;
 
   /// A direction for each xi, but for those that `draw` would give nothing for; each has the density of
   /// `draw`, and all together are spread more evenly over the tree.
-  std::vector<Drawn> draw_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi) const;
+  std::vector<DrawnDirection> draw_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi) const;
 
   float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const;
 
@@ -67,11 +60,12 @@ class RejectionTrees {
   Vec2f azimuth(int phi) const;
   RejectionTree made_tree(const Brdf& brdf, const Vec3f& tree_u, const Vec2f& tree_azimuth,
                           const DiscGrid& grid, const RejectionSettings& settings) const;
-  float value(const Brdf& brdf, const View& view, const RejectionTree::Leaf& leaf, double x, double y) const;
+  float value(const Brdf& brdf, const View& view, double x, double y) const;
   std::optional<RejectionTree::Point> draw_point(const Brdf& brdf, const View& view,
                                                  const RejectionTree::Leaf& leaf, const Vec2f& first,
                                                  MoreUniforms& more) const;
-  Drawn drawn(const Brdf& brdf, const Vec3f& u, const View& view, const RejectionTree::Point& point) const;
+  DrawnDirection drawn(const Brdf& brdf, const Vec3f& u, const View& view,
+                       const RejectionTree::Point& point) const;
 
   int thetas_;
   int phis_;

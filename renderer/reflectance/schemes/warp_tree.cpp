@@ -8,15 +8,6 @@
 namespace reflectance {
 namespace {
 
-/// The point x of [0,1] up to which the linear density from a to b has the share xi.
-float linear_warp(float a, float b, float xi) {
-  // (b-a)/2 x^2 + a x = xi (a+b)/2, with the root written so that a = b is no special case.
-  const float sum = a + b;
-  if (!(sum > 0)) return xi;
-  const float root = std::sqrt(a * a + xi * (b - a) * sum);
-  return std::min(xi * sum / (a + root), 1.0F);
-}
-
 // Places on a cell in thirds of a 3 x 3 grid: corner, middle of an edge or centre.
 constexpr std::array<int, 4> Corners = {0, 2, 6, 8};
 constexpr std::array<int, 5> Inner = {1, 3, 4, 5, 7};
@@ -58,7 +49,7 @@ class Builder {
       cells_.push_back(root);
     }
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (cells_[i].depth < limits_.least_depth) split(i);
+      if (cells_[i].depth < LeastDepth) split(i);
     }
   }
 
@@ -101,14 +92,7 @@ class Builder {
   }
 
   WarpTree result() const {
-    float largest = 0;
-    for (const Cell& cell : cells_) {
-      if (cell.is_leaf()) largest = std::max(largest, largest_of(final_patch(cell, 0)));
-    }
     WarpTree tree;
-    if (!(largest > 0)) return tree;
-    constexpr float LargestHalf = 60000;
-    tree.scale = largest / LargestHalf;
     float sum = 0;
     float room = 0;
     for (const Cell& cell : cells_) {
@@ -116,16 +100,13 @@ class Builder {
       sum += mean(final_patch(cell, 0)) * area(cell);
       room += area(cell);
     }
-    append(tree, 0, FloorShare * sum / room);
+    if (sum > 0) fill(tree, FloorShare * sum / room);
     return tree;
   }
 
  private:
   static constexpr float FloorShare = 1.0F / 256;
-
-  static float largest_of(const BilinearPatch& patch) {
-    return *std::max_element(patch.begin(), patch.end());
-  }
+  static constexpr int LeastDepth = 2;  // that of a tree's top
 
   static float ratio_of(float value, float table) {
     if (!(value > 0)) return 1;
@@ -210,25 +191,33 @@ class Builder {
     return patch;
   }
 
-  // The group of four cells from `first` on. Returns their mean, as halves have it.
-  float append(WarpTree& tree, std::size_t first, float floor) const {
-    const std::size_t quad = tree.quads.size();
-    tree.quads.emplace_back();
-    float sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t child = first + k;
-      if (cells_[child].is_leaf()) {
-        BilinearPatch patch = final_patch(cells_[child], floor);
-        for (float& value : patch) value /= tree.scale;
-        tree.quads[quad][k] = WarpNode::leaf(patch);
-      } else {
-        const auto next = static_cast<std::uint16_t>(tree.quads.size());
-        const float mean_of_child = append(tree, static_cast<std::size_t>(cells_[child].children), floor);
-        tree.quads[quad][k] = WarpNode::inner(mean_of_child, next);
+  void fill(WarpTree& tree, float floor) const {
+    for (std::size_t column = 0; column < 4; ++column) {
+      for (std::uint32_t x = 0; x < WarpTop::Side; ++x) {
+        for (std::uint32_t y = 0; y < WarpTop::Side; ++y) {
+          set_node(tree, tree.top.strips[column][x], y, cell_of_top(column, x, y), floor);
+        }
+        tree.top.strip_means[column][x] = mean(tree.top.strips[column][x].means());
       }
-      sum += tree.quads[quad][k].mean();
+      tree.top.column_means[column] = mean(tree.top.strip_means[column]);
     }
-    return sum / 4;
+  }
+
+  const Cell& cell_of_top(std::size_t column, std::uint32_t x, std::uint32_t y) const {
+    const Cell& half = cells_[static_cast<std::size_t>(cells_[column].children) + x / 2 + y / 2 * 2];
+    return cells_[static_cast<std::size_t>(half.children) + x % 2 + y % 2 * 2];
+  }
+
+  void set_node(WarpTree& tree, WarpQuad& quad, std::size_t node, const Cell& cell, float floor) const {
+    if (cell.is_leaf()) return quad.set_leaf(node, final_patch(cell, floor));
+    const std::size_t children = tree.quads.size();
+    tree.quads.emplace_back();
+    WarpQuad below;
+    for (std::size_t k = 0; k < 4; ++k) {
+      set_node(tree, below, k, cells_[static_cast<std::size_t>(cell.children) + k], floor);
+    }
+    tree.quads[children] = below;
+    quad.set_inner(node, mean(below.means()), static_cast<std::uint32_t>(children));
   }
 
   const ColumnFunction& function_;
@@ -239,25 +228,20 @@ class Builder {
 
 }  // namespace
 
-Vec2f warped(const BilinearPatch& patch, const Vec2f& xi) {
-  const float x = linear_warp(patch[0] + patch[2], patch[1] + patch[3], xi.x);
-  const float low = patch[0] + x * (patch[1] - patch[0]);
-  const float high = patch[2] + x * (patch[3] - patch[2]);
-  return {x, linear_warp(low, high, xi.y)};
+void WarpQuad::set_leaf(std::size_t node, const BilinearPatch& patch) {
+  const float largest = *std::max_element(patch.begin(), patch.end());
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const float root = std::sqrt(patch[i] / largest);
+    word |= static_cast<std::uint32_t>(std::lround(root * LargestRoot)) << (8 * i);
+  }
+  means_[node] = mean(patch);
+  words_[node] = word;
 }
 
-WarpNode WarpNode::leaf(const BilinearPatch& patch) {
-  WarpNode node;
-  for (std::size_t i = 0; i < 4; ++i) node.words_[i] = Imath::half(patch[i]).bits();
-  return node;
-}
-
-WarpNode WarpNode::inner(float mean, std::uint16_t children) {
-  WarpNode node;
-  const auto bits = std::bit_cast<std::uint32_t>(mean);
-  node.words_ = {static_cast<std::uint16_t>(bits), static_cast<std::uint16_t>(bits >> 16U), children,
-                 InnerMark};
-  return node;
+void WarpQuad::set_inner(std::size_t node, float mean, std::uint32_t children) {
+  means_[node] = mean;
+  words_[node] = InnerMark + children;
 }
 
 WarpTree WarpTree::build(const ColumnFunction& function, const std::array<float, 4>& widths,

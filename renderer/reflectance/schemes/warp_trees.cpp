@@ -16,8 +16,8 @@ namespace {
 /// and costs no arc. The last view is not at the horizon itself, where f is 0.
 constexpr float LastRadius = 0.9996F;  // 89.95 degrees
 
-/// The image of a direction on the other side of the view's plane.
-Vec3f mirrored_if(bool is_mirrored, const Vec3f& v) { return is_mirrored ? Vec3f(v.x, -v.y, v.z) : v; }
+/// Of one tree, however many there are.
+constexpr int LeastQuads = 64;
 
 /// f cos in the columns, for one view.
 class Target {
@@ -74,14 +74,27 @@ class Target {
 
 WarpTrees::WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings)
     : settings_(settings), is_isotropic_(!is_anisotropic(brdf)) {
-  if (is_isotropic_) settings_.phi_count = 1;
-  if (!is_isotropic_) symmetry_ = symmetry_of(brdf);
-  std::vector<WarpTree> trees(static_cast<std::size_t>(settings_.theta_count * settings_.phi_count));
+  if (is_isotropic_) {
+    settings_.phi_count = 1;
+  } else {
+    symmetry_ = symmetry_of(brdf);
+    if (settings_.phi_count == 0) settings_.phi_count = phi_count_for(brdf);
+    // There are so many trees that they are no longer near the processor: what little variance smaller ones
+    // add costs less.
+    if (settings_.phi_count > 1) settings_.limits.error *= 3;
+  }
+  const int count = settings_.theta_count * settings_.phi_count;
+  constexpr int MostQuadsOfAll = 1 << 19;  // 16 MB
+  settings_.limits.most_quads = std::clamp(MostQuadsOfAll / count, LeastQuads, settings_.limits.most_quads);
+  std::vector<WarpTree> trees(static_cast<std::size_t>(count));
   tbb::parallel_for(std::size_t(0), trees.size(), [&](std::size_t i) { trees[i] = make_tree(brdf, i); });
   for (const WarpTree& tree : trees) {
-    trees_.push_back({quads_.size(), tree.scale});
+    tops_.push_back(tree.top);
+    first_quads_.push_back(static_cast<std::uint32_t>(quads_.size()));
     quads_.insert(quads_.end(), tree.quads.begin(), tree.quads.end());
   }
+  tops_.shrink_to_fit();
+  first_quads_.shrink_to_fit();
   quads_.shrink_to_fit();
 }
 
@@ -100,6 +113,33 @@ WarpTrees::Symmetry WarpTrees::symmetry_of(const Brdf& brdf) {
     if (changes({1, -1, 1})) symmetry.mirror = false;
   }
   return symmetry;
+}
+
+// Views between the azimuths of two trees tell whether more are needed: there the weights vary the most.
+int WarpTrees::phi_count_for(const Brdf& brdf) const {
+  constexpr int Most = 16;
+  constexpr float MostVariance = 0.06F;
+  constexpr std::uint32_t Samples = 512;
+  WarpTreesSettings settings = settings_;
+  settings.theta_count = 1;
+  settings.phi_count = symmetry_.mirror ? Most / 2 + 1 : Most / 2;
+  const WarpTrees some(brdf, settings);
+  const int gaps = symmetry_.mirror ? settings.phi_count - 1 : settings.phi_count;
+  for (int gap = 0; gap < gaps; ++gap) {
+    const float step = some.azimuth(1) - some.azimuth(0);
+    const Vec3f u = direction_at(0.5F, (static_cast<float>(gap) + 0.5F) * step);
+    double sum = 0;
+    double squares = 0;
+    for (std::uint32_t i = 0; i < Samples; ++i) {
+      const auto drawn = some.sample(u, even_point(i).direction);
+      if (!drawn) continue;
+      const double weight = mean(evaluate(brdf, u, drawn->direction)) * drawn->direction.z / drawn->density;
+      sum += weight;
+      squares += weight * weight;
+    }
+    if (squares * Samples > (1 + MostVariance) * sum * sum) return Most;
+  }
+  return settings.phi_count;
 }
 
 WarpTree WarpTrees::make_tree(const Brdf& brdf, std::size_t index) const {
@@ -131,41 +171,52 @@ float WarpTrees::azimuth(std::size_t index) const {
 WarpTrees::Azimuth WarpTrees::azimuth_of(const Vec3f& u) const {
   Azimuth azimuth;
   if (settings_.phi_count == 1) return azimuth;
-  float turns = std::atan2(u.y, u.x) / (symmetry_.half_turn ? Pi : 2 * Pi);
+  float turns = angle_of(u.x, u.y) / (symmetry_.half_turn ? Pi : 2 * Pi);
   turns -= std::floor(turns);
-  azimuth.is_mirrored = symmetry_.mirror && turns > 0.5F;
-  if (azimuth.is_mirrored) turns = 1 - turns;
+  if (symmetry_.mirror) {
+    azimuth.side = std::copysign(1.0F, 0.5F - turns);
+    turns = 0.5F - std::abs(0.5F - turns);
+  }
   const auto count = static_cast<std::size_t>(settings_.phi_count);
   const float place = turns * static_cast<float>(symmetry_.mirror ? 2 * (count - 1) : count);
-  azimuth.low = std::min(static_cast<std::size_t>(place), count - 1);
-  azimuth.high = symmetry_.mirror ? std::min(azimuth.low + 1, count - 1) : (azimuth.low + 1) % count;
+  const std::size_t last = count - 1;
+  azimuth.low = std::min(static_cast<std::size_t>(static_cast<int>(place)), last);
+  azimuth.high = azimuth.low < last ? azimuth.low + 1 : (symmetry_.mirror ? last : 0);
   azimuth.high_share = std::min(place - static_cast<float>(azimuth.low), 1.0F);
   return azimuth;
 }
 
-void WarpTrees::add(Blend& blend, std::size_t theta, std::size_t phi, float weight) const {
-  const Tree& tree = trees_[theta * static_cast<std::size_t>(settings_.phi_count) + phi];
-  const float scaled = weight * tree.scale;
-  if (!(scaled > 0)) return;
-  const WarpQuad* quads = quads_.data() + tree.first_quad;
-  blend.parts[blend.count++] = {quads, scaled};
-  const std::array<float, 4> widths = blend.columns.widths();
-  for (std::size_t k = 0; k < 4; ++k) blend.masses[k] += scaled * widths[k] * (*quads)[k].mean();
+WarpPart WarpTrees::part(std::size_t theta, std::size_t phi, float weight) const {
+  const std::size_t tree = theta * static_cast<std::size_t>(settings_.phi_count) + phi;
+  return {&tops_[tree], quads_.data() + first_quads_[tree], weight};
 }
 
 WarpTrees::Blend WarpTrees::blend_for(const Vec3f& u) const {
   const float radius = square_radius(u);
   Blend blend{ViewColumns(radius, is_isotropic_)};
-  const float row = std::min(radius / LastRadius, 1.0F) * static_cast<float>(settings_.theta_count - 1);
-  const auto low_row = static_cast<std::size_t>(row);
-  const float high_share = row - static_cast<float>(low_row);
-  const Azimuth azimuth = azimuth_of(u);
-  blend.is_mirrored = azimuth.is_mirrored;
-  for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
-    const float row_share = i == 0 ? 1 - high_share : high_share;
-    if (!(row_share > 0)) continue;
-    add(blend, low_row + i, azimuth.low, row_share * (1 - azimuth.high_share));
-    if (azimuth.high_share > 0) add(blend, low_row + i, azimuth.high, row_share * azimuth.high_share);
+  const int last = settings_.theta_count - 1;
+  const float row = std::min(radius / LastRadius, 1.0F) * static_cast<float>(last);
+  const int low = static_cast<int>(row);
+  const float share = row - static_cast<float>(low);
+  const auto low_row = static_cast<std::size_t>(low);
+  const auto high_row = static_cast<std::size_t>(std::min(low + 1, last));
+  if (settings_.phi_count == 1) {
+    blend.parts = {part(low_row, 0, 1 - share), part(high_row, 0, share), part(low_row, 0, 0)};
+  } else {
+    // On the triangle that the view is in, of two that the four views around it make.
+    const Azimuth azimuth = azimuth_of(u);
+    blend.side = azimuth.side;
+    const float across = azimuth.high_share;
+    const float beyond = share + across - 1;
+    const std::size_t third_row = beyond > 0 ? high_row : low_row;
+    const std::size_t third_azimuth = beyond > 0 ? azimuth.high : azimuth.low;
+    blend.parts = {part(high_row, azimuth.low, std::min(share, 1 - across)),
+                   part(low_row, azimuth.high, std::min(across, 1 - share)),
+                   part(third_row, third_azimuth, std::abs(beyond))};
+  }
+  const std::array<float, 4> widths = blend.columns.widths();
+  for (const WarpPart& one : blend.parts) {
+    for (std::size_t k = 0; k < 4; ++k) blend.masses[k] += one.weight * widths[k] * one.top->column_means[k];
   }
   return blend;
 }
@@ -174,37 +225,43 @@ std::optional<DrawnDirection> WarpTrees::sample(const Vec3f& u, const Vec2f& xi)
   if (!(u.z > 0)) return std::nullopt;
   const Blend blend = blend_for(u);
   if (!(blend.mass() > 0)) return std::nullopt;
-  WarpDescent descent{xi};
-  bool is_mirrored = blend.is_mirrored;
+  Vec2f rest = xi;
+  float side = blend.side;
   if (is_isotropic_) {
     // One number for the half space and the place in it, without a jump where they meet.
-    is_mirrored = xi.y < 0.5F;
-    descent.rest.y = std::min(std::abs(2 * xi.y - 1), 0x1.fffffep-1F);
+    const float both = 2 * xi.y - 1;
+    side = std::copysign(1.0F, both);
+    rest.y = std::min(std::abs(both), 0x1.fffffep-1F);
   }
-  descent.choose_column(blend.masses);
-  const BilinearPatch patch =
-      is_isotropic_ ? walk_down<2>(blend.parts, descent) : walk_down<4>(blend.parts, descent);
-  const Vec2f local = warped(patch, descent.rest);
+  WarpDescent descent(rest);
+  const std::size_t column = descent.choose_column(_mm_loadu_ps(blend.masses.data()));
+  const auto& [first, second, third] = blend.parts;
+  const BilinearPatch patch = settings_.phi_count == 1
+                                  ? walk_down<2>({first, second}, column, descent)
+                                  : walk_down<3>({first, second, third}, column, descent);
+  const Vec2f local = warped(patch, descent.rest());
   const float density = value_at(patch, local) / (blend.mass() * Pi);
-  const Vec3f v = blend.columns.direction({descent.column, descent.corner + descent.side * local});
+  const Vec3f v = blend.columns.direction({column, descent.to_column(local)});
   if (!(v.z > 0) || !(density > 0)) return std::nullopt;
-  return DrawnDirection{Turn(u).from_plane(mirrored_if(is_mirrored, v)), density};
+  return DrawnDirection{Turn(u).from_plane({v.x, side * v.y, v.z}), density};
 }
 
 float WarpTrees::density(const Vec3f& u, const Vec3f& v) const {
   if (!(u.z > 0) || !(v.z > 0)) return 0;
   const Blend blend = blend_for(u);
   if (!(blend.mass() > 0)) return 0;
-  const ColumnPoint point = blend.columns.point(mirrored_if(blend.is_mirrored, Turn(u).to_plane(v)));
+  const Vec3f relative = Turn(u).to_plane(v);
+  const ColumnPoint point = blend.columns.point({relative.x, blend.side * relative.y, relative.z});
   float sum = 0;
-  for (const Part& part : std::span(blend.parts.data(), blend.count)) {
-    sum += part.weight * value_at(part.quads, point);
+  for (const WarpPart& one : blend.parts) {
+    if (one.weight > 0) sum += one.weight * value_at(*one.top, one.quads, point);
   }
   return sum / (blend.mass() * Pi);
 }
 
 std::size_t WarpTrees::bytes() const {
-  return sizeof *this + trees_.capacity() * sizeof(Tree) + quads_.capacity() * sizeof(WarpQuad);
+  return sizeof *this + tops_.capacity() * sizeof(WarpTop) + first_quads_.capacity() * sizeof(std::uint32_t) +
+         quads_.capacity() * sizeof(WarpQuad);
 }
 
 }  // namespace reflectance

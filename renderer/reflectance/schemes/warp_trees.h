@@ -2,24 +2,20 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
-#include "renderer/reflectance/schemes/warp_tree.h"
+#include "renderer/reflectance/schemes/drawn_direction.h"
+#include "renderer/reflectance/schemes/warp_descent.h"
 
 namespace reflectance {
 
-/// A direction and its density per solid angle.
-struct DrawnDirection {
-  Vec3f direction;
-  float density = 0;
-};
-
 struct WarpTreesSettings {
   int theta_count = 90;  ///< view angles from the normal to the horizon that have a tree
-  int phi_count = 16;    ///< and view azimuths, for anisotropic BRDFs alone
+  int phi_count = 0;     ///< and view azimuths, of anisotropic BRDFs alone; 0: up to 16, as the BRDF needs
   WarpTreeLimits limits = {};
 };
 
@@ -29,8 +25,9 @@ struct WarpTreesSettings {
 /// where f grows without bound at the rim, but on the square of view_square.h, and hold f cos.
 ///
 /// There is a tree for each of some views. Between them, tables are blended linearly: a sample walks down all
-/// trees around its view at once, so that what it draws from is exactly the blend. Of an isotropic BRDF one
-/// half space is stored, the other mirrors it.
+/// trees around its view at once, so that what it draws from is exactly the blend. These are two of an
+/// isotropic BRDF, of which one half space is stored and the other mirrors it, and of others three: views are
+/// corners of triangles over angle and azimuth. All trees together take at most 16 MB.
 class WarpTrees {
  public:
   WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings);
@@ -49,44 +46,36 @@ class WarpTrees {
     bool half_turn = false;  ///< of view and light about the normal
     bool mirror = false;     ///< of view and light, at the plane of x and z
   };
-  struct Tree {
-    std::size_t first_quad = 0;
-    float scale = 0;  ///< 0: black
-  };
   /// A view's azimuth among those of the trees.
   struct Azimuth {
     std::size_t low = 0;
     std::size_t high = 0;
     float high_share = 0;
-    bool is_mirrored = false;
-  };
-  /// One of the trees around a view, and its part in the blend.
-  struct Part {
-    const WarpQuad* quads = nullptr;
-    float weight = 0;
+    float side = 1;  ///< -1: the trees are of the view's image
   };
   struct Blend {
     ViewColumns columns;
-    std::array<Part, 4> parts = {};
-    std::size_t count = 0;
+    std::array<WarpPart, 3> parts = {};
     std::array<float, 4> masses = {};  ///< of the columns
-    bool is_mirrored = false;          ///< at the plane of the view
+    float side = 1;                    ///< -1: the trees are the mirror image at the plane of the view
 
     float mass() const { return masses[0] + masses[1] + masses[2] + masses[3]; }
   };
 
   static Symmetry symmetry_of(const Brdf& brdf);
+  int phi_count_for(const Brdf& brdf) const;
   WarpTree make_tree(const Brdf& brdf, std::size_t index) const;
   float radius_step() const;
   float azimuth(std::size_t index) const;
   Azimuth azimuth_of(const Vec3f& u) const;
   Blend blend_for(const Vec3f& u) const;
-  void add(Blend& blend, std::size_t theta, std::size_t phi, float weight) const;
+  WarpPart part(std::size_t theta, std::size_t phi, float weight) const;
 
   WarpTreesSettings settings_;
   bool is_isotropic_;
   Symmetry symmetry_;
-  std::vector<Tree> trees_;  ///< theta in the outer order, phi in the inner
+  std::vector<WarpTop> tops_;  ///< of the trees, theta in the outer order, phi in the inner
+  std::vector<std::uint32_t> first_quads_;
   std::vector<WarpQuad> quads_;
 };
 

@@ -250,7 +250,7 @@ std::string slow_ones(const Results& results) {
   }
   if (names.empty()) return {};
   return "- Over 150 ns: " + names +
-         ". A sample walks down all trees around its view at once: two of an isotropic BRDF, four of an "
+         ". A sample walks down all trees around its view at once: two of an isotropic BRDF, three of an "
          "anisotropic one, and one level after the other.\n";
 }
 

@@ -96,8 +96,8 @@ std::string costs(const Results& results) {
   return "\n## What a scheme costs\n\nMeans over the BRDFs. To build is to make the tables and to find out "
          "what the scheme misses. The time of a sample is that of one thread, for the scheme alone, with its "
          "density, and with the BRDF's value as well; `own` has its weight in closed form, so the two are "
-         "one. Anisotropic BRDFs have trees for 16 azimuths here, and `reject` keeps its tables, which makes "
-         "its density exact.\n\n" +
+         "one. Anisotropic BRDFs have trees for up to 16 azimuths here, and `reject` keeps its "
+         "tables.\n\n" +
          scheme_table(results) + "\nThe same for each BRDF: ns of a sample with its density.\n\n" +
          sample_table(results);
 }
