@@ -28,15 +28,15 @@ using Imath::V3d;
 constexpr double TwoPi = 2 * std::numbers::pi;
 
 /// A bump of height 1 and period 2 pi, narrower than a sine's.
-double ridge(double angle) { return std::exp(2.5 * (std::cos(angle) - 1)); }
+double ridge(double angle) { return std::exp(1.8 * (std::cos(angle) - 1)); }
 
 /// The tube's radius. Whole multiples of both angles, so that it closes.
 double tube_radius(double along, double around) {
-  const double ridges = 0.2 * ridge(5 * around + 9 * along);
+  const double ridges = 0.15 * ridge(5 * around + 4 * along);
   const double waist = 0.08 * std::cos(7 * along);
-  const double bumps = 0.045 * std::sin(31 * along) * std::sin(4 * around - 5 * along);
-  const double grain = 0.012 * std::sin(73 * along + 3 * around) * std::cos(8 * around - 17 * along);
-  return 0.5 + ridges + waist + bumps + grain;
+  const double bumps = 0.025 * std::sin(23 * along) * std::sin(4 * around - 5 * along);
+  const double grain = 0.006 * std::sin(47 * along + 3 * around) * std::cos(8 * around - 17 * along);
+  return 0.43 + ridges + waist + bumps + grain;
 }
 
 /// The knot's curve winds twice about a torus' axis and three times about its core: the normal of the torus
