@@ -52,6 +52,66 @@ TEST(Teapot, TurnsItsFrontsOutwards) {
   EXPECT_GT(bounds.max.x, 3.4);
 }
 
+struct ShapeCase {
+  std::string shape;
+  std::size_t asked, made;
+};
+
+class Shapes : public testing::TestWithParam<ShapeCase> {};
+
+// Closed, of about as many triangles as asked for, standing on the ground, and smooth: each triangle turns to
+// where the normals of its corners point.
+TEST_P(Shapes, AreClosedAndSmooth) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("shape.grf");
+  const auto made =
+      test::run({GRANADA_BIN_DIR "/make_shape", GetParam().shape, std::to_string(GetParam().asked), path});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read(path, diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  const grf::Summary summary = grf::summarize(*scene);
+  EXPECT_EQ(summary.triangles, GetParam().made);
+  EXPECT_EQ(summary.boundary_edges, 0U);
+  EXPECT_EQ(summary.nonmanifold_edges, 0U);
+  EXPECT_NEAR(summary.bounds.min.y, 0, 1e-5);
+  EXPECT_NEAR(summary.bounds.size().x, 2, 0.01);
+  const grf::Mesh& mesh = *std::get<grf::Shared<grf::Mesh>>(scene->contents.blocks.front().content);
+  double volume = 0;
+  float least = 1;
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    const grf::Vec3d area = grf::doubled_area_vector(mesh, i, {});
+    volume += area.dot(grf::Vec3d(mesh.positions[mesh.face(i)[0]])) / 6;
+    for (const std::uint32_t corner : mesh.face(i)) {
+      least = std::min(least, grf::Vec3f(area.normalized()).dot(mesh.normals[corner]));
+      EXPECT_NEAR(mesh.normals[corner].length(), 1, 1e-3);
+    }
+  }
+  EXPECT_GT(least, 0.2);
+  EXPECT_GT(volume, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, Shapes,
+                         testing::Values(ShapeCase{"knot", 20'000, 20'000}, ShapeCase{"knot", 70'000, 70'000},
+                                         ShapeCase{"sphere", 1'000, 960},
+                                         ShapeCase{"sphere", 16'000, 16'128}),
+                         [](const auto& tested) {
+                           return tested.param.shape + std::to_string(tested.param.asked);
+                         });
+
+TEST(MakeShape, SaysWhenItsCommandLineIsBad) {
+  const std::vector<std::string> program = {GRANADA_BIN_DIR "/make_shape"};
+  for (const std::vector<std::string>& words : {std::vector<std::string>{},
+                                                {"cube", "1000", "x.grf"},
+                                                {"knot", "99", "x.grf"},
+                                                {"knot", "1e3", "x.grf"}}) {
+    std::vector<std::string> command = program;
+    command.insert(command.end(), words.begin(), words.end());
+    EXPECT_EQ(test::run(command).exit_code, 2);
+  }
+  EXPECT_EQ(test::run({program[0], "knot", "1000", "/no/such/folder/x.grf"}).exit_code, 1);
+}
+
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 // Two BRDFs, of which one is matte: all tables, all errors, pictures that can be drawn.

@@ -1,0 +1,122 @@
+// A library to be loaded in front of a renderer that uses Embree (LD_PRELOAD): it measures the time that all
+// threads together spend in Embree's queries, and writes `queries seconds cost` to the file that EMBREE_METER
+// names when the program ends. `cost` is what the measuring itself adds to a query, in seconds; `seconds` is
+// without it. A renderer's own callbacks, which Embree calls, count as Embree.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+#include <dlfcn.h>
+#include <x86intrin.h>
+
+namespace {
+
+/// Of one thread, on cache lines of its own.
+struct alignas(128) Counter {
+  std::atomic<std::uint64_t> queries = 0;
+  std::atomic<std::uint64_t> ticks = 0;
+
+  /// One thread alone writes, so that no locked instruction is needed.
+  void add(std::uint64_t more_ticks) {
+    queries.store(queries.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    ticks.store(ticks.load(std::memory_order_relaxed) + more_ticks, std::memory_order_relaxed);
+  }
+};
+
+template <class Query>
+void measure(Counter& counter, const Query& query) {
+  const std::uint64_t start = __rdtsc();
+  query();
+  counter.add(__rdtsc() - start);
+}
+
+class Meter {
+ public:
+  Meter() : start_(Clock::now()), start_ticks_(__rdtsc()) {}
+  Meter(const Meter&) = delete;
+  Meter& operator=(const Meter&) = delete;
+  ~Meter() { write(); }
+
+  Counter& new_counter() {
+    const std::lock_guard lock(mutex_);
+    // Never freed: threads may outlive the meter.
+    counters_.push_back(new Counter());  // NOLINT(cppcoreguidelines-owning-memory)
+    return *counters_.back();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void write() {
+    const char* path = std::getenv("EMBREE_METER");
+    std::FILE* file = path != nullptr ? std::fopen(path, "w") : nullptr;
+    if (file == nullptr) return;
+    const double ticks_per_second = static_cast<double>(__rdtsc() - start_ticks_) /
+                                    std::chrono::duration<double>(Clock::now() - start_).count();
+    constexpr int Empty = 1'000'000;
+    Counter nothing;
+    const std::uint64_t before = __rdtsc();
+    for (int i = 0; i < Empty; ++i) measure(nothing, [] {});
+    const double cost = static_cast<double>(__rdtsc() - before) / Empty;
+    const double cost_inside = static_cast<double>(nothing.ticks) / Empty;
+    double queries = 0;
+    double ticks = 0;
+    for (const Counter* counter : counters_) {
+      queries += static_cast<double>(counter->queries);
+      ticks += static_cast<double>(counter->ticks);
+    }
+    std::fprintf(file, "%.0f %.9g %.9g\n", queries, (ticks - queries * cost_inside) / ticks_per_second,
+                 cost / ticks_per_second);
+    std::fclose(file);
+  }
+
+  std::mutex mutex_;
+  std::vector<Counter*> counters_;
+  Clock::time_point start_;
+  std::uint64_t start_ticks_;
+};
+
+Counter& counter_of_thread() {
+  static Meter meter;
+  thread_local Counter& counter = meter.new_counter();
+  return counter;
+}
+
+template <class Function>
+Function* next(const char* name) {
+  void* found = dlsym(RTLD_NEXT, name);
+  if (found == nullptr) std::abort();
+  return reinterpret_cast<Function*>(found);
+}
+
+using Single = void(void* scene, void* context, void* ray);
+using Packet = void(const int* valid, void* scene, void* context, void* rays);
+
+}  // namespace
+
+// The signatures are Embree 3's with void in place of its types.
+// NOLINTBEGIN(readability-identifier-naming)
+#define SINGLE(NAME)                                                   \
+  extern "C" void NAME(void* scene, void* context, void* ray) {        \
+    static Single* const query = next<Single>(#NAME);                  \
+    measure(counter_of_thread(), [=] { query(scene, context, ray); }); \
+  }
+#define PACKET(NAME)                                                               \
+  extern "C" void NAME(const int* valid, void* scene, void* context, void* rays) { \
+    static Packet* const query = next<Packet>(#NAME);                              \
+    measure(counter_of_thread(), [=] { query(valid, scene, context, rays); });     \
+  }
+SINGLE(rtcIntersect1)
+SINGLE(rtcOccluded1)
+PACKET(rtcIntersect4)
+PACKET(rtcOccluded4)
+PACKET(rtcIntersect8)
+PACKET(rtcOccluded8)
+PACKET(rtcIntersect16)
+PACKET(rtcOccluded16)
+// NOLINTEND(readability-identifier-naming)

@@ -1,0 +1,173 @@
+#include "tests/benchmarks/render/measurement.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace benchmark {
+namespace {
+
+namespace fs = std::filesystem;
+using reflectance::Rgb;
+using transport::Image;
+
+constexpr int ReferenceFactor = 64;
+constexpr std::uint32_t ReferenceSeed = 1000;
+
+Image read(const fs::path& path) {
+  grf::Diagnostics diagnostics;
+  auto image = transport::read_image(path.string(), diagnostics);
+  if (!image) throw std::runtime_error(diagnostics.to_text());
+  return std::move(*image);
+}
+
+/// Tells contents of files apart (FNV-1a), so that a changed scene does not meet its old reference.
+std::uint64_t fingerprint(const fs::path& folder) {
+  std::vector<fs::path> files(fs::directory_iterator(folder), {});
+  std::sort(files.begin(), files.end());
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const fs::path& path : files) {
+    std::ifstream file(path, std::ios::binary);
+    for (std::istreambuf_iterator<char> byte(file), end; byte != end; ++byte) {
+      sum = (sum ^ static_cast<unsigned char>(*byte)) * 0x100000001b3;
+    }
+  }
+  return sum;
+}
+
+class SceneMeasurement {
+ public:
+  SceneMeasurement(const SceneFiles& scene, const Settings& settings,
+                   const std::function<void(const std::string&)>& say)
+      : scene_(scene), settings_(settings), say_(say), fingerprint_(fingerprint(scene.op.parent_path())) {
+    fs::create_directories(settings.folder);
+    for (const Renderer renderer : settings.renderers) {
+      references_.push_back(reference(renderer));
+      Measurement measurement;
+      measurement.scene = scene.name;
+      measurement.renderer = renderer;
+      measurement.mean = mean_of(references_.back());
+      measurements_.push_back(measurement);
+    }
+    write_pictures();
+  }
+
+  std::vector<Measurement> run() {
+    for (int round = 0; round < settings_.rounds; ++round) {
+      for (std::size_t i = 0; i < measurements_.size(); ++i) measure_round(round, i);
+    }
+    for (Measurement& measurement : measurements_) {
+      measurement.relmse /= settings_.rounds;
+      measurement.paths_per_second =
+          static_cast<double>(settings_.size) * settings_.size * settings_.samples / measurement.seconds;
+      if (settings_.measures_embree) measure_embree(measurement);
+    }
+    return measurements_;
+  }
+
+ private:
+  static Rgb mean_of(const Image& image) {
+    Imath::V3d sum(0);
+    for (const Rgb& pixel : image.pixels) sum += Imath::V3d(pixel);
+    return Rgb(sum / static_cast<double>(image.pixels.size()));
+  }
+
+  Job job(Renderer renderer) const {
+    Job job;
+    job.op = scene_.op;
+    job.image = settings_.folder / fmt::format("{}-{}.exr", scene_.name, name_of(renderer));
+    job.size = settings_.size;
+    job.samples = settings_.samples;
+    job.threads = settings_.threads;
+    return job;
+  }
+
+  Image reference(Renderer renderer) const {
+    Job reference = job(renderer);
+    reference.samples *= ReferenceFactor;
+    reference.seed = ReferenceSeed;
+    const fs::path kept =
+        settings_.folder / fmt::format("{}-{}-reference-{}-{}-{:016x}.exr", scene_.name, name_of(renderer),
+                                       settings_.size, reference.samples, fingerprint_);
+    if (settings_.fresh || !fs::exists(kept)) {
+      say_(fmt::format("{}: reference by {}", scene_.name, name_of(renderer)));
+      render(renderer, reference);
+      fs::rename(reference.image, kept);
+    }
+    return read(kept);
+  }
+
+  void measure_round(int round, std::size_t index) {
+    Measurement& measurement = measurements_[index];
+    Job timed = job(measurement.renderer);
+    timed.seed = static_cast<std::uint32_t>(round) + 1;
+    const Outcome outcome = render(measurement.renderer, timed);
+    const double error = relmse(read(timed.image), references_[index]);
+    say_(fmt::format("{}: round {}, {}: {:.2f} s, relMSE {:.3g}", scene_.name, round + 1,
+                     name_of(measurement.renderer), outcome.seconds, error));
+    measurement.relmse += error;
+    if (round == 0 || outcome.seconds < measurement.seconds) {
+      measurement.seconds = outcome.seconds;
+      if (outcome.rays) measurement.rays_per_second = *outcome.rays / outcome.seconds;
+    }
+    measurement.peak_memory_bytes = std::max(measurement.peak_memory_bytes, outcome.peak_memory_bytes);
+  }
+
+  void measure_embree(Measurement& measurement) const {
+    Job metered = job(measurement.renderer);
+    metered.measures_embree = true;
+    const Outcome outcome = render(measurement.renderer, metered);
+    measurement.embree_share = outcome.embree->share;
+    if (!measurement.rays_per_second) {
+      measurement.rays_per_second = outcome.embree->queries / measurement.seconds;
+    }
+  }
+
+  void write_pictures() const {
+    Image all{settings_.size * static_cast<int>(references_.size()), settings_.size, {}};
+    for (int y = 0; y < settings_.size; ++y) {
+      for (const Image& image : references_) {
+        const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+        all.pixels.insert(all.pixels.end(), row, row + image.width);
+      }
+    }
+    grf::Diagnostics diagnostics;
+    if (!transport::write_image(all, (settings_.folder / (scene_.name + ".png")).string(), diagnostics)) {
+      throw std::runtime_error(diagnostics.to_text());
+    }
+  }
+
+  const SceneFiles& scene_;
+  const Settings& settings_;
+  const std::function<void(const std::string&)>& say_;
+  std::uint64_t fingerprint_;
+  std::vector<Image> references_;
+  std::vector<Measurement> measurements_;
+};
+
+}  // namespace
+
+double relmse(const Image& image, const Image& reference) {
+  if (image.width != reference.width || image.height != reference.height) {
+    throw std::runtime_error("images of different sizes cannot be compared");
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const double expected = reference.pixels[i][channel];
+      const double difference = image.pixels[i][channel] - expected;
+      sum += difference * difference / (expected * expected + 0.01);
+    }
+  }
+  return sum / (3 * static_cast<double>(image.pixels.size()));
+}
+
+std::vector<Measurement> measure(const SceneFiles& scene, const Settings& settings,
+                                 const std::function<void(const std::string&)>& say) {
+  return SceneMeasurement(scene, settings, say).run();
+}
+
+}  // namespace benchmark

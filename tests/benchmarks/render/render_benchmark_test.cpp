@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "tests/benchmarks/render/outdoor_map.h"
+#include "tests/benchmarks/render/report.h"
+#include "tests/support/run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using benchmark::Measurement;
+using benchmark::to_csv;
+using benchmark::to_json;
+using benchmark::to_markdown;
+using transport::Image;
+
+TEST(RenderBenchmark, MeasuresAllScenes) {
+  const test::TemporaryFolder folder;
+  std::vector<std::string> command = {GRANADA_BIN_DIR "/render_benchmark", "--quick", "--folder",
+                                      folder.path("run")};
+  // A library that is loaded in front of the sanitizers' own keeps them from starting.
+  constexpr bool HasSanitizers = std::string_view(GRANADA_SANITIZERS) != "";
+  if (HasSanitizers) command.emplace_back("--without-embree-share");
+  const test::Outcome outcome = test::run(command);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::ifstream file(folder.path("run/results.json"));
+  const auto rows = nlohmann::json::parse(file);
+  ASSERT_EQ(rows.size(), 4U);
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.dump());
+    for (const char* name : {"paths_per_second", "rays_per_second", "relmse", "peak_memory_bytes"}) {
+      EXPECT_GT(row.at(name).get<double>(), 0) << name;
+    }
+    for (const auto& channel : row.at("mean")) EXPECT_GT(channel.get<double>(), 0.003);
+    const double efficiency = row.at("efficiency");
+    const double product = row.at("relmse").get<double>() * row.at("render_seconds").get<double>();
+    EXPECT_NEAR(efficiency * product, 1, 1e-9);
+    if (HasSanitizers) continue;
+    EXPECT_GT(row.at("embree_share").get<double>(), 0.01);
+    EXPECT_LT(row.at("embree_share").get<double>(), 0.99);
+  }
+}
+
+TEST(RenderBenchmark, SaysWhichSceneItDoesNotHave) {
+  const test::TemporaryFolder folder;
+  const auto outcome = test::run(
+      {GRANADA_BIN_DIR "/render_benchmark", "--quick", "--folder", folder.path("run"), "--scenes", "teapot"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "error: there is no scene 'teapot'\n");
+}
+
+TEST(RelativeSquaredError, IsThatOfItsFormula) {
+  const Image reference{2, 1, {{1, 0, 0.3F}, {2, 0.1F, 0}}};
+  const Image image{2, 1, {{1.5F, 0.1F, 0.3F}, {1, 0.1F, 0.2F}}};
+  const double expected = (0.25 / 1.01 + 1 + 0 + 1 / 4.01 + 0 + 4) / 6;
+  EXPECT_NEAR(benchmark::relmse(image, reference), expected, 1e-6);
+  EXPECT_EQ(benchmark::relmse(reference, reference), 0);
+}
+
+TEST(OutdoorMap, HasASunThatIsMostOfItsLight) {
+  const Image map = benchmark::outdoor_map();
+  float brightest = 0;
+  for (const auto& pixel : map.pixels) brightest = std::max(brightest, pixel.x);
+  EXPECT_EQ(map.pixels.size(), 1024U * 512);
+  EXPECT_EQ(brightest, 9000);
+  // Half a degree in radius covers a share of 1.9e-5 of the sphere, here stretched by 1/sin(theta).
+  const auto suns = std::count_if(map.pixels.begin(), map.pixels.end(),
+                                  [&](const auto& pixel) { return pixel.x == brightest; });
+  EXPECT_NEAR(static_cast<double>(suns), 9.8, 4);
+}
+
+TEST(Report, ComparesWithCyclesSceneByScene) {
+  Measurement ours;
+  ours.scene = "box";
+  ours.seconds = 2;
+  ours.relmse = 0.01;
+  ours.paths_per_second = 3e6;
+  ours.mean = reflectance::Rgb(1, 1, 1);
+  Measurement theirs = ours;
+  theirs.renderer = benchmark::Renderer::Cycles;
+  theirs.seconds = 4;
+  theirs.relmse = 0.03;
+  theirs.paths_per_second = 1.5e6;
+  theirs.mean = reflectance::Rgb(1, 1.25F, 1);
+  const std::vector<Measurement> alone = {ours};
+  const std::string both = to_markdown({ours, theirs});
+  EXPECT_NE(both.find("| box | 6.00 | 2.00 | 3.00 | 20.0 |\n"), std::string::npos) << both;
+  EXPECT_EQ(to_markdown(alone).find("over Cycles"), std::string::npos);
+  EXPECT_NE(to_csv(alone).find("box,bpt,3e+06,,,2,0.01,50,0\n"), std::string::npos) << to_csv(alone);
+  EXPECT_TRUE(to_json(alone)[0].at("embree_share").is_null());
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+#include "tests/benchmarks/render/scenes.h"
+
+#include <stdexcept>
+
+#include "tests/benchmarks/render/outdoor_map.h"
+#include "tests/support/run.h"
+
+namespace benchmark {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* ForestMap = "/usr/share/blender/datafiles/studiolights/world/forest.exr";
+
+struct Shape {
+  const char* shape;
+  int triangles;
+  const char* brdf;  ///< its name in the scene
+};
+
+void make_shape(const fs::path& folder, const Shape& shape, bool small) {
+  const std::string triangles = std::to_string(small ? 2000 : shape.triangles);
+  const std::string file = (folder / shape.shape).string() + ".grf";
+  const auto made = test::run({GRANADA_BIN_DIR "/make_shape", shape.shape, triangles, file, shape.brdf});
+  if (made.exit_code != 0) throw std::runtime_error("make_shape: " + made.err);
+}
+
+void make_environment_map(const fs::path& file) {
+  if (fs::exists(ForestMap)) {
+    fs::copy_file(ForestMap, file, fs::copy_options::overwrite_existing);
+    return;
+  }
+  grf::Diagnostics diagnostics;
+  if (!transport::write_image(outdoor_map(), file.string(), diagnostics)) {
+    throw std::runtime_error(diagnostics.to_text());
+  }
+}
+
+/// Copies SOURCE.grf and SOURCE.op into a folder of the scene's own, and makes its meshes there.
+SceneFiles make_scene(const fs::path& folder, const fs::path& source, const std::vector<Shape>& shapes,
+                      bool small) {
+  const std::string name = source.filename().string();
+  const fs::path own = folder / name;
+  fs::create_directories(own);
+  for (const char* extension : {".grf", ".op"}) {
+    fs::copy_file(source.string() + extension, own / (name + extension),
+                  fs::copy_options::overwrite_existing);
+  }
+  for (const Shape& shape : shapes) make_shape(own, shape, small);
+  return {name, own / (name + ".op")};
+}
+
+}  // namespace
+
+std::vector<SceneFiles> make_scenes(const fs::path& folder, bool small) {
+  const fs::path sources = GRANADA_SOURCE_DIR "/tests/benchmarks/render/scenes";
+  const Shape sphere = {"sphere", 16'000, "metal"};
+  std::vector<SceneFiles> scenes;
+  scenes.push_back(make_scene(folder, GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box", {}, small));
+  scenes.push_back(make_scene(folder, sources / "glossy_sphere", {sphere}, small));
+  scenes.push_back(make_scene(folder, sources / "coated_knot", {{"knot", 100'000, "coated"}}, small));
+  scenes.push_back(make_scene(folder, sources / "environment", {sphere, {"knot", 70'000, "glossy"}}, small));
+  make_environment_map(folder / "environment" / "outdoor.exr");
+  return scenes;
+}
+
+}  // namespace benchmark

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace benchmark {
+
+struct SceneFiles {
+  std::string name;          ///< as in reports and names of files
+  std::filesystem::path op;  ///< the GRF scene is beside it
+};
+
+/// Makes the four scenes of the benchmark in a folder: the Cornell box of samples/, and those of scenes/ with
+/// their meshes. The environment map is Debian's forest.exr (package `blender-data`), or one of our own where
+/// that is not installed. Throws if a file cannot be made.
+///
+/// `small` has meshes of 2,000 triangles.
+std::vector<SceneFiles> make_scenes(const std::filesystem::path& folder, bool small);
+
+}  // namespace benchmark
