@@ -197,7 +197,7 @@ RC_GTEST_PROP(Lights, SayOfTheirSamplesWhatTheySayOfDirections, ()) {
 }
 
 TEST(EnvironmentShare, FollowsThePowers) {
-  const grf::Box3f bounds(Vec3f(-1), Vec3f(1));
+  const grf::Box3d bounds(grf::Vec3d(-1), grf::Vec3d(1));
   const Lights lights({Square});  // 3 on an area of 4
   const auto share = [&](float radiance, const Lights& others) {
     const transport::EnvironmentMap map(transport::Image{2, 1, {Rgb(radiance), Rgb(radiance)}});

@@ -66,7 +66,7 @@ TEST(Snapshot, IsTheImageSoFarWhileWorkersGoOn) {
 // Half a tile of new samples in one pixel and not in another would show as different counts of light.
 TEST(Snapshot, NeverShowsHalfATile) {
   RenderSettings all_white = settings(2000);
-  all_white.path.background = transport::Rgb(1);
+  all_white.integrator.background = transport::Rgb(1);
   const auto scene = test::scene_of(test::quad("brdf diffuse kd=1", "(-9,0,9) (9,0,9) (9,0,-9) (-9,0,-9)"));
   Render render(scene, all_white);
   std::thread worker([&] { render.run(); });
@@ -153,7 +153,7 @@ TEST(Progress, KnowsTheTimeToATarget) {
 
 TEST(RejectedSamples, AreCountedWithTheFirstPixel) {
   RenderSettings broken = settings(4);
-  broken.path.background = transport::Rgb(std::numeric_limits<float>::infinity());
+  broken.integrator.background = transport::Rgb(std::numeric_limits<float>::infinity());
   const auto scene =
       test::scene_of(Light + test::quad("brdf diffuse kd=0", "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)"));
   broken.view.eye = transport::Vec3f(0, 9.5F, 5);  // sees over the edge of the quad, in the upper half

@@ -31,8 +31,8 @@ inline SampleScene sample_scene(const std::string& op_path) {
   settings.view = transport::view_of(compiled->bounds(), options->field_of_view, 37.0F / 29.0F);
   if (options->viewer) settings.view.eye = *options->viewer;
   if (options->target) settings.view.target = *options->target;
-  settings.path.background = options->background;
-  settings.path.depth = options->depth;
+  settings.integrator.background = options->background;
+  settings.integrator.depth = options->depth;
   return {op_path, std::move(*compiled), settings};
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/transport/image/image_file.h"
+
 namespace benchmark {
 namespace {
 
@@ -135,7 +137,7 @@ class SceneMeasurement {
       }
     }
     grf::Diagnostics diagnostics;
-    if (!transport::write_image(all, (settings_.folder / (scene_.name + ".png")).string(), diagnostics)) {
+    if (!transport::write_image({all}, (settings_.folder / (scene_.name + ".png")).string(), diagnostics)) {
       throw std::runtime_error(diagnostics.to_text());
     }
   }

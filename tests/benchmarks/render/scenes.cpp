@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "renderer/transport/image/image_file.h"
 #include "tests/benchmarks/render/outdoor_map.h"
 #include "tests/support/run.h"
 
@@ -31,7 +32,7 @@ void make_environment_map(const fs::path& file) {
     return;
   }
   grf::Diagnostics diagnostics;
-  if (!transport::write_image(outdoor_map(), file.string(), diagnostics)) {
+  if (!transport::write_image({outdoor_map()}, file.string(), diagnostics)) {
     throw std::runtime_error(diagnostics.to_text());
   }
 }
