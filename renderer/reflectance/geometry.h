@@ -81,23 +81,31 @@ struct SineAndCosine {
   }
 };
 
+struct DiscPoint {
+  Vec2f point;
+  float height2 = 1;  ///< of the unit hemisphere above it, squared
+};
+
 /// Two uniform numbers in [0,1) to a point of the unit disc, keeping areas and neighbourhoods
-/// (Shirley and Chiu 1997, "A low distortion map between disk and square").
-inline Vec2f to_disc(const Vec2f& xi) {
-  const float a = 2 * xi.x - 1;
-  const float b = 2 * xi.y - 1;
-  if (a == 0 && b == 0) return {0, 0};
+/// (Shirley and Chiu 1997, "A low distortion map between disk and square"). Not quite to the rim, over which
+/// there is no height.
+inline DiscPoint disc_point(const Vec2f& xi) {
+  constexpr float Rim = 1 - 0x1p-24F;
+  const float a = 2 * xi.x - Rim;
+  const float b = 2 * xi.y - Rim;
   const bool wide = std::abs(a) > std::abs(b);
   const float radius = wide ? a : b;
+  if (radius == 0) return {Vec2f(0), 1};
   const SineAndCosine turn(Pi / 4 * (wide ? b : a) / radius);
-  return wide ? Vec2f(radius * turn.cosine, radius * turn.sine)
-              : Vec2f(radius * turn.sine, radius * turn.cosine);
+  const Vec2f direction = wide ? Vec2f(turn.cosine, turn.sine) : Vec2f(turn.sine, turn.cosine);
+  return {radius * direction, (1 - radius) * (1 + radius)};
 }
+inline Vec2f to_disc(const Vec2f& xi) { return disc_point(xi).point; }
 
 /// A direction with density cos(theta)/pi.
 inline Vec3f cosine_direction(const Vec2f& xi) {
-  const Vec2f point = to_disc(xi);
-  return {point.x, point.y, std::sqrt(std::max(0.0F, 1 - point.dot(point)))};
+  const auto [point, height2] = disc_point(xi);
+  return {point.x, point.y, std::sqrt(height2)};
 }
 /// A direction with density 1/(2 pi) over the hemisphere.
 inline Vec3f uniform_direction(const Vec2f& xi) {

@@ -42,30 +42,30 @@ class BptInterrupt : public testing::Test {
 
 TEST_F(BptInterrupt, ResumesToTheSameBytes) {
   const std::vector<std::string> common = {"--samples", "3000", "--checkpoint", path("state")};
-  ASSERT_EQ(render({"--samples", "3000", "--output", path("whole.exr")}).exit_code, 0);
+  ASSERT_EQ(render({"--samples", "3000", "--output", path("whole.pfm")}).exit_code, 0);
   auto arguments = common;
-  arguments.insert(arguments.end(), {"--output", path("part.exr"), "--json"});
+  arguments.insert(arguments.end(), {"--output", path("part.pfm"), "--json"});
   for (const int signal : {SIGINT, SIGTERM}) {
     const Outcome outcome = render(arguments, test::Interruption{signal, std::chrono::milliseconds(150)});
     ASSERT_EQ(outcome.exit_code, 130) << outcome.err << outcome.out;
     EXPECT_LT(json::parse(outcome.out)["samples"].get<double>(), 3000);
-    ASSERT_TRUE(std::filesystem::exists(path("state")) && std::filesystem::exists(path("part.exr")));
+    ASSERT_TRUE(std::filesystem::exists(path("state")) && std::filesystem::exists(path("part.pfm")));
   }
-  EXPECT_FALSE(test::bytes_of(path("part.exr")) == test::bytes_of(path("whole.exr")));
+  EXPECT_FALSE(test::bytes_of(path("part.pfm")) == test::bytes_of(path("whole.pfm")));
   const Outcome outcome = render(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(json::parse(outcome.out)["samples"], 3000);
-  EXPECT_TRUE(test::bytes_of(path("part.exr")) == test::bytes_of(path("whole.exr")));
+  EXPECT_TRUE(test::bytes_of(path("part.pfm")) == test::bytes_of(path("whole.pfm")));
   EXPECT_EQ(folder_.names(),
-            (std::vector<std::string>{"part.exr", "quad.grf", "scene.grf", "state", "whole.exr"}));
+            (std::vector<std::string>{"part.pfm", "quad.grf", "scene.grf", "state", "whole.pfm"}));
 }
 
 TEST_F(BptInterrupt, RefusesACheckpointOfAnotherImage) {
   const std::vector<std::string> common = {"--samples",   "4",        "--checkpoint",
-                                           path("state"), "--output", path("image.exr")};
+                                           path("state"), "--output", path("image.pfm")};
   ASSERT_EQ(render(common).exit_code, 0);
   const std::string state = test::bytes_of(path("state"));
-  std::filesystem::remove(path("image.exr"));
+  std::filesystem::remove(path("image.pfm"));
   const auto expect_refusal = [&](const std::vector<std::string>& more, const std::string& why) {
     auto arguments = common;
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -75,7 +75,7 @@ TEST_F(BptInterrupt, RefusesACheckpointOfAnotherImage) {
               std::string::npos);
     EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
     EXPECT_TRUE(test::bytes_of(path("state")) == state);
-    EXPECT_FALSE(std::filesystem::exists(path("image.exr")));
+    EXPECT_FALSE(std::filesystem::exists(path("image.pfm")));
   };
   expect_refusal({"--depth", "2"}, "with other options");
   expect_refusal({"--seed", "2"}, "with other options");
@@ -89,18 +89,18 @@ TEST_F(BptInterrupt, RefusesACheckpointOfAnotherImage) {
 
 TEST_F(BptInterrupt, ThreadsAndOutputsAreNoOtherImage) {
   const std::string state = path("state");
-  ASSERT_EQ(render({"--samples", "4", "--checkpoint", state, "--output", path("a.exr"), "--threads", "1"})
+  ASSERT_EQ(render({"--samples", "4", "--checkpoint", state, "--output", path("a.pfm"), "--threads", "1"})
                 .exit_code,
             0);
   const Outcome more =
-      render({"--samples", "9", "--checkpoint", state, "--output", path("b.exr"), "--threads", "2"});
+      render({"--samples", "9", "--checkpoint", state, "--output", path("b.pfm"), "--threads", "2"});
   EXPECT_EQ(more.exit_code, 0) << more.err;
-  ASSERT_EQ(render({"--samples", "9", "--output", path("c.exr")}).exit_code, 0);
-  EXPECT_TRUE(test::bytes_of(path("b.exr")) == test::bytes_of(path("c.exr")));
+  ASSERT_EQ(render({"--samples", "9", "--output", path("c.pfm")}).exit_code, 0);
+  EXPECT_TRUE(test::bytes_of(path("b.pfm")) == test::bytes_of(path("c.pfm")));
 }
 
 TEST_F(BptInterrupt, ReportsProgressAsLinesOfJson) {
-  const std::string image = path("image.exr");
+  const std::string image = path("image.pfm");
   const Outcome outcome = render({"--time", "0.8", "--progress", "json", "--json", "--output", image});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::vector<json> lines = lines_of(outcome.out);
@@ -122,7 +122,7 @@ TEST_F(BptInterrupt, ReportsProgressAsLinesOfJson) {
 }
 
 TEST_F(BptInterrupt, StopsAtATargetError) {
-  const Outcome outcome = render({"--target-error", "0.01", "--json", "--output", path("image.exr")});
+  const Outcome outcome = render({"--target-error", "0.01", "--json", "--output", path("image.pfm")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json summary = json::parse(outcome.out);
   EXPECT_LE(summary["estimated_error"].get<double>(), 0.01);
@@ -131,7 +131,7 @@ TEST_F(BptInterrupt, StopsAtATargetError) {
 
 TEST_F(BptInterrupt, ReportsWhatIsNotThere) {
   const Outcome viewer =
-      render({"--samples", "1", "--display-server", "127.0.0.1:1", "--output", path("a.exr")});
+      render({"--samples", "1", "--display-server", "127.0.0.1:1", "--output", path("a.pfm")});
   EXPECT_EQ(viewer.exit_code, 0);
   EXPECT_EQ(viewer.err.find("warning: no viewer listens at 127.0.0.1:1"), 0U) << viewer.err;
   EXPECT_EQ(render({"--display-server", "host:port", "--samples", "1"}).exit_code, 2);
