@@ -1,5 +1,6 @@
 #include "renderer/transport/lights/environment_map.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -131,7 +132,7 @@ double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samp
   const auto uniform = [&] { return static_cast<float>(random() >> 8U) * 0x1p-24F; };
   for (int i = 0; i < samples; ++i) {
     const float x = uniform();
-    const Vec3f d = draws.sample({x, uniform()})->direction;
+    const Vec3f d = draws.sample(Vec2f(x, uniform()))->direction;
     const double theta = std::atan2(std::hypot(d.x, d.z), d.y);
     const double phi = std::atan2(d.x, -d.z);
     const int row = std::clamp(static_cast<int>(theta / Pi * rows), 0, rows - 1);
@@ -187,7 +188,8 @@ TEST(EnvironmentMap, InvertsContinuously) {
       const float before = static_cast<float>(i - 1) / steps;
       const float after = static_cast<float>(i) / steps;
       // Along a row. From row to row, columns may shift by as much as their distributions differ.
-      const Vec3f step = map.sample({after, other})->direction - map.sample({before, other})->direction;
+      const Vec3f step =
+          map.sample(Vec2f(after, other))->direction - map.sample(Vec2f(before, other))->direction;
       ASSERT_LT(step.length(), 2 * Pi / steps * 8) << i;
     }
   }
@@ -223,10 +225,80 @@ TEST(EnvironmentMap, StratifiedPointsHaveLessVariance) {
   EXPECT_LT(stratified, independent / 20);
 }
 
+const std::vector<Vec3f> Normals = {Vec3f(0, 1, 0), Vec3f(0, -1, 0), Vec3f(0.6F, 0.64F, 0.48F),
+                                    Vec3f(-0.36F, 0.48F, -0.8F)};
+
+TEST(EnvironmentForASurface, SaysOfItsSamplesWhatItSaysOfTheirDirections) {
+  for (const EnvironmentMap& map : hard_maps()) {
+    for (const Vec3f& normal : Normals) {
+      int differ = 0;
+      constexpr std::uint32_t Count = 20000;
+      for (std::uint32_t i = 0; i < Count; ++i) {
+        const auto sample = map.sample(normal, transport::sobol_point(i, 3).xy());
+        ASSERT_TRUE(sample);
+        ASSERT_GT(sample->density, 0);
+        ASSERT_EQ(sample->radiance, map.radiance(sample->direction));
+        const float density = map.density(normal, sample->direction);
+        if (std::abs(density - sample->density) > 1e-5F * density) ++differ;
+      }
+      // Those that rounding takes to the other side of a step of the density.
+      EXPECT_LE(differ, 20) << map.image().width << " " << normal;
+    }
+  }
+}
+
+// The same integral as by the map alone, of less variance: light under the horizon is hardly drawn.
+TEST(EnvironmentForASurface, DrawsWhatIsOverTheHorizon) {
+  const EnvironmentMap map(sky(64, 32));
+  for (const Vec3f& normal : Normals) {
+    std::array<double, 2> mean = {0, 0};
+    std::array<double, 2> square = {0, 0};
+    constexpr std::uint32_t Count = 65536;
+    for (std::uint32_t i = 0; i < Count; ++i) {
+      const Vec2f xi = transport::sobol_point(i, 5).xy();
+      const auto add = [&](std::size_t way, const transport::EnvironmentSample& sample) {
+        const double value =
+            double(std::max(0.0F, sample.direction.dot(normal)) * sample.radiance.x) / double(sample.density);
+        mean[way] += value / Count;
+        square[way] += value * value / Count;
+      };
+      add(0, *map.sample(xi));
+      add(1, *map.sample(normal, xi));
+    }
+    EXPECT_NEAR(mean[1] / mean[0], 1, 2e-3) << normal;
+    EXPECT_LT(square[1] - mean[1] * mean[1], 0.3 * (square[0] - mean[0] * mean[0])) << normal;
+  }
+}
+
+// Evenly spread pairs that were drawn count each of the square's cells as often as its density says.
+TEST(CosineWarps, WarpWithTheirDensity) {
+  const EnvironmentMap map(sky(64, 32));
+  const transport::CosineWarps warps([&](const Vec2f& xi) { return map.sample(xi)->direction; });
+  for (const Vec3f& normal : Normals) {
+    constexpr int Cells = 32;
+    std::vector<int> counts(Cells * Cells, 0);
+    constexpr std::uint32_t Count = 1 << 20;
+    for (std::uint32_t i = 0; i < Count; ++i) {
+      const Vec2f xi = warps.warp(normal, transport::sobol_point(i, 8).xy()).xi;
+      ++counts[static_cast<std::size_t>(xi.y * Cells) * Cells + static_cast<std::size_t>(xi.x * Cells)];
+    }
+    double sum = 0;
+    for (int cell = 0; cell < Cells * Cells; ++cell) {
+      const Vec2f middle((static_cast<float>(cell % Cells) + 0.5F) / Cells,
+                         (static_cast<float>(cell / Cells) + 0.5F) / Cells);
+      const double expected = double(warps.density(normal, middle)) / (Cells * Cells);
+      sum += expected;
+      ASSERT_NEAR(counts[static_cast<std::size_t>(cell)] / double(Count), expected, 2e-5 + 0.05 * expected);
+    }
+    EXPECT_NEAR(sum, 1, 1e-5);
+  }
+}
+
 TEST(EnvironmentMap, ThatIsBlackHasNoSamples) {
   const EnvironmentMap map(image_of(4, 2, [](int, int) { return 0.0F; }));
   EXPECT_TRUE(map.is_black());
-  EXPECT_FALSE(map.sample({0.5F, 0.5F}));
+  EXPECT_FALSE(map.sample(Vec2f(0.5F, 0.5F)));
+  EXPECT_FALSE(map.sample(Vec3f(0, 1, 0), {0.5F, 0.5F}));
   EXPECT_EQ(map.density({0, 1, 0}), 0);
   EXPECT_EQ(map.radiance({0, 1, 0}), Rgb(0));
 }

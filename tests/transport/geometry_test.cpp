@@ -54,7 +54,8 @@ int leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
     const Vec3f normal =
         point->geometric_normal.dot(inside) < 0 ? -point->geometric_normal : point->geometric_normal;
     if (direction.dot(normal) < 0) direction = -direction;
-    if (scene.escapes(point->ray_towards(direction)) || !scene.intersect(point->ray_towards(direction)))
+    if (scene.escapes({point->origin_towards(direction), direction, point->id}) ||
+        !scene.intersect({point->origin_towards(direction), direction, point->id}))
       ++leaks;
   }
   return leaks;

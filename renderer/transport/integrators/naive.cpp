@@ -25,6 +25,7 @@ class NaivePaths {
   std::vector<ScatterSample> draw_secondary(const Scattering& scattering);
   std::optional<ScatterSample> draw(const Scattering& scattering, const Uniforms& xi);
   std::optional<SurfacePoint> intersect(const Ray& ray);
+  std::optional<Ray> scattered(const Scattering& scattering, const ScatterSample& drawn) const;
   Rgb emission(const SurfacePoint& point, const Ray& ray) const;
   Rgb radiance_from_outside(const Ray& ray) const;
   const PointSet& points_of(int events);
@@ -36,12 +37,6 @@ class NaivePaths {
   /// Those of each scattering event, one point for each of the paths.
   std::vector<PointSet> points_;
 };
-
-Ray scattered(const SurfacePoint& point, const Vec3f& direction, const ScatterSample& drawn) {
-  Ray ray = point.ray_towards(direction);
-  if (!drawn.is_mirror) ray.cone = ray.cone.widened(drawn.density);
-  return ray;
-}
 
 Uniforms uniforms(const Uniform4& xi) { return {xi.xy(), xi.z}; }
 
@@ -84,6 +79,15 @@ std::optional<ScatterSample> NaivePaths::draw(const Scattering& scattering, cons
   return drawn;
 }
 
+/// The ray that goes on; nothing if that is through the surface.
+std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const ScatterSample& drawn) const {
+  const Vec3f direction = scattering.frame.to_world(drawn.direction);
+  if (!scattering.is_above(direction)) return std::nullopt;
+  auto ray = scattering.ray_towards(scene_, direction);
+  if (ray && !drawn.is_mirror) ray->cone = ray->cone.widened(drawn.density);
+  return ray;
+}
+
 /// What arrives along a ray that has been scattered once.
 Rgb NaivePaths::follow(Ray ray, int path) {
   Rgb throughput(1);
@@ -97,10 +101,10 @@ Rgb NaivePaths::follow(Ray ray, int path) {
     const Scattering scattering(*point, *reflector, -ray.direction);
     const auto drawn = draw(scattering, uniforms(points_of(events)[path]));
     if (!drawn) return radiance;
-    const Vec3f direction = scattering.frame.to_world(drawn->direction);
     throughput *= drawn->weight * point->colour;
-    if (!scattering.is_above(direction) || reflectance::is_black(throughput)) return radiance;
-    ray = scattered(*point, direction, *drawn);
+    const auto next = scattered(scattering, *drawn);
+    if (!next || reflectance::is_black(throughput)) return radiance;
+    ray = *next;
   }
 }
 
@@ -114,11 +118,9 @@ Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& behind) {
   Imath::V3d sum(0);
   int path = 0;
   for (const ScatterSample& drawn : draw_secondary(scattering)) {
-    const Vec3f direction = scattering.frame.to_world(drawn.direction);
     const Rgb weight = drawn.weight * point->colour;
-    if (scattering.is_above(direction) && !reflectance::is_black(weight)) {
-      sum += Imath::V3d(weight * follow(scattered(*point, direction, drawn), path));
-    }
+    const auto next = scattered(scattering, drawn);
+    if (next && !reflectance::is_black(weight)) sum += Imath::V3d(weight * follow(*next, path));
     ++path;
   }
   return own + Rgb(sum / settings_.secondary_rays);

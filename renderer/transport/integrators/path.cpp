@@ -93,7 +93,7 @@ Rgb Path<Has>::radiance_from_outside() const {
     if (has_environment_) return Rgb(0);
     float weight = 1;
     if (density_ > 0 && environment_share_ > 0) {
-      const float density = environment_share_ * settings_.environment->density(ray_.direction);
+      const float density = environment_share_ * settings_.environment->density(from_normal_, ray_.direction);
       weight = power_heuristic(density_, density);
     }
     return settings_.environment->radiance(ray_.direction) * weight;
@@ -145,21 +145,22 @@ void Path<Has>::add_area_light(const Scattering& scattering, float choice, const
   const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
   const Vec3f end = offset_towards(light->position, light->error, light->normal, -light->direction);
+  const auto ray = scattering.ray_to(scene_, end, light->direction);
+  if (!ray) return;
   ++counter_.rays;
-  const Ray ray = scattering.point.ray_to(end, light->direction);
-  if (!scene_.is_occluded(ray, light->emitter)) radiance_ += *lit * light->radiance;
+  if (!scene_.is_occluded(*ray, light->emitter)) radiance_ += *lit * light->radiance;
 }
 
 template <PathEffects Has>
 void Path<Has>::add_environment_light(const Scattering& scattering, const Vec2f& xi) {
-  const auto light = settings_.environment->sample(xi);
+  const auto light = settings_.environment->sample(scattering.frame.z, xi);
   if (!light || !scattering.is_above(light->direction)) return;
   const auto lit = lit_from(scattering, light->direction, environment_share_ * light->density);
   if (!lit) return;
+  const auto ray = scattering.ray_towards(scene_, light->direction);
+  if (!ray) return;
   ++counter_.rays;
-  if (scene_.escapes(scattering.point.ray_towards(light->direction))) {
-    radiance_ += *lit * light->radiance;
-  }
+  if (scene_.escapes(*ray)) radiance_ += *lit * light->radiance;
 }
 
 // Besides the candidates, the path goes on with a direction of its own: one that was chosen by the map's
@@ -175,8 +176,10 @@ void Path<Has>::add_resampled_light(const Scattering& scattering) {
   };
   const auto add_if_visible = [&](const Vec3f& v, const Rgb& estimate) {
     const Vec3f direction = scattering.frame.to_world(v);
+    const auto ray = scattering.ray_towards(scene_, direction);
+    if (!ray) return;
     ++counter_.rays;
-    if (!scene_.escapes(scattering.point.ray_towards(direction))) return;
+    if (!scene_.escapes(*ray)) return;
     radiance_ += throughput_ * scattering.point.colour * estimate;
   };
   reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
@@ -207,7 +210,9 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   density_ = drawn->is_mirror ? 0 : drawn->density;
   from_ = scattering.point.position;
   from_normal_ = scattering.frame.z;
-  ray_ = scattering.point.ray_towards(direction);
+  const auto ray = scattering.ray_towards(scene_, direction);
+  if (!ray) return false;
+  ray_ = *ray;
   if (density_ > 0) ray_.cone = ray_.cone.widened(density_);
   return true;
 }

@@ -18,9 +18,23 @@ class Scattering {
         frame(shading_normal(back), point.tangent),
         u(frame.to_local(back)) {}
 
-  /// Light passes through no surface, whatever an interpolated normal says.
-  bool is_above(const Vec3f& world_direction) const {
-    return point.is_above(world_direction, geometric_normal, frame.z);
+  /// Whether a ray may leave in a world direction: light passes through no surface, whatever an interpolated
+  /// normal says. Where it seems to bulge, `ray_towards` has the last word.
+  bool is_above(const Vec3f& direction) const {
+    return direction.dot(geometric_normal) > 0 || (point.rise.length2() > 0 && direction.dot(frame.z) > 0);
+  }
+
+  /// A ray that leaves in a direction; nothing if that is through the surface.
+  std::optional<Ray> ray_towards(const CompiledScene& scene, const Vec3f& direction) const {
+    const auto start = scene.start_of(point, direction, geometric_normal);
+    if (!start) return std::nullopt;
+    return Ray{start->origin, direction, start->from, point.cone};
+  }
+  /// To a place in this direction, which is where the ray's parameter is 1.
+  std::optional<Ray> ray_to(const CompiledScene& scene, const Vec3f& end, const Vec3f& direction) const {
+    const auto start = scene.start_of(point, direction, geometric_normal);
+    if (!start) return std::nullopt;
+    return Ray{start->origin, end - start->origin, start->from, point.cone};
   }
 
   const SurfacePoint& point;

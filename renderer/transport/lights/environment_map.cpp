@@ -99,26 +99,50 @@ void EnvironmentMap::build() {
   }
   total_ = accumulate(row_sums, rows_.data());
   guide(rows_.data(), height, row_guide_.data());
+  if (!is_black()) warps_ = CosineWarps([this](const Vec2f& xi) { return sample(xi)->direction; });
+}
+
+EnvironmentMap::Place EnvironmentMap::place_of(const Vec3f& direction) const {
+  // By the arc tangent and not the arc cosine, which has few digits at the poles.
+  const float theta =
+      std::atan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
+  const float phi = std::atan2(direction.x, -direction.z);
+  const double y = double(theta) / std::numbers::pi * image_.height;
+  const double x = (0.5 + double(phi) / (2 * std::numbers::pi)) * image_.width;
+  const auto index_of = [](double place, int count) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, count - 1));
+  };
+  Place place;
+  place.row = index_of(y, image_.height);
+  place.column = index_of(x, image_.width);
+  const double across =
+      (cosines_[place.row] - double(direction.y)) / (cosines_[place.row] - cosines_[place.row + 1]);
+  place.inside = {static_cast<float>(x - double(place.column)), static_cast<float>(across)};
+  return place;
 }
 
 std::size_t EnvironmentMap::texel_at(const Vec3f& direction) const {
-  // By the arc tangent and not the arc cosine, which has few digits at the poles.
-  const double theta = std::atan2(std::hypot(double(direction.x), double(direction.z)), double(direction.y));
-  const double phi = std::atan2(double(direction.x), -double(direction.z));
-  const auto index_of = [](double share, int count) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(share * count), 0, count - 1));
+  const Place place = place_of(direction);
+  return place.row * static_cast<std::size_t>(image_.width) + place.column;
+}
+
+/// The pair of numbers from which `sample` makes a place.
+Vec2f EnvironmentMap::pair_of(const Place& place) const {
+  const float* columns = &columns_[place.row * static_cast<std::size_t>(image_.width)];
+  const auto between = [](const float* shares, std::size_t index, float inside) {
+    const float before = index == 0 ? 0 : shares[index - 1];
+    return std::clamp(before + (shares[index] - before) * inside, 0.0F, 0x1.fffffep-1F);
   };
-  const std::size_t row = index_of(theta / std::numbers::pi, image_.height);
-  const std::size_t column = index_of(0.5 + phi / (2 * std::numbers::pi), image_.width);
-  return row * static_cast<std::size_t>(image_.width) + column;
+  return {between(columns, place.column, place.inside.x), between(rows_.data(), place.row, place.inside.y)};
 }
 
 Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Vec2f& place) const {
   const double cosine = cosines_[row] + double(place.y) * (cosines_[row + 1] - cosines_[row]);
   const double sine = std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));
-  const double phi = 2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5);
-  return {static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine),
-          static_cast<float>(-sine * std::cos(phi))};
+  const auto phi =
+      static_cast<float>(2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5));
+  return {static_cast<float>(sine) * std::sin(phi), static_cast<float>(cosine),
+          static_cast<float>(-sine) * std::cos(phi)};
 }
 
 /// True unless a direction at this place in a texel is surely found there again. The angles of a direction in
@@ -148,6 +172,21 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
 
 float EnvironmentMap::density(const Vec3f& direction) const {
   return is_black() ? 0 : static_cast<float>(luminance(radiance(direction)) / total_);
+}
+
+std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec3f& normal, const Vec2f& xi) const {
+  if (is_black()) return std::nullopt;
+  const auto [warped, density] = warps_.warp(normal, xi);
+  auto drawn = sample(warped);
+  if (drawn) drawn->density *= density;
+  return drawn;
+}
+
+float EnvironmentMap::density(const Vec3f& normal, const Vec3f& direction) const {
+  if (is_black()) return 0;
+  const Place place = place_of(direction);
+  const Rgb& radiance = image_.pixels[place.row * static_cast<std::size_t>(image_.width) + place.column];
+  return static_cast<float>(luminance(radiance) / total_) * warps_.density(normal, pair_of(place));
 }
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,

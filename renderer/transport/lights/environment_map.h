@@ -7,6 +7,7 @@
 
 #include "grf/math.h"
 #include "renderer/transport/image/image.h"
+#include "renderer/transport/lights/cosine_warps.h"
 
 namespace transport {
 
@@ -38,6 +39,10 @@ class EnvironmentMap {
   /// The density of `sample` per solid angle.
   float density(const grf::Vec3f& direction) const;
 
+  /// The same for a surface with this unit normal: nearly in proportion to the cosine with it too.
+  std::optional<EnvironmentSample> sample(const grf::Vec3f& normal, const grf::Vec2f& xi) const;
+  float density(const grf::Vec3f& normal, const grf::Vec3f& direction) const;
+
   /// Luminance integrated over all directions.
   double total() const { return total_; }
 
@@ -48,7 +53,15 @@ class EnvironmentMap {
   std::size_t wrong_texels() const { return wrong_texels_; }
 
  private:
+  /// A place on the image: a texel, and where in it, 0..1, from the upper left corner.
+  struct Place {
+    std::size_t row = 0;
+    std::size_t column = 0;
+    grf::Vec2f inside;
+  };
+  Place place_of(const grf::Vec3f& direction) const;
   std::size_t texel_at(const grf::Vec3f& direction) const;
+  grf::Vec2f pair_of(const Place& place) const;
   grf::Vec3f direction_in(std::size_t row, std::size_t column, const grf::Vec2f& place) const;
   bool is_near_border(std::size_t row, const grf::Vec2f& place) const;
   void repair();
@@ -61,6 +74,7 @@ class EnvironmentMap {
   std::vector<float> columns_;  ///< of columns within their row, row after row; all 1 in a black one
   /// Where to look for a share, see `guide`: of rows, and of columns row after row.
   std::vector<std::uint32_t> row_guide_, column_guides_;
+  CosineWarps warps_;
   std::vector<double> cosines_;  ///< of the angles from the y axis between rows, one more than rows
 };
 

@@ -35,6 +35,29 @@ auto with_shape(const Emitter& emitter, const View& view, const Use& use) {
   return use(SphericalParallelogram(view.corner, view.edge1, view.edge2));
 }
 
+/// True if an emitter is so far away that its points are seen alike: evenly by area is then as good as evenly
+/// by solid angle, and takes a tenth of the time.
+bool is_far(const Emitter& emitter, const Vec3f& from) {
+  const float part = emitter.is_triangle ? 1.0F / 3 : 0.5F;
+  const Vec3f middle = emitter.corner + (emitter.edge1 + emitter.edge2) * part;
+  return (middle - from).length2() > 4 * (emitter.edge1.length2() + emitter.edge2.length2());
+}
+
+/// Of points that are drawn evenly by area: per solid angle, towards a place on the emitter.
+float density_by_area(const Emitter& emitter, const Vec3f& to_light) {
+  const float distance2 = to_light.length2();
+  const float projected =
+      std::abs(emitter.doubled_area_normal().dot(to_light)) * (emitter.is_triangle ? 0.5F : 1.0F);
+  return distance2 * std::sqrt(distance2) / projected;
+}
+
+/// Evenly by area: weights of the two edges.
+Vec2f place_by_area(const Emitter& emitter, const Vec2f& xi) {
+  if (!emitter.is_triangle) return xi;
+  const float root = std::sqrt(xi.x);
+  return {1 - root, root * xi.y};
+}
+
 /// Digits for a choice among more emitters than a float has steps: taken from xi, scrambled.
 double lengthened(float choice, const Vec2f& xi) {
   std::uint32_t bits = std::bit_cast<std::uint32_t>(xi.x) * 0x9E3779B1U ^ std::bit_cast<std::uint32_t>(xi.y);
@@ -42,6 +65,18 @@ double lengthened(float choice, const Vec2f& xi) {
   bits = (bits ^ (bits >> 15)) * 0x846CA68BU;
   bits ^= bits >> 16;
   return double(choice) + double(bits) * 0x1p-56;
+}
+
+LightSample sample_at(const Emitter& emitter, const Vec2f& place, const Vec3f& direction, float density,
+                      std::uint32_t index) {
+  const Vec3f extent = absolute(emitter.corner) + absolute(emitter.edge1) + absolute(emitter.edge2);
+  return {direction,
+          emitter.corner + emitter.edge1 * place.x + emitter.edge2 * place.y,
+          extent * InterpolationError,
+          emitter.doubled_area_normal().normalized(),
+          emitter.radiance,
+          density,
+          index};
 }
 
 }  // namespace
@@ -61,6 +96,13 @@ std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal
   }
   const Emitter& emitter = emitters_[chosen.emitter];
   if (!may_light(emitter, from, normal)) return std::nullopt;
+  if (is_far(emitter, from)) {
+    const Vec2f place = place_by_area(emitter, xi);
+    const Vec3f to_light = emitter.corner - from + emitter.edge1 * place.x + emitter.edge2 * place.y;
+    const float density = chosen.probability * density_by_area(emitter, to_light);
+    if (!std::isfinite(density)) return std::nullopt;
+    return sample_at(emitter, place, to_light.normalized(), density, chosen.emitter);
+  }
   const View view(emitter, from);
   Vec2d place;
   const float solid_angle = with_shape(emitter, view, [&](const auto& shape) {
@@ -70,24 +112,23 @@ std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal
   const float density = chosen.probability / solid_angle;
   if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
   const Vec3d to_light = view.corner + view.edge1 * place.x + view.edge2 * place.y;
-  const Vec2f at(place);
-  const Vec3f extent = absolute(emitter.corner) + absolute(emitter.edge1) + absolute(emitter.edge2);
-  return LightSample{Vec3f(to_light.normalized()),
-                     emitter.corner + emitter.edge1 * at.x + emitter.edge2 * at.y,
-                     extent * InterpolationError,
-                     emitter.doubled_area_normal().normalized(),
-                     emitter.radiance,
-                     density,
-                     chosen.emitter};
+  return sample_at(emitter, Vec2f(place), Vec3f(to_light.normalized()), density, chosen.emitter);
 }
 
 float Lights::density(const Vec3f& from, const Vec3f& normal, std::size_t emitter,
-                      const Vec3f& /*direction*/) const {
+                      const Vec3f& direction) const {
   const Emitter& seen = emitters_[emitter];
   if (!may_light(seen, from, normal)) return 0;
   float probability = 1;
   if (size() > 1) {
     probability = tree_.probability(emitters_, from, normal, static_cast<std::uint32_t>(emitter));
+  }
+  if (is_far(seen, from)) {
+    // How far along the direction the emitter's plane is.
+    const Vec3f area = seen.doubled_area_normal();
+    const float along = area.dot(seen.corner - from) / area.dot(direction);
+    const float density = probability * density_by_area(seen, direction * along);
+    return std::isfinite(density) ? density : 0;
   }
   const float solid_angle =
       with_shape(seen, View(seen, from), [](const auto& shape) { return shape.solid_angle(); });

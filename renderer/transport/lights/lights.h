@@ -21,7 +21,8 @@ struct LightSample {
 };
 
 /// All that emits and has a place, to be sampled by solid angle: an emitter by the light tree, and then a
-/// direction evenly over what is seen of it.
+/// direction evenly over what is seen of it; or a point evenly over one that is more than two of its
+/// diagonals away, where that is as good.
 class Lights {
  public:
   Lights() = default;

@@ -52,20 +52,18 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
     point->emitter =
         geometry_->emitter_table[hit.instance().first_emitter + mesh.emitting_number(met->id.triangle)];
   }
-  if (!hit.triangle().is_flat && surface.reflector != None) raise(*point, hit.rise());
+  if (!hit.triangle().is_flat && surface.reflector != None) point->rise = hit.rise();
   return point;
 }
 
-void CompiledScene::raise(SurfacePoint& point, const Vec3f& rise) const {
+std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point) const {
   // Less than that is no way up from the triangle.
   const float least = 4 * absolute(point.geometric_normal).dot(point.error);
-  if (rise.length2() <= least * least) return;
-  const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, rise);
-  const Vec3f raised = point.position + rise;
-  if (caster_.is_occluded({foot, raised - foot, point.id})) return;
-  point.position = raised;
-  point.error += absolute(rise) * InterpolationError;
-  point.is_raised = true;
+  if (point.rise.length2() <= least * least) return std::nullopt;
+  const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, point.rise);
+  const Vec3f raised = point.position + point.rise;
+  if (caster_.is_occluded({foot, raised - foot, point.id})) return std::nullopt;
+  return RayStart{raised, TriangleId()};
 }
 
 bool CompiledScene::is_occluded(const Ray& ray, std::uint32_t emitter) const {

@@ -42,6 +42,14 @@ class CompiledScene {
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
 
+  /// Where a ray starts that leaves a surface in a direction above it, on the side of this normal. Under it
+  /// only if `rise` leads up, and nothing is on that way: light does not get through a wall.
+  std::optional<RayStart> start_of(const SurfacePoint& point, const Vec3f& direction,
+                                   const Vec3f& geometric_side) const {
+    if (direction.dot(geometric_side) > 0) return RayStart{point.origin_towards(direction), point.id};
+    return raised_start(point);
+  }
+
   /// True if anything is between the origin and origin + direction; if that is a point of an emitter, then
   /// but for the emitter itself.
   bool is_occluded(const Ray& ray, std::uint32_t emitter = None) const;
@@ -71,7 +79,7 @@ class CompiledScene {
 
  private:
   Effects geometry_effects() const;
-  void raise(SurfacePoint& point, const Vec3f& rise) const;
+  std::optional<RayStart> raised_start(const SurfacePoint& point) const;
 
   std::unique_ptr<const Geometry> geometry_;  ///< its arrays stay where they are, for the caster
   std::vector<CompiledSurface> surfaces_;
