@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
+
+#include <boost/container/small_vector.hpp>
 
 #include "renderer/reflectance/brdf.h"
 
@@ -14,6 +17,35 @@ bool any_part(const std::shared_ptr<const CombinedBrdfs>& parts, Condition condi
   return parts && std::any_of(parts->begin(), parts->end(), [&](const CombinedBrdf& part) {
            return part.weight > 0 && condition(part.brdf);
          });
+}
+
+/// Of each part, in order. Estimates can cost as much as the BRDFs themselves, so they are made once.
+using Albedos = boost::container::small_vector<float, 8>;
+
+Albedos albedos_of(const CombinedBrdfs& parts, const Vec3f& u) {
+  Albedos albedos;
+  for (const CombinedBrdf& part : parts) {
+    albedos.push_back(part.weight > 0 ? part.albedo_estimate(u) : 0.0F);
+  }
+  return albedos;
+}
+
+// One visit for all that is asked of a part, since dispatch costs as much as a simple model.
+Reflection reflection_of(const CombinedBrdfs& parts, const Albedos& albedos, const Vec3f& u, const Vec3f& v) {
+  Reflection sum = {Rgb(0), 0};
+  float total = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!(parts[i].weight > 0)) continue;
+    total += albedos[i];
+    std::visit(
+        [&](const auto& model) {
+          sum.value += model.evaluate(u, v) * parts[i].weight;
+          if (albedos[i] > 0) sum.density += albedos[i] * model.density(u, v);
+        },
+        parts[i].brdf);
+  }
+  sum.density = total > 0 ? sum.density / total : 0;
+  return sum;
 }
 
 }  // namespace
@@ -45,45 +77,31 @@ float Combine::albedo_estimate(const Vec3f& u) const {
   return sum;
 }
 
-// One visit for all that is asked of a part, since dispatch costs as much as a simple model.
 Reflection Combine::reflect(const Vec3f& u, const Vec3f& v) const {
-  Reflection sum = {Rgb(0), 0};
-  if (!parts) return sum;
-  float albedo = 0;
-  for (const CombinedBrdf& part : *parts) {
-    if (!(part.weight > 0)) continue;
-    std::visit(
-        [&](const auto& model) {
-          const float part_albedo = part.weight * model.albedo_estimate(u);
-          albedo += part_albedo;
-          sum.value += model.evaluate(u, v) * part.weight;
-          if (part_albedo > 0) sum.density += part_albedo * model.density(u, v);
-        },
-        part.brdf);
-  }
-  sum.density = albedo > 0 ? sum.density / albedo : 0;
-  return sum;
+  return parts ? reflection_of(*parts, albedos_of(*parts, u), u, v) : Reflection{Rgb(0), 0};
 }
 
 std::optional<DirectionSample> Combine::sample(const Vec3f& u, const Uniforms& xi) const {
-  const float total = albedo_estimate(u);
+  if (!parts) return std::nullopt;
+  const Albedos albedos = albedos_of(*parts, u);
+  const float total = std::accumulate(albedos.begin(), albedos.end(), 0.0F);
   if (!(total > 0)) return std::nullopt;
   float before = 0;
-  for (const CombinedBrdf& part : *parts) {
-    const float share = part.albedo_estimate(u) / total;
-    const bool is_last = &part == &parts->back();
+  for (std::size_t i = 0; i < albedos.size(); ++i) {
+    const float share = albedos[i] / total;
+    const bool is_last = i + 1 == albedos.size();
     if (!(share > 0) || (xi.choice >= before + share && !is_last)) {
       before += share;
       continue;
     }
     Uniforms rest = xi;
     rest.choice = std::clamp((xi.choice - before) / share, 0.0F, 0x1.fffffep-1F);
-    const auto drawn = std::visit([&](const auto& model) { return model.sample(u, rest); }, part.brdf);
+    const auto drawn = std::visit([&](const auto& model) { return model.sample(u, rest); }, (*parts)[i].brdf);
     if (!drawn) return std::nullopt;
-    const Reflection reflection = reflect(u, drawn->direction);
+    const Vec3f& v = drawn->direction;
+    const Reflection reflection = reflection_of(*parts, albedos, u, v);
     if (!(reflection.density > 0) || !std::isfinite(reflection.density)) return std::nullopt;
-    return DirectionSample{drawn->direction, reflection.value * (drawn->direction.z / reflection.density),
-                           reflection.density};
+    return DirectionSample{v, reflection.value * (v.z / reflection.density), reflection.density};
   }
   return std::nullopt;
 }

@@ -61,12 +61,15 @@ struct CosineAndLobe {
     }
   }
 
+  static constexpr float LeastProbability = 0.05F;
+
   // Never under 5 %, so that no direction in which the BRDF reflects is left out where the lobe's own density
   // vanishes.
   float cosine_probability(const Vec3f& u) const {
     const float matte = model().matte_albedo(u);
+    if (!(matte > 0)) return LeastProbability;
     const float total = matte + model().lobe_share(u);
-    return total > 0 ? std::max(0.05F, matte / total) : 1.0F;
+    return std::max(LeastProbability, matte / total);
   }
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "grf/math.h"
@@ -14,6 +16,14 @@ constexpr float InterpolationError = 7 * 0x1p-24F / (1 - 7 * 0x1p-24F);
 
 inline Vec3f absolute(const Vec3f& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
+/// The next float above or below one that is finite, as std::nextafter finds it, but in place.
+inline float next_float(float value, bool up) {
+  if (value == 0)
+    return up ? std::numeric_limits<float>::denorm_min() : -std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return std::bit_cast<float>((value > 0) == up ? bits + 1 : bits - 1);
+}
+
 /// A point that is surely on the side of the surface to which the direction points: moved along the surface's
 /// unit normal by the bound of the position's error for each axis, and then rounded away from the surface
 /// (Pharr, Jakob and Humphreys 2016, "Physically based rendering", section 3.9).
@@ -22,9 +32,8 @@ inline Vec3f offset_towards(const Vec3f& position, const Vec3f& error, const Vec
   const float distance = absolute(normal).dot(error);
   const Vec3f offset = normal * (direction.dot(normal) < 0 ? -distance : distance);
   const auto rounded_away = [](float value, float by) {
-    constexpr float Infinity = std::numeric_limits<float>::infinity();
     if (by == 0) return value;
-    return std::nextafter(value + by, by > 0 ? Infinity : -Infinity);
+    return next_float(value + by, by > 0);
   };
   return {rounded_away(position.x, offset.x), rounded_away(position.y, offset.y),
           rounded_away(position.z, offset.z)};
