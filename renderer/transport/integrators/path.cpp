@@ -191,7 +191,7 @@ std::optional<ScatterSample> Path<Has>::sample(const Scattering& scattering, con
   }
   if (!settings_.measures_sampling) return scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
   const std::uint64_t start = processor_ticks();
-  const auto drawn = scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
+  auto drawn = scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
   counter_.sampling_ticks += processor_ticks() - start;
   return drawn;
 }
