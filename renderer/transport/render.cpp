@@ -79,16 +79,16 @@ RenderEnd Render::run_stages() {
 bool Render::run_stage(int samples) {
   const int threads = tbb::this_task_arena::max_concurrency();
   TileQueue queue(film_, samples, threads);
-  publish(&film_);
+  publish();
   tbb::parallel_for(
       tbb::blocked_range<int>(0, threads, 1),
       [&](const tbb::blocked_range<int>& workers) {
-        see(&film_);
+        see();
         for (int i = workers.begin(); i != workers.end(); ++i) work(queue);
-        publish(&film_);
+        publish();
       },
       tbb::simple_partitioner());
-  see(&film_);
+  see();
   return queue.is_finished();
 }
 

@@ -17,16 +17,25 @@ extern "C" void __tsan_release(void* address);  // NOLINT: the sanitizer's name
 
 namespace transport {
 
-/// What was done before becomes visible to whoever calls `see` of the same object later.
-inline void publish([[maybe_unused]] void* object) {
 #ifdef GRANADA_THREAD_SANITIZER
-  __tsan_release(object);
+namespace detail {
+/// Stands for TBB. One for all: what a function captured, such as an object of its own, is what a task must
+/// not read before it has called `see`.
+inline constexpr char Tasks = 0;
+inline void* tasks() { return const_cast<char*>(&Tasks); }
+}  // namespace detail
+#endif
+
+/// What was done before becomes visible to whoever calls `see` later.
+inline void publish() {
+#ifdef GRANADA_THREAD_SANITIZER
+  __tsan_release(detail::tasks());
 #endif
 }
 
-inline void see([[maybe_unused]] void* object) {
+inline void see() {
 #ifdef GRANADA_THREAD_SANITIZER
-  __tsan_acquire(object);
+  __tsan_acquire(detail::tasks());
 #endif
 }
 

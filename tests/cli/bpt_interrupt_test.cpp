@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/listener.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -27,9 +28,10 @@ class BptInterrupt : public testing::Test {
   std::string path(const std::string& name) const { return folder_.path(name); }
 
   Outcome render(std::vector<std::string> arguments,
-                 const std::optional<test::Interruption>& interruption = {}) const {
-    arguments.insert(arguments.begin(), {GRANADA_BIN_DIR "/bpt", "render", scene_, "--size", "64x48"});
-    return test::run(arguments, {}, interruption);
+                 const std::vector<test::Interruption>& interruptions = {},
+                 const std::string& size = "64x48") const {
+    arguments.insert(arguments.begin(), {GRANADA_BIN_DIR "/bpt", "render", scene_, "--size", size});
+    return test::run(arguments, {}, interruptions);
   }
 
   static std::vector<json> lines_of(const std::string& out) {
@@ -46,7 +48,7 @@ TEST_F(BptInterrupt, ResumesToTheSameBytes) {
   auto arguments = common;
   arguments.insert(arguments.end(), {"--output", path("part.pfm"), "--json"});
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Outcome outcome = render(arguments, test::Interruption{signal, std::chrono::milliseconds(150)});
+    const Outcome outcome = render(arguments, {{signal, std::chrono::milliseconds(150)}});
     ASSERT_EQ(outcome.exit_code, 130) << outcome.err << outcome.out;
     EXPECT_LT(json::parse(outcome.out)["samples"].get<double>(), 3000);
     ASSERT_TRUE(std::filesystem::exists(path("state")) && std::filesystem::exists(path("part.pfm")));
@@ -58,6 +60,21 @@ TEST_F(BptInterrupt, ResumesToTheSameBytes) {
   EXPECT_TRUE(test::bytes_of(path("part.pfm")) == test::bytes_of(path("whole.pfm")));
   EXPECT_EQ(folder_.names(),
             (std::vector<std::string>{"part.pfm", "quad.grf", "scene.grf", "state", "whole.pfm"}));
+}
+
+// A render that has ended waits two seconds for a viewer that does not take what it is sent.
+TEST_F(BptInterrupt, EndsAtOnceAtTheSecondSignal) {
+  const test::Interruption first = {SIGINT, std::chrono::milliseconds(1000)};
+  const test::Interruption second = {SIGTERM, std::chrono::milliseconds(200)};
+  for (const bool is_patient : {true, false}) {
+    const test::Listener viewer;
+    const std::string image = path(is_patient ? "kept.pfm" : "lost.pfm");
+    const Outcome outcome =
+        render({"--samples", "1000000", "--display-server", "127.0.0.1:" + viewer.port(), "--output", image},
+               is_patient ? std::vector{first} : std::vector{first, second}, "700x700");
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+    EXPECT_EQ(std::filesystem::exists(image), is_patient) << outcome.err;
+  }
 }
 
 TEST_F(BptInterrupt, RefusesACheckpointOfAnotherImage) {

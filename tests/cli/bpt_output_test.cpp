@@ -164,7 +164,7 @@ TEST_F(BptOutput, IsKeptElsewhereIfItsFolderIsGone) {
   const Outcome outcome =
       test::run({"/usr/bin/env", "TMPDIR=" + path("fallback"), GRANADA_BIN_DIR "/bpt", "render", scene_,
                  "--output", output, "--samples", "100000000", "--size", "16x16"},
-                {}, test::Interruption{SIGINT, std::chrono::milliseconds(1500)});
+                {}, {{SIGINT, std::chrono::milliseconds(1500)}});
   remover.join();
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find(output + ": error: cannot create the file: No such file"), std::string::npos)

@@ -117,7 +117,7 @@ TEST_F(Bpt, KeepsTheImageWhenItIsInterrupted) {
     const std::string output = path("image" + std::to_string(signal) + ".png");
     const Outcome outcome = test::run({GRANADA_BIN_DIR "/bpt", "render", scene, "--output", output,
                                        "--samples", "100000000", "--size", "64x64", "--json"},
-                                      {}, test::Interruption{signal, std::chrono::milliseconds(1500)});
+                                      {}, {{signal, std::chrono::milliseconds(1500)}});
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     ASSERT_TRUE(std::filesystem::exists(output));
     const double samples = nlohmann::json::parse(outcome.out)["samples"].get<double>();

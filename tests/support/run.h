@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -53,7 +52,7 @@ inline std::string contents(std::FILE* file) {
 
 }  // namespace detail
 
-/// A signal to send to a program that has run for a while.
+/// A signal to send to a program that has run for a while, since its start or the signal before.
 struct Interruption {
   int signal = SIGINT;
   std::chrono::milliseconds after = std::chrono::milliseconds(0);
@@ -61,7 +60,7 @@ struct Interruption {
 
 /// Runs the program whose path is the first word, with the others as its arguments, and waits for its end.
 inline Outcome run(const std::vector<std::string>& command, std::string_view input = {},
-                   const std::optional<Interruption>& interruption = {}) {
+                   const std::vector<Interruption>& interruptions = {}) {
   const std::array<detail::File, 3> files = {detail::temporary_file(), detail::temporary_file(),
                                              detail::temporary_file()};
   std::fwrite(input.data(), 1, input.size(), files[0].get());
@@ -79,9 +78,9 @@ inline Outcome run(const std::vector<std::string>& command, std::string_view inp
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) throw std::system_error(failure, std::generic_category(), command[0]);
 
-  if (interruption) {
-    std::this_thread::sleep_for(interruption->after);
-    ::kill(process, interruption->signal);
+  for (const Interruption& interruption : interruptions) {
+    std::this_thread::sleep_for(interruption.after);
+    ::kill(process, interruption.signal);
   }
   int status = 0;
   if (::waitpid(process, &status, 0) != process) throw std::runtime_error("waitpid failed");

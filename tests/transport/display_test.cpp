@@ -2,13 +2,11 @@
 #include <cstring>
 #include <thread>
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include "renderer/transport/display_client.h"
+#include "tests/support/listener.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace {
@@ -17,43 +15,7 @@ using transport::DisplayAddress;
 using transport::DisplayClient;
 using transport::Render;
 
-/// Listens on a port that the system chooses.
-class Server {
- public:
-  Server() : listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address = {};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof(address);
-    if (::bind(listener_, reinterpret_cast<sockaddr*>(&address), size) != 0 || ::listen(listener_, 1) != 0 ||
-        ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
-      throw std::runtime_error("cannot listen");
-    }
-    port_ = ntohs(address.sin_port);
-  }
-  ~Server() { ::close(listener_); }
-
-  DisplayAddress address() const { return {"127.0.0.1", std::to_string(port_)}; }
-
-  int accept() const { return ::accept(listener_, nullptr, nullptr); }
-
-  /// All bytes of one connection.
-  std::string receive() const {
-    const int socket = accept();
-    std::string bytes;
-    std::array<char, 65536> part = {};
-    ssize_t count = 0;
-    while ((count = ::recv(socket, part.data(), part.size(), 0)) > 0) {
-      bytes.append(part.data(), static_cast<std::size_t>(count));
-    }
-    ::close(socket);
-    return bytes;
-  }
-
- private:
-  int listener_;
-  int port_ = 0;
-};
+DisplayAddress address_of(const test::Listener& viewer) { return {"127.0.0.1", viewer.port()}; }
 
 /// Reads the fields of a packet one by one.
 class Fields {
@@ -159,12 +121,12 @@ class Display : public testing::Test {
 };
 
 TEST_F(Display, ShowsTheFinalImageAndStatesBefore) {
-  const Server server;
+  const test::Listener server;
   std::string bytes;
   std::thread viewer([&] { bytes = server.receive(); });
   Render render(scene_, settings(150));
   {
-    DisplayClient client(render, server.address(), "a picture.exr");
+    DisplayClient client(render, address_of(server), "a picture.exr");
     render.run();
     client.finish(std::chrono::seconds(30));
     EXPECT_EQ(client.take_problem(), std::nullopt);
@@ -189,8 +151,8 @@ TEST_F(Display, ShowsTheFinalImageAndStatesBefore) {
 TEST_F(Display, DoesWithoutAViewer) {
   DisplayAddress nobody;
   {
-    const Server gone;
-    nobody = gone.address();
+    const test::Listener gone;
+    nobody = address_of(gone);
   }
   Render render(scene_, settings(2));
   DisplayClient client(render, nobody, "image");
@@ -203,10 +165,10 @@ TEST_F(Display, DoesWithoutAViewer) {
 }
 
 TEST_F(Display, GoesOnWhenTheViewerIsGone) {
-  const Server server;
+  const test::Listener server;
   std::thread viewer([&] { ::close(server.accept()); });
   Render render(scene_, settings(300));
-  DisplayClient client(render, server.address(), "image");
+  DisplayClient client(render, address_of(server), "image");
   render.run();
   viewer.join();
   client.finish();
@@ -218,12 +180,12 @@ TEST_F(Display, GoesOnWhenTheViewerIsGone) {
 
 // The socket's buffers are full before the image is through.
 TEST_F(Display, WaitsForNoViewerThatDoesNotRead) {
-  const Server server;
+  const test::Listener server;
   transport::RenderSettings large = settings(1);
   large.width = large.height = 1500;
   Render render(scene_, large);
   const auto start = std::chrono::steady_clock::now();
-  DisplayClient client(render, server.address(), "image");
+  DisplayClient client(render, address_of(server), "image");
   render.run();
   client.finish(std::chrono::milliseconds(100));
   EXPECT_EQ(render.end(), transport::RenderEnd::Samples);

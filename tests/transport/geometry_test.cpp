@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,34 +30,60 @@ CompiledScene compiled(const std::string& text, std::size_t most_copied_triangle
       *transport::compile(grf::read_text(text, "test.grf", diagnostics).value(), diagnostics, settings));
 }
 
-/// How many of the rays to edges and corners of the unit box, and of those that they become there, get out.
-/// The map takes the unit box to the room.
-int leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<float> uniform(-1, 1);
-  int leaks = 0;
+/// A place within a twentieth of the unit box's size of its centre.
+template <class Uniform>
+Vec3f near_centre(Uniform& uniform) {
+  return {0.1F * uniform(), 0.1F * uniform(), 0.1F * uniform()};
+}
+
+/// A place on one of the unit box's edges, or one of its corners.
+template <class Uniform>
+Vec3f on_edge_or_corner(Uniform& uniform, int first_axis, bool is_corner) {
+  Vec3f place(uniform(), uniform(), uniform());
+  for (int k = 0; k < (is_corner ? 3 : 2); ++k) {
+    float& component = place[(first_axis + k) % 3];
+    component = component < 0 ? -1.0F : 1.0F;
+  }
+  return place;
+}
+
+auto uniform_numbers() {
+  return [random = std::mt19937(7), distribution = std::uniform_real_distribution<float>(-1, 1)]() mutable {
+    return distribution(random);
+  };
+}
+
+struct Leaks {
+  int through_edges = 0;
+  int after_corners_or_edges = 0;  ///< of rays in any direction into the room that start there
+  std::vector<Ray> through_corners;
+};
+
+/// Which of the rays to edges and corners of the unit box, and of those that they become there, get out. The
+/// map takes the unit box to the room.
+Leaks leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
+  auto uniform = uniform_numbers();
+  Leaks leaks;
   for (int i = 0; i < count; ++i) {
-    Vec3f target(uniform(random), uniform(random), uniform(random));
-    const int corner_axes = 2 + i % 2;  // an edge or a corner
-    for (int k = 0; k < corner_axes; ++k) {
-      float& component = target[(i + k) % 3];
-      component = component < 0 ? -1.0F : 1.0F;
-    }
-    const Vec3f eye(0.1F * uniform(random), 0.1F * uniform(random), 0.1F * uniform(random));
-    const Vec3f start(grf::Vec3d(eye) * map);
-    const auto point = scene.intersect({start, Vec3f(grf::Vec3d(target) * map) - start});
+    const bool is_corner = i % 2 == 1;
+    const Vec3f target(grf::Vec3d(on_edge_or_corner(uniform, i / 2, is_corner)) * map);
+    const Vec3f start(grf::Vec3d(near_centre(uniform)) * map);
+    const Ray ray = {start, target - start};
+    const auto point = scene.intersect(ray);
     if (!point) {
-      ++leaks;
+      if (is_corner)
+        leaks.through_corners.push_back(ray);
+      else
+        ++leaks.through_edges;
       continue;
     }
     const Vec3f inside = (start - point->position).normalized();
-    Vec3f direction(uniform(random), uniform(random), uniform(random));
+    Vec3f direction(uniform(), uniform(), uniform());
     const Vec3f normal =
         point->geometric_normal.dot(inside) < 0 ? -point->geometric_normal : point->geometric_normal;
     if (direction.dot(normal) < 0) direction = -direction;
-    if (scene.escapes({point->origin_towards(direction), direction, point->id}) ||
-        !scene.intersect({point->origin_towards(direction), direction, point->id}))
-      ++leaks;
+    const transport::Ray ray = {point->origin_towards(direction), direction, point->id};
+    if (scene.escapes(ray) || !scene.intersect(ray)) ++leaks.after_corners_or_edges;
   }
   return leaks;
 }
@@ -72,19 +99,50 @@ std::string placed(const std::string& what, const Vec3f& scale, const Vec3f& ang
                      what);
 }
 
+/// How many of eight rays about this one, which pass its end at so many roundings of its length, get out.
+int leaks_about(const CompiledScene& scene, const Ray& ray, float roundings) {
+  const Vec3f axis = ray.direction.normalized();
+  const Vec3f across = axis.cross(std::abs(axis.x) < 0.5F ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)).normalized();
+  const Vec3f up = axis.cross(across);
+  const float distance = roundings * 0x1p-24F * ray.direction.length();
+  int leaks = 0;
+  for (int i = 0; i < 8; ++i) {
+    const float angle = static_cast<float>(i) * static_cast<float>(M_PI) / 4;
+    const Vec3f shift = (across * std::cos(angle) + up * std::sin(angle)) * distance;
+    if (!scene.intersect({ray.origin, ray.direction + shift})) ++leaks;
+  }
+  return leaks;
+}
+
 TEST(ClosedBox, LetsNoRayOut) {
-  constexpr int Rays = 100'000;
-  const std::array<std::array<Vec3f, 3>, 5> maps = {{{Vec3f(1), Vec3f(0), Vec3f(0)},
+  constexpr int Rays = 200'000;
+  const std::array<std::array<Vec3f, 3>, 4> maps = {{{Vec3f(1), Vec3f(0), Vec3f(0)},
                                                      {Vec3f(1), Vec3f(0.3F, 0.5F, 0.7F), Vec3f(0.2F)},
                                                      {Vec3f(1e-6F), Vec3f(0.3F, 0.5F, 0.7F), Vec3f(0)},
-                                                     {Vec3f(1e6F), Vec3f(0.3F, 0.5F, 0.7F), Vec3f(5e5F)},
-                                                     {Vec3f(1, 2, 30), Vec3f(1, 2, 3), Vec3f(7)}}};
+                                                     {Vec3f(1e6F), Vec3f(0.3F, 0.5F, 0.7F), Vec3f(5e5F)}}};
   for (const auto& [scale, angles, offset] : maps) {
     const CompiledScene scene = test::scene_of(placed(box("brdf diffuse"), scale, angles, offset));
-    // Embree misses a few of the rays that aim exactly at a corner of the long room.
-    const int most = scale.x == scale.z ? 0 : Rays / 200;
-    EXPECT_LE(leaks(scene, map_of(scale, angles, offset), Rays), most) << scale << angles << offset;
+    const Leaks found = leaks(scene, map_of(scale, angles, offset), Rays);
+    EXPECT_EQ(found.through_edges, 0) << scale << angles << offset;
+    EXPECT_EQ(found.after_corners_or_edges, 0) << scale << angles << offset;
+    EXPECT_TRUE(found.through_corners.empty()) << scale << angles << offset;
   }
+}
+
+// Embree decides for each edge on which side of it a ray passes, the same for both of its triangles: nothing
+// gets through an edge. But at a vertex that is far away for the size of its triangles, these decisions can
+// be at odds with each other within their rounding, so that a ray passes all edges of the vertex on the side
+// on which the next triangle is not. It has to aim at the vertex for that.
+TEST(ClosedBox, OfGreatLengthHasHolesInItsCornersOfTheSizeOfRoundingAlone) {
+  constexpr int Rays = 200'000;
+  const Vec3f scale(1, 2, 30);
+  const Vec3f angles(1, 2, 3);
+  const CompiledScene scene = test::scene_of(placed(box("brdf diffuse"), scale, angles, Vec3f(7)));
+  const Leaks found = leaks(scene, map_of(scale, angles, Vec3f(7)), Rays);
+  EXPECT_EQ(found.through_edges, 0);
+  EXPECT_EQ(found.after_corners_or_edges, 0);
+  EXPECT_LT(found.through_corners.size(), Rays / 2 / 50);
+  for (const Ray& ray : found.through_corners) ASSERT_EQ(leaks_about(scene, ray, 64), 0);
 }
 
 TEST(ClosedBox, LetsNoRayOutOfAnInstance) {
@@ -95,7 +153,10 @@ TEST(ClosedBox, LetsNoRayOutOfAnInstance) {
                    placed("use room", Vec3f(1, 2, 0.5F), angles, Vec3f(0.2F)) + far_one + "end",
                0);
   ASSERT_EQ(scene.instance_count(), 2U);
-  EXPECT_EQ(leaks(scene, map_of(Vec3f(1, 2, 0.5F), angles, Vec3f(0.2F)), 100'000), 0);
+  const Leaks found = leaks(scene, map_of(Vec3f(1, 2, 0.5F), angles, Vec3f(0.2F)), 100'000);
+  EXPECT_EQ(found.through_edges, 0);
+  EXPECT_EQ(found.after_corners_or_edges, 0);
+  EXPECT_TRUE(found.through_corners.empty());
 }
 
 double sphere_brightness(const Vec3f& centre, bool normals) {

@@ -204,7 +204,7 @@ inline float value_at(const WarpTop& top, const WarpQuad* quads, const ColumnPoi
     const int right = std::min(static_cast<int>(local.x), 1);
     const int upper = std::min(static_cast<int>(local.y), 1);
     local -= Vec2f(static_cast<float>(right), static_cast<float>(upper));
-    node = static_cast<std::size_t>(right + 2 * upper);
+    node = static_cast<std::size_t>(right) + 2 * static_cast<std::size_t>(upper);
   }
   return value_at(quad->patch(node), local);
 }

@@ -95,13 +95,13 @@ FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int w
         sum.hits > 0 ? sum.depth / static_cast<float>(sum.hits) : std::numeric_limits<float>::infinity();
   };
   run_with_threads(threads, [&] {
-    publish(&layers);
+    publish();
     tbb::parallel_for(0, height, [&](int y) {
-      see(&layers);
+      see();
       for (int x = 0; x < width; ++x) fill(x, y);
-      publish(&layers);
+      publish();
     });
-    see(&layers);
+    see();
   });
   return layers;
 }

@@ -194,7 +194,7 @@ std::optional<ScatterSample> Path<Has>::sample(const Scattering& scattering, con
   }
   if (!settings_.measures_sampling) return scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
   const std::uint64_t start = processor_ticks();
-  const auto drawn = scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
+  auto drawn = scattering.reflector.sample(scattering.u, {xi.xy(), xi.z});
   counter_.sampling_ticks += processor_ticks() - start;
   return drawn;
 }
@@ -268,14 +268,15 @@ constexpr PathKernel kernel_with() {
   return {Has, &path_radiance<Has>};
 }
 
+constexpr PathEffects MatteUnderLights = {
+    .area_lights = true, .environment = false, .resampling = false, .other_than_matte = false};
+constexpr PathEffects UnderLights = {.area_lights = true, .environment = false, .resampling = false};
+constexpr PathEffects UnderEnvironment = {.area_lights = false, .resampling = false};
+constexpr PathEffects All;
+
 /// From what does least to what does all.
-constexpr std::array Kernels = {
-    kernel_with<{
-        .area_lights = true, .environment = false, .resampling = false, .other_than_matte = false}>(),
-    kernel_with<{.area_lights = true, .environment = false, .resampling = false}>(),
-    kernel_with<{.area_lights = false, .resampling = false}>(),
-    kernel_with<{}>(),
-};
+constexpr std::array Kernels = {kernel_with<MatteUnderLights>(), kernel_with<UnderLights>(),
+                                kernel_with<UnderEnvironment>(), kernel_with<All>()};
 
 bool covers(const PathEffects& kernel, const PathEffects& wanted) {
   return kernel.area_lights >= wanted.area_lights && kernel.environment >= wanted.environment &&

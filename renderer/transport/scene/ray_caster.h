@@ -17,7 +17,8 @@ struct TriangleHit {
 };
 
 /// Finds what rays meet: the one user of Embree. Its robust mode leaves no cracks along shared edges of a
-/// mesh.
+/// mesh. A ray that aims at a vertex itself, and passes it within some roundings of their distance, can get
+/// through there, if the triangles at the vertex are small for that distance.
 ///
 /// The first mesh is met without a transform; the others through Embree's instances, and only those that an
 /// instance places.

@@ -77,13 +77,13 @@ ReflectorSet ReflectorSetBuilder::build(int threads) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::optional<Reflector>> made(pairs_.size());
   run_with_threads(threads, [&] {
-    publish(&made);
+    publish();
     tbb::parallel_for(std::size_t(0), pairs_.size(), [&](std::size_t i) {
-      see(&made);
+      see();
       made[i].emplace(pairs_[i].brdf, pairs_[i].scheme, missed_part_);
-      publish(&made);
+      publish();
     });
-    see(&made);
+    see();
   });
   ReflectorSet set;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

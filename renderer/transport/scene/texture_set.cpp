@@ -43,13 +43,13 @@ std::vector<Texture> TextureSetBuilder::build(int threads) {
   std::vector<Read> results(files_.size());
   if (!files_.empty()) {
     run_with_threads(threads, [&] {
-      publish(&results);
+      publish();
       tbb::parallel_for(std::size_t(0), files_.size(), [&](std::size_t i) {
-        see(&results);
+        see();
         read(files_[i].path, files_[i].asked_for_at, results[i]);
-        publish(&results);
+        publish();
       });
-      see(&results);
+      see();
     });
   }
   std::vector<Texture> textures;

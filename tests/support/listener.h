@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace test {
+
+/// Listens on loopback, on a port that the system chooses. Until somebody receives, a connection takes what
+/// the buffers of the sockets hold, and no more.
+class Listener {
+ public:
+  Listener() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in in = {};
+    in.sin_family = AF_INET;
+    in.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    auto* address = reinterpret_cast<sockaddr*>(&in);
+    socklen_t size = sizeof(in);
+    if (socket_ < 0 || ::bind(socket_, address, size) != 0 || ::listen(socket_, 1) != 0 ||
+        ::getsockname(socket_, address, &size) != 0) {
+      throw std::system_error(errno, std::generic_category(), "cannot listen");
+    }
+    port_ = std::to_string(ntohs(in.sin_port));
+  }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+  ~Listener() { ::close(socket_); }
+
+  const std::string& port() const { return port_; }
+
+  /// The socket of the next connection, which the caller closes.
+  int accept() const { return ::accept(socket_, nullptr, nullptr); }
+
+  /// All bytes of one connection.
+  std::string receive() const {
+    const int connection = accept();
+    std::string bytes;
+    std::array<char, 65536> part = {};
+    ssize_t count = 0;
+    while ((count = ::recv(connection, part.data(), part.size(), 0)) > 0) {
+      bytes.append(part.data(), static_cast<std::size_t>(count));
+    }
+    ::close(connection);
+    return bytes;
+  }
+
+ private:
+  int socket_;
+  std::string port_;
+};
+
+}  // namespace test
