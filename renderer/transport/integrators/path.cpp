@@ -265,11 +265,11 @@ constexpr PathKernel kernel_with() {
 
 /// From what does least to what does all.
 constexpr std::array Kernels = {
-    kernel_with<{
+    kernel_with<PathEffects{
         .area_lights = true, .environment = false, .resampling = false, .other_than_matte = false}>(),
-    kernel_with<{.area_lights = true, .environment = false, .resampling = false}>(),
-    kernel_with<{.area_lights = false, .resampling = false}>(),
-    kernel_with<{}>(),
+    kernel_with<PathEffects{.area_lights = true, .environment = false, .resampling = false}>(),
+    kernel_with<PathEffects{.area_lights = false, .resampling = false}>(),
+    kernel_with<PathEffects{}>(),
 };
 
 bool covers(const PathEffects& kernel, const PathEffects& wanted) {
