@@ -51,7 +51,7 @@ V3d sky(const Direction& direction) {
   const double haze = std::exp(-direction.height / 16);
   const V3d blue = V3d(0.13, 0.28, 0.66) + V3d(0.5, 0.42, 0.16) * haze;
   const V3d glow = V3d(1.5, 1.2, 0.8) * std::exp(-away / 9);
-  return blue + glow + V3d(640, 520, 370) * (1 - smooth_step(1.5, 4, away));
+  return blue + glow + V3d(200, 164, 118) * (1 - smooth_step(2, 7.5, away));
 }
 
 /// A rectangle of light with soft edges.
