@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,11 +19,12 @@ struct SampleScene {
   transport::RenderSettings settings;
 };
 
-inline SampleScene sample_scene(const std::string& op_path) {
+inline SampleScene sample_scene(const std::string& op_path,
+                                const transport::CompileSettings& compile_settings = {}) {
   grf::Diagnostics diagnostics;
   const auto options = options::read_op_file(op_path, diagnostics);
   const auto scene = options ? grf::read(options->scene, diagnostics) : std::nullopt;
-  auto compiled = scene ? transport::compile(*scene, diagnostics) : std::nullopt;
+  auto compiled = scene ? transport::compile(*scene, diagnostics, compile_settings) : std::nullopt;
   if (!compiled) throw std::runtime_error(diagnostics.to_text());
   transport::RenderSettings settings;
   settings.width = 37;  // tiles are cut off at two sides
@@ -33,6 +36,11 @@ inline SampleScene sample_scene(const std::string& op_path) {
   if (options->target) settings.view.target = *options->target;
   settings.integrator.background = options->background;
   settings.integrator.depth = options->depth;
+  if (!options->environment.empty()) {
+    auto map = transport::read_environment_map(options->environment, diagnostics);
+    if (!map) throw std::runtime_error(diagnostics.to_text());
+    settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
+  }
   return {op_path, std::move(*compiled), settings};
 }
 
@@ -44,7 +52,8 @@ inline std::vector<std::string> sample_op_files() {
     const bool is_bunny = entry.path().parent_path().filename() == "bunny";
     if (entry.path().extension() == ".op" && !is_bunny) paths.push_back(entry.path().string());
   }
-  if (paths.size() < 2) throw std::runtime_error("there are too few sample scenes");
+  if (paths.size() < 5) throw std::runtime_error("there are too few sample scenes");
+  std::sort(paths.begin(), paths.end());
   return paths;
 }
 
