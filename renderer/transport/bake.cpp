@@ -123,8 +123,8 @@ void Bake::run() {
   end_ = end;
 }
 
-/// The samples a vertex after which the error is looked at: those of the pilots, and then ever more, so that a
-/// bake that is ended by time or by a signal is about as good everywhere.
+/// The samples a vertex after which the error is looked at: those of the pilots, and then ever more, so that
+/// a bake that is ended by time or by a signal is about as good everywhere.
 int Bake::samples_of_stage(int stage) const {
   std::int64_t samples = 2 * PilotSamples;
   for (int i = 0; i < stage && samples < settings_.samples; ++i) samples = next_check(samples);
