@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "renderer/command/bake_command.h"
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/render_command.h"
@@ -21,6 +22,27 @@ using grf::ExitCode;
 std::string type_name_of(const options::OptionInfo& option) {
   if (std::holds_alternative<options::SizeOption>(option.value)) return "WxH";
   return options::word_count(option) == 2 ? "MxN" : std::string(option.values);
+}
+
+void add_progress(CLI::App& command, std::string& progress) {
+  command
+      .add_option(
+          "--progress", progress,
+          "bar: on standard error, if that is a terminal; json: up to four times a second a line on "
+          "standard output, an object of done (0 to 1), seconds, seconds_left, estimated_error (null "
+          "while unknown) and image (null until it is written, which the last line tells); none (bar)")
+      ->type_name("bar|json|none")
+      ->check(CLI::IsMember({"bar", "json", "none"}));
+}
+
+/// A flag that a render and a bake have in common.
+void add_option(CLI::App& command, const options::OptionInfo& option, command::OptionFlags& flags) {
+  const std::string flag(option.flag);
+  command
+      .add_option_function<std::string>(
+          flag, [&flags, flag](const std::string& text) { flags[flag] = text; },
+          fmt::format("{} ({})", option.meaning, option.default_value))
+      ->type_name(type_name_of(option));
 }
 
 void add_render(CLI::App& app, command::RenderArguments& arguments) {
@@ -45,22 +67,37 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
           std::string(option.meaning));
       continue;
     }
-    render
-        ->add_option_function<std::string>(
-            flag, [&arguments, flag](const std::string& text) { arguments.flags[flag] = text; },
-            fmt::format("{} ({})", option.meaning, option.default_value))
-        ->type_name(type_name_of(option));
+    add_option(*render, option, arguments.flags);
   }
-  render
-      ->add_option(
-          "--progress", arguments.progress,
-          "bar: on standard error, if that is a terminal; json: up to four times a second a line on "
-          "standard output, an object of done (0 to 1), seconds, seconds_left, estimated_error (null "
-          "while unknown) and image (null until it is written, which the last line tells); none (bar)")
-      ->type_name("bar|json|none")
-      ->check(CLI::IsMember({"bar", "json", "none"}));
+  add_progress(*render, arguments.progress);
   render->add_flag("--json", arguments.json,
                    "print the summary as JSON; after --progress json as one more line");
+}
+
+/// Of the options for images, a bake takes those that say how light is estimated and for how long.
+void add_bake(CLI::App& app, command::BakeArguments& arguments) {
+  CLI::App* bake = app.add_subcommand(
+      "bake", "Estimate what arrives at the vertices of a scene, and write both as an IGRF file");
+  bake->add_option("scene", arguments.scene, "an OP file, or a GRF scene")
+      ->required()
+      ->type_name("SCENE.op|SCENE.grf");
+  bake->add_option("-o,--output", arguments.output, "the file to write; included files are written into it")
+      ->required()
+      ->type_name("FILE.igrf");
+  bake->add_option("--directions", arguments.directions,
+                   "write a list of so many directions for each vertex, in place of one value: cells of "
+                   "equal cosine-weighted solid angle, whose values add up to it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  for (const options::OptionInfo& option : options::option_table()) {
+    for (const char* flag : {"--samples", "--target-error", "--time", "--depth", "--seed", "--threads",
+                             "--environment", "--checkpoint", "--pdf"}) {
+      if (option.flag == flag) add_option(*bake, option, arguments.flags);
+    }
+  }
+  add_progress(*bake, arguments.progress);
+  bake->add_flag("--json", arguments.json,
+                 "print the summary as JSON; after --progress json as one more line");
 }
 
 void add_sample(CLI::App& sample, command::BrdfArguments& arguments) {
@@ -147,6 +184,8 @@ ExitCode run(int argc, char** argv) {
   app.require_subcommand(1);
   command::RenderArguments arguments;
   add_render(app, arguments);
+  command::BakeArguments bake_arguments;
+  add_bake(app, bake_arguments);
   command::BrdfArguments brdf_arguments;
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
@@ -159,6 +198,7 @@ ExitCode run(int argc, char** argv) {
   }
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
+  if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);
 }
 

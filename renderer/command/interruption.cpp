@@ -27,10 +27,10 @@ void Interruption::wait() {
   const timespec timeout = {0, 20'000'000};
   while (!ended_) {
     if (sigtimedwait(&set_, nullptr, &timeout) <= 0) continue;
-    transport::Render* render = render_;
-    if (render == nullptr || has_come_) std::_Exit(static_cast<int>(grf::ExitCode::Interrupted));
+    const std::lock_guard lock(stop_lock_);
+    if (!stop_ || has_come_) std::_Exit(static_cast<int>(grf::ExitCode::Interrupted));
     has_come_ = true;
-    render->stop();
+    stop_();
   }
 }
 

@@ -2,9 +2,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <functional>
+#include <mutex>
 #include <thread>
-
-#include "renderer/transport/render.h"
 
 namespace command {
 
@@ -21,8 +21,12 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  /// Has the first signal stop this render, which must outlive this object.
-  void stops(transport::Render& render) { render_ = &render; }
+  /// Has the first signal stop this render or bake, which must outlive this object.
+  template <class Work>
+  void stops(Work& work) {
+    const std::lock_guard lock(stop_lock_);
+    stop_ = [&work] { work.stop(); };
+  }
   bool has_come() const { return has_come_; }
 
  private:
@@ -30,7 +34,8 @@ class Interruption {
 
   sigset_t set_ = {};
   sigset_t before_ = {};
-  std::atomic<transport::Render*> render_ = nullptr;
+  std::mutex stop_lock_;
+  std::function<void()> stop_;
   std::atomic<bool> has_come_ = false;
   std::atomic<bool> ended_ = false;
   std::thread thread_;  ///< the last member: it uses the others

@@ -13,12 +13,12 @@
 
 #include "grf/check.h"
 #include "grf/read.h"
+#include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_job.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
-#include "renderer/options/op_file.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/render.h"
@@ -32,41 +32,11 @@ using grf::ExitCode;
 using options::RenderOptions;
 using transport::CompiledScene;
 
-bool is_op_file(const std::string& path) { return std::filesystem::path(path).extension() == ".op"; }
-
-/// A flag's words: `800x600` are two.
-std::vector<std::string> words_of(const options::OptionInfo& option, const std::string& text) {
-  const std::size_t x = text.find('x');
-  if (options::word_count(option) != 2 || x == std::string::npos) return {text};
-  return {text.substr(0, x), text.substr(x + 1)};
-}
-
-bool apply_flags(const RenderArguments& arguments, RenderOptions& render_options) {
-  bool right = true;
-  for (const options::OptionInfo& option : options::option_table()) {
-    const auto given = arguments.flags.find(std::string(option.flag));
-    if (option.flag.empty() || given == arguments.flags.end()) continue;
-    const auto problem = set_option(render_options, option, words_of(option, given->second));
-    if (problem) fmt::print(stderr, "error: {}: {}\n", option.flag, *problem);
-    right = right && !problem;
-    render_options.locations.erase(option.key);  // it is no longer what the file says
-  }
-  return right;
-}
-
 /// Where the image goes: what the command line says, else what the file says, else the scene's name.
 std::vector<std::string> outputs_of(const RenderArguments& arguments, const RenderOptions& render_options) {
   if (!arguments.outputs.empty()) return arguments.outputs;
   if (!render_options.output.empty()) return {render_options.output};
   return {std::filesystem::path(render_options.scene).replace_extension(".exr").string()};
-}
-
-/// What the file says; a GRF file says which scene alone.
-std::optional<RenderOptions> read_options(const std::string& path, Diagnostics& diagnostics) {
-  if (is_op_file(path)) return options::read_op_file(path, diagnostics);
-  RenderOptions render_options;
-  render_options.scene = path;
-  return render_options;
 }
 
 std::size_t peak_memory_bytes() {
@@ -150,18 +120,6 @@ std::optional<RenderJob> prepare(const RenderOptions& render_options, const std:
   return render_job(render_options, diagnostics);
 }
 
-ProgressStyle style_of(const std::string& progress) {
-  if (progress == "json") return ProgressStyle::Json;
-  return progress == "bar" ? ProgressStyle::Bar : ProgressStyle::None;
-}
-
-/// Time and error decide how many samples there are, unless their number was given.
-bool counts_samples(const RenderArguments& arguments, const RenderOptions& render_options) {
-  const bool has_samples =
-      arguments.flags.count("--samples") > 0 || render_options.locations.count("BPT_Samples") > 0;
-  return has_samples || (!render_options.target_error && !render_options.max_seconds);
-}
-
 RunSettings run_settings_of(const RenderOptions& render_options, const std::string& output,
                             const Diagnostics& diagnostics) {
   RunSettings settings;
@@ -188,19 +146,19 @@ grf::ExitCode render(const RenderArguments& arguments) {
   auto render_options = read_options(arguments.scene, diagnostics);
   std::vector<std::string> outputs;
   if (render_options) {
-    if (!apply_flags(arguments, *render_options)) return ExitCode::BadCommandLine;
+    if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
     outputs = outputs_of(arguments, *render_options);
     job = prepare(*render_options, outputs, diagnostics);
   }
   print(diagnostics);
   if (!job) return ExitCode::BadInput;
-  if (!counts_samples(arguments, *render_options)) {
+  if (!counts_samples(arguments.flags, *render_options)) {
     job->settings.samples = transport::RenderSettings::Unlimited;
   }
   const RunSettings settings = run_settings_of(*render_options, outputs.front(), diagnostics);
   render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  ProgressReport progress(style_of(arguments.progress));
+  ProgressReport progress(progress_style_of(arguments.progress));
   Diagnostics of_run;
   const bool has_run = run(*render, interruption, settings, progress, of_run);
   print(of_run);

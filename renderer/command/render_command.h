@@ -1,19 +1,19 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "grf/exit_code.h"
+#include "renderer/command/render_arguments.h"
 
 namespace command {
 
 /// What `bpt render` was told.
 struct RenderArguments {
-  std::string scene;                         ///< an OP file, or a GRF scene
-  std::map<std::string, std::string> flags;  ///< options of the table by their flags, as `--samples`
-  std::vector<std::string> outputs;          ///< images to write, of one type each; empty: what the file says
-  std::string progress = "bar";              ///< or `json`, or `none`
+  std::string scene;  ///< an OP file, or a GRF scene
+  OptionFlags flags;
+  std::vector<std::string> outputs;  ///< images to write, of one type each; empty: what the file says
+  std::string progress = "bar";      ///< or `json`, or `none`
   bool json = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include "grf/check.h"
 #include "grf/read.h"
+#include "grf/relocate.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/image/image.h"
@@ -35,22 +36,34 @@ Integrator integrator_of(const RenderOptions& render_options) {
   return render_options.integrator == "naive" ? Integrator::Naive : Integrator::Path;
 }
 
-std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
-  const std::string& path = render_options.scene;
+/// The scene as its author wrote it, checked.
+std::optional<grf::Scene> read_scene(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  auto scene = grf::read(render_options.scene, diagnostics);
+  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
+  return scene;
+}
+
+/// What the options say of compiling; nothing after an error.
+std::optional<transport::CompileSettings> compile_settings_of(const RenderOptions& render_options,
+                                                              Diagnostics& diagnostics) {
   transport::CompileSettings settings;
   settings.threads = render_options.threads;
   settings.has_irradiance = render_options.uses_irradiance;
   if (integrator_of(render_options) == Integrator::Naive) {
     settings.missed_part = reflectance::MissedPart::Missing;
   }
-  const bool has_scheme = override_scheme(render_options, settings, diagnostics);
-  auto scene = grf::read(path, diagnostics);
-  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics) || !has_scheme) {
-    return std::nullopt;
-  }
-  auto compiled = transport::compile(std::move(*scene), diagnostics, settings);
+  if (!override_scheme(render_options, settings, diagnostics)) return std::nullopt;
+  return settings;
+}
+
+std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  const auto settings = compile_settings_of(render_options, diagnostics);
+  auto scene = read_scene(render_options, diagnostics);
+  if (!scene || !settings) return std::nullopt;
+  auto compiled = transport::compile(std::move(*scene), diagnostics, *settings);
   if (compiled && compiled->triangle_count() == 0) {
-    diagnostics.error(grf::whole_file(path), "the scene has nothing to render, expected a mesh or a light");
+    diagnostics.error(grf::whole_file(render_options.scene),
+                      "the scene has nothing to render, expected a mesh or a light");
     return std::nullopt;
   }
   return compiled;
@@ -103,6 +116,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.view.up = render_options.up;
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
+  settings.integrator.uses_irradiance = render_options.uses_irradiance;
   settings.integrator.measures_sampling = render_options.writes_sampling_time;
   settings.integrator.integrator = integrator_of(render_options);
   settings.integrator.secondary_rays =
@@ -127,6 +141,29 @@ std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnos
     return std::nullopt;
   }
   return RenderJob{std::move(*scene), std::move(settings)};
+}
+
+std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Diagnostics& diagnostics) {
+  render_options.uses_irradiance = false;
+  render_options.ray_casting = false;
+  render_options.integrator = "path";
+  const auto compile_settings = compile_settings_of(render_options, diagnostics);
+  auto scene = read_scene(render_options, diagnostics);
+  if (!scene || !compile_settings) return std::nullopt;
+  *scene = grf::flatten(*scene, render_options.scene);
+  auto compiled = transport::compile(*scene, diagnostics, transport::without_instances(*compile_settings));
+  if (!compiled) return std::nullopt;
+  transport::RenderSettings render_settings = settings_of(render_options, compiled->bounds());
+  if (!load_surroundings(render_options, render_settings, diagnostics)) return std::nullopt;
+  transport::BakeSettings settings;
+  settings.integrator = render_settings.integrator;
+  settings.samples = render_settings.samples;
+  settings.target_error = render_settings.target_error;
+  settings.max_seconds = render_settings.max_seconds;
+  settings.directions = directions;
+  settings.seed = render_settings.seed;
+  settings.threads = render_settings.threads;
+  return BakeJob{std::move(*scene), std::move(*compiled), settings, grf::Vec3f(render_settings.view.eye)};
 }
 
 }  // namespace command

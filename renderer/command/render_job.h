@@ -4,6 +4,7 @@
 
 #include "grf/diagnostics.h"
 #include "renderer/options/render_options.h"
+#include "renderer/transport/bake.h"
 #include "renderer/transport/render.h"
 
 namespace command {
@@ -17,5 +18,17 @@ struct RenderJob {
 /// Reads and compiles the scene that the options name, with all that they say of it; nothing after an error.
 std::optional<RenderJob> render_job(const options::RenderOptions& render_options,
                                     grf::Diagnostics& diagnostics);
+
+/// What a bake needs, once its files have been read.
+struct BakeJob {
+  grf::Scene scene;  ///< flat
+  transport::CompiledScene compiled;
+  transport::BakeSettings settings;
+  grf::Vec3f eye;  ///< in the world
+};
+
+/// The same for a bake, by the integrator `path` whatever the options say.
+std::optional<BakeJob> bake_job(options::RenderOptions render_options, int directions,
+                                grf::Diagnostics& diagnostics);
 
 }  // namespace command

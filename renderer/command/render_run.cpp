@@ -12,11 +12,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Keeps a render's checkpoint up to date.
+/// Keeps the checkpoint of a render or a bake up to date.
+template <class Work>
 class CheckpointKeeper {
  public:
-  CheckpointKeeper(const transport::Render& render, const RunSettings& settings)
-      : render_(render), settings_(settings) {}
+  CheckpointKeeper(const Work& work, const RunSettings& settings) : work_(work), settings_(settings) {}
 
   void keep_if_due() {
     if (settings_.checkpoint.empty() || Clock::now() < due_) return;
@@ -29,8 +29,8 @@ class CheckpointKeeper {
     if (settings_.checkpoint.empty()) return;
     const auto start = Clock::now();
     grf::Diagnostics problems;
-    if (!write_checkpoint(settings_.checkpoint, settings_.fingerprint, render_, problems)) {
-      // The image is worth more than the checkpoint: the render goes on.
+    if (!write_checkpoint(settings_.checkpoint, settings_.fingerprint, work_, problems)) {
+      // The result is worth more than the checkpoint: the work goes on.
       for (const auto& problem : problems.entries()) diagnostics.warning(problem.location, problem.message);
     }
     // One of a huge image takes long: it must not be all that is done.
@@ -41,7 +41,7 @@ class CheckpointKeeper {
  private:
   static constexpr std::chrono::seconds Interval{60};
 
-  const transport::Render& render_;
+  const Work& work_;
   const RunSettings& settings_;
   Clock::time_point due_ = Clock::now() + Interval;
 };
@@ -51,39 +51,60 @@ void say_problem(std::optional<transport::DisplayClient>& display) {
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
 }
 
-}  // namespace
-
-bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
-         ProgressReport& progress, grf::Diagnostics& diagnostics) {
-  if (!settings.checkpoint.empty() &&
-      !resume_from_checkpoint(settings.checkpoint, settings.fingerprint, render, diagnostics)) {
-    return false;
-  }
-  std::optional<transport::DisplayClient> display;
-  if (settings.display) display.emplace(render, *settings.display, settings.title);
+/// `watch` is called every moment.
+template <class Work, class Watch>
+void run_watched(Work& work, Interruption& interruption, const RunSettings& settings, const Watch& watch,
+                 grf::Diagnostics& diagnostics) {
   std::atomic<bool> ended = false;
   std::exception_ptr failure;
-  interruption.stops(render);
+  interruption.stops(work);
   std::thread worker([&] {
     try {
-      render.run();
+      work.run();
     } catch (...) {
       failure = std::current_exception();
     }
     ended = true;
   });
-  CheckpointKeeper checkpoint(render, settings);
+  CheckpointKeeper<Work> checkpoint(work, settings);
   while (!ended) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    progress.show(render.progress());
+    watch();
     checkpoint.keep_if_due();
-    say_problem(display);
   }
   worker.join();
   if (failure) std::rethrow_exception(failure);
   checkpoint.keep(diagnostics);
+}
+
+template <class Work>
+bool resume(Work& work, const RunSettings& settings, grf::Diagnostics& diagnostics) {
+  return settings.checkpoint.empty() ||
+         resume_from_checkpoint(settings.checkpoint, settings.fingerprint, work, diagnostics);
+}
+
+}  // namespace
+
+bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
+         ProgressReport& progress, grf::Diagnostics& diagnostics) {
+  if (!resume(render, settings, diagnostics)) return false;
+  std::optional<transport::DisplayClient> display;
+  if (settings.display) display.emplace(render, *settings.display, settings.title);
+  const auto watch = [&] {
+    progress.show(render.progress());
+    say_problem(display);
+  };
+  run_watched(render, interruption, settings, watch, diagnostics);
   if (display) display->finish();
   say_problem(display);
+  return true;
+}
+
+bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
+         ProgressReport& progress, grf::Diagnostics& diagnostics) {
+  if (!resume(bake, settings, diagnostics)) return false;
+  const auto watch = [&] { progress.show(bake.progress()); };
+  run_watched(bake, interruption, settings, watch, diagnostics);
   return true;
 }
 

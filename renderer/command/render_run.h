@@ -7,6 +7,7 @@
 #include "grf/diagnostics.h"
 #include "renderer/command/interruption.h"
 #include "renderer/command/render_progress.h"
+#include "renderer/transport/bake_checkpoint.h"
 #include "renderer/transport/checkpoint.h"
 #include "renderer/transport/display_client.h"
 
@@ -25,6 +26,10 @@ struct RunSettings {
 /// nothing has then been rendered. That a checkpoint cannot be written, or that there is no viewer, is a
 /// warning.
 bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
+         ProgressReport& progress, grf::Diagnostics& diagnostics);
+
+/// The same for a bake, which has no image.
+bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
 }  // namespace command

@@ -32,4 +32,8 @@ Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings)
   return path_kernel(path_effects(scene, settings));
 }
 
+GatherKernel gather_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings) {
+  return gather_kernel(path_effects(scene, settings));
+}
+
 }  // namespace transport

@@ -11,6 +11,8 @@
 
 namespace transport {
 
+class Scattering;
+
 enum class Integrator { Path, Naive, Normals };
 
 /// What an integrator is told besides the scene.
@@ -21,8 +23,12 @@ struct IntegratorSettings {
   std::shared_ptr<const EnvironmentMap> environment;
   /// Has the light of the environment map estimated by resampling at every hit. Of `Path` alone.
   std::optional<reflectance::Resampling> resampling;
-  int depth = 5;                   ///< the most scattering events: 0 emission only, 1 direct light only
-  int secondary_rays = 100;        ///< for each first hit; of `Naive` alone
+  int depth = 5;             ///< the most scattering events: 0 emission only, 1 direct light only
+  int secondary_rays = 100;  ///< for each first hit; of `Naive` alone
+  /// Takes the irradiance that the scene was compiled with for all light at a path's first hit, directly or
+  /// by mirrors, if that is on the front of a surface with neither a glossy nor a mirror part; the path ends
+  /// there. Of `Path` alone.
+  bool uses_irradiance = false;
   bool measures_sampling = false;  ///< fills in RayCounter::sampling_ticks
 };
 
@@ -39,5 +45,26 @@ using Kernel = Rgb (*)(const CompiledScene& scene, const IntegratorSettings& set
 
 /// The kernel of the integrator that does least besides what the scene's effects call for.
 Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
+
+/// What arrives from a direction, unit, in the coordinates of the compiled scene; (0,0,0) with nothing.
+struct Arrival {
+  Vec3f direction = Vec3f(0);
+  Rgb radiance = Rgb(0);
+};
+
+/// An estimate of the radiance that a white matte surface reflects, in its two parts: the light that was
+/// sampled, and what comes along the direction that was drawn by cosine. Times pi, their sum is one of the
+/// irradiance.
+struct Gathered {
+  Arrival light, scattered;
+};
+
+/// Estimates what arrives at a point whose reflector and colour are white and matte. The scattering there is
+/// the path's first of `depth`, of which there must be one; nothing is resampled.
+using GatherKernel = Gathered (*)(const CompiledScene& scene, const IntegratorSettings& settings,
+                                  const Scattering& scattering, PathNumbers& numbers, RayCounter& counter);
+
+/// That of the integrator `path` that does least besides what the scene's effects call for.
+GatherKernel gather_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
 
 }  // namespace transport

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "renderer/transport/integrators/scattering.h"
@@ -39,7 +40,10 @@ class Path {
     }
   }
 
-  Rgb run(const std::optional<Rgb>& behind);
+  /// `events` of scattering were before.
+  Rgb run(const std::optional<Rgb>& behind, int events = 0);
+  /// In place of a camera ray, starts with the scattering at a white matte surface.
+  Gathered gather(const Scattering& scattering);
 
  private:
   Rgb radiance_from_outside() const;
@@ -48,11 +52,11 @@ class Path {
   void add_area_light(const Scattering& scattering, float choice, const Vec2f& xi);
   void add_environment_light(const Scattering& scattering, const Vec2f& xi);
   void add_resampled_light(const Scattering& scattering);
-  std::optional<Rgb> lit_from(const Scattering& scattering, const Vec3f& direction,
-                              float light_density) const;
+  std::optional<Rgb> lit_from(const Scattering& scattering, const Vec3f& direction, float light_density);
   Reflection reflect(const Scattering& scattering, const Vec3f& v) const;
   std::optional<ScatterSample> sample(const Scattering& scattering, const Uniform4& xi);
   bool scatter(const Scattering& scattering, const Uniform4& xi);
+  bool has_irradiance(const SurfacePoint& point, const Reflector& reflector) const;
   bool survives(float xi);
 
   const CompiledScene& scene_;
@@ -72,6 +76,9 @@ class Path {
   reflectance::Resampler resampler_;
   /// The map's light along the ray was added where the ray starts.
   bool has_environment_ = false;
+  /// So far the path has met mirrors alone, and irradiance serves where the scene has it.
+  bool takes_irradiance_ = settings_.uses_irradiance;
+  Vec3f light_direction_ = Vec3f(0);  ///< to the last point of a light that could be reflected
 };
 
 template <PathEffects Has>
@@ -120,11 +127,12 @@ void Path<Has>::add_direct_light(const Scattering& scattering, const Uniform4& x
 /// sampling; nothing if that is 0.
 template <PathEffects Has>
 std::optional<Rgb> Path<Has>::lit_from(const Scattering& scattering, const Vec3f& direction,
-                                       float light_density) const {
+                                       float light_density) {
   const Vec3f v = scattering.frame.to_local(direction);
   if (v.z <= 0 || !(light_density > 0) || !std::isfinite(light_density)) return std::nullopt;
   const Reflection reflection = reflect(scattering, v);
   if (reflectance::is_black(reflection.value)) return std::nullopt;
+  light_direction_ = direction;
   const float weight = power_heuristic(light_density, reflection.density);
   return throughput_ * scattering.point.colour * reflection.value * (v.z * weight / light_density);
 }
@@ -213,7 +221,10 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   const auto ray = scattering.ray_towards(scene_, direction);
   if (!ray) return false;
   ray_ = *ray;
-  if (density_ > 0) ray_.cone = ray_.cone.widened(density_);
+  if (density_ > 0) {
+    ray_.cone = ray_.cone.widened(density_);
+    takes_irradiance_ = false;
+  }
   return true;
 }
 
@@ -229,9 +240,29 @@ bool Path<Has>::survives(float xi) {
   return true;
 }
 
+// What is known of the light at a point alone says how much a matte surface reflects, and on its front alone:
+// the other side of a wall is lit by something else.
 template <PathEffects Has>
-Rgb Path<Has>::run(const std::optional<Rgb>& behind) {
-  for (int events = 0;; ++events) {
+bool Path<Has>::has_irradiance(const SurfacePoint& point, const Reflector& reflector) const {
+  return takes_irradiance_ && point.irradiance && ray_.direction.dot(point.geometric_normal) < 0 &&
+         !reflectance::has_glossy_part(reflector.brdf()) && !reflectance::has_mirror(reflector.brdf());
+}
+
+template <PathEffects Has>
+Gathered Path<Has>::gather(const Scattering& scattering) {
+  const TwoPoints xi = numbers_.next_two();
+  add_direct_light(scattering, xi.first);
+  Gathered gathered{{light_direction_, std::exchange(radiance_, Rgb(0))}, {}};
+  if (scatter(scattering, xi.second)) {
+    gathered.scattered.direction = ray_.direction;
+    gathered.scattered.radiance = run(std::nullopt, 1);
+  }
+  return gathered;
+}
+
+template <PathEffects Has>
+Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
+  for (;; ++events) {
     ++counter_.rays;
     const auto point = scene_.intersect(ray_);
     if (!point) {
@@ -241,6 +272,10 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind) {
     const Reflector* reflector = scene_.reflector(*point->surface);
     if (reflector == nullptr || events >= settings_.depth) return radiance_;
     const Scattering scattering(*point, *reflector, -ray_.direction);
+    if (has_irradiance(*point, *reflector)) {
+      const Rgb value = reflector->evaluate(scattering.u, Vec3f(0, 0, 1));
+      return radiance_ + throughput_ * point->colour * value * *point->irradiance;
+    }
     const TwoPoints xi = numbers_.next_two();
     add_direct_light(scattering, xi.first);
     if constexpr (Has.resampling) {
@@ -258,14 +293,21 @@ Rgb path_radiance(const CompiledScene& scene, const IntegratorSettings& settings
   return Path<Has>(scene, settings, ray, numbers, counter).run(behind);
 }
 
+template <PathEffects Has>
+Gathered path_gathered(const CompiledScene& scene, const IntegratorSettings& settings,
+                       const Scattering& scattering, PathNumbers& numbers, RayCounter& counter) {
+  return Path<Has>(scene, settings, Ray(), numbers, counter).gather(scattering);
+}
+
 struct PathKernel {
   PathEffects effects;
   Kernel kernel;
+  GatherKernel gather_kernel;
 };
 
 template <PathEffects Has>
 constexpr PathKernel kernel_with() {
-  return {Has, &path_radiance<Has>};
+  return {Has, &path_radiance<Has>, &path_gathered<Has>};
 }
 
 constexpr PathEffects MatteUnderLights = {
@@ -283,13 +325,17 @@ bool covers(const PathEffects& kernel, const PathEffects& wanted) {
          kernel.resampling >= wanted.resampling && kernel.other_than_matte >= wanted.other_than_matte;
 }
 
+const PathKernel& kernel_for(const PathEffects& effects) {
+  for (const PathKernel& candidate : Kernels) {
+    if (covers(candidate.effects, effects)) return candidate;
+  }
+  return Kernels.back();
+}
+
 }  // namespace
 
-Kernel path_kernel(const PathEffects& effects) {
-  for (const PathKernel& candidate : Kernels) {
-    if (covers(candidate.effects, effects)) return candidate.kernel;
-  }
-  return Kernels.back().kernel;
-}
+Kernel path_kernel(const PathEffects& effects) { return kernel_for(effects).kernel; }
+
+GatherKernel gather_kernel(const PathEffects& effects) { return kernel_for(effects).gather_kernel; }
 
 }  // namespace transport

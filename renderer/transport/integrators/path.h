@@ -23,4 +23,7 @@ struct PathEffects {
 /// The one that serves these effects and does least besides.
 Kernel path_kernel(const PathEffects& effects);
 
+/// The same, for light that arrives at a point.
+GatherKernel gather_kernel(const PathEffects& effects);
+
 }  // namespace transport

@@ -56,6 +56,18 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
   return point;
 }
 
+SurfacePoint CompiledScene::front_point(const TriangleId& id, const Vec2f& weights) const {
+  const TriangleHit met{id, weights.x, weights.y, 0};
+  const Vec3f normal = HitTriangle(*geometry_, met, Ray()).point().geometric_normal;
+  const Ray ray{Vec3f(0), -normal};
+  const HitTriangle hit(*geometry_, met, ray);
+  SurfacePoint point = hit.point();
+  point.surface = &surfaces_[hit.instance().first_surface + hit.triangle().surface];
+  point.colour = Rgb(1);
+  if (!hit.triangle().is_flat) point.rise = hit.rise();
+  return point;
+}
+
 std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point) const {
   // Less than that is no way up from the triangle.
   const float least = 4 * absolute(point.geometric_normal).dot(point.error);

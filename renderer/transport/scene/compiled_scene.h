@@ -49,6 +49,9 @@ class CompiledScene {
     if (direction.dot(geometric_side) > 0) return RayStart{point.origin_towards(direction), point.id};
     return raised_start(point);
   }
+  /// A point of a triangle as a ray would meet it from the front, with the weights of the second and the
+  /// third corner; without colour, texture and tangent.
+  SurfacePoint front_point(const TriangleId& id, const Vec2f& weights) const;
 
   /// True if anything is between the origin and origin + direction; if that is a point of an emitter, then
   /// but for the emitter itself.
@@ -60,6 +63,7 @@ class CompiledScene {
     return surface.reflector == None ? nullptr : &reflectors_.reflectors[surface.reflector];
   }
 
+  const Geometry& geometry() const { return *geometry_; }
   /// What to subtract from coordinates of the world.
   const grf::Vec3d& origin() const { return geometry_->origin; }
   Vec3f to_local(const grf::Vec3d& world) const { return Vec3f(world - geometry_->origin); }

@@ -1,0 +1,150 @@
+#include "renderer/command/bake_command.h"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "grf/relocate.h"
+#include "grf/text_file.h"
+#include "grf/visit.h"
+#include "grf/write.h"
+#include "renderer/command/render_fingerprint.h"
+#include "renderer/command/render_job.h"
+#include "renderer/command/render_output.h"
+#include "renderer/command/render_run.h"
+#include "renderer/transport/baked_scene.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using options::RenderOptions;
+using transport::Bake;
+
+void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
+
+/// Whether the result can be kept, as far as can be told before there is one.
+bool can_write(const std::string& output, const RenderOptions& render_options, Diagnostics& diagnostics) {
+  if (!grf::is_igrf_name(output)) {
+    diagnostics.error(grf::whole_file(output), "expected the name of an IGRF file, which ends in '.igrf'");
+    return false;
+  }
+  const std::string& checkpoint = render_options.checkpoint;
+  return can_write_file(output, "scene", diagnostics) &&
+         (checkpoint.empty() || can_write_file(checkpoint, "checkpoint", diagnostics));
+}
+
+RunSettings run_settings_of(const RenderOptions& render_options, int directions,
+                            const Diagnostics& diagnostics) {
+  RunSettings settings;
+  settings.checkpoint = render_options.checkpoint;
+  if (settings.checkpoint.empty()) return settings;
+  settings.fingerprint = fingerprint_of(render_options, diagnostics.files());
+  settings.fingerprint.options =
+      transport::check_sum(settings.fingerprint.options, fmt::format("directions {}\n", directions));
+  return settings;
+}
+
+bool names_an_observer(const grf::Scene& scene) {
+  bool names = false;
+  grf::SceneVisitor visitor;
+  visitor.params = [&](const grf::Params& params, const grf::Placement&, const grf::Block&) {
+    names |= !params.views.empty();
+  };
+  grf::visit(scene, visitor);
+  return names;
+}
+
+void warn(const Bake& bake, const transport::BakedScene& baked, const std::string& scene,
+          Diagnostics& diagnostics) {
+  const grf::SourceLocation file = grf::whole_file(scene);
+  if (baked.copies > 0) {
+    diagnostics.warning(file,
+                        fmt::format("{} meshes are placed by 'use' more than once; what arrives differs "
+                                    "from place to place, so {} copies of them are written out",
+                                    baked.shared_meshes, baked.copies));
+  }
+  if (const std::size_t without = bake.vertex_count() - bake.value_count(); without > 0) {
+    diagnostics.warning(file, fmt::format("{} vertices have no irradiance, because they have no face with "
+                                          "area, or because there was no time for them",
+                                          without));
+  }
+  if (const std::uint64_t rejected = bake.totals().rejected; rejected > 0) {
+    diagnostics.warning(file, fmt::format("{} samples were not finite and count as black; the first vertex "
+                                          "that has one is number {}",
+                                          rejected, bake.totals().first_rejected));
+  }
+}
+
+/// The irradiance depends on no observer, but a file with irradiance says for whom it is.
+bool keep(const Bake& bake, BakeJob& job, const std::string& scene, const std::string& output) {
+  Diagnostics diagnostics;
+  transport::BakedScene baked = transport::with_irradiance(std::move(job.scene), bake);
+  if (!names_an_observer(baked.scene)) {
+    baked.scene.contents.blocks.push_back({grf::Params{{job.eye}}, {}, {}});
+  }
+  grf::relocate(baked.scene, scene, output);
+  warn(bake, baked, scene, diagnostics);
+  const bool kept = grf::write(baked.scene, output, diagnostics);
+  print(diagnostics);
+  return kept;
+}
+
+void print_summary(const Bake& bake, const BakeArguments& arguments) {
+  const auto error = bake.estimated_error();
+  nlohmann::json summary;
+  summary["output"] = arguments.output;
+  summary["vertices"] = bake.value_count();
+  summary["samples"] = bake.samples_per_vertex();
+  summary["render_seconds"] = bake.totals().seconds;
+  summary["estimated_error"] = error ? nlohmann::json(*error) : nlohmann::json(nullptr);
+  const bool has_lines = arguments.progress == "json";
+  if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
+  if (arguments.json || has_lines) return;
+  fmt::print("{}: irradiance at {} vertices, {:.4g} samples a vertex, in {}\n", arguments.output,
+             bake.value_count(), bake.samples_per_vertex(), duration_text(bake.totals().seconds));
+  if (error) fmt::print("  estimated error {:.2f} %\n", 100 * *error);
+}
+
+}  // namespace
+
+ExitCode bake(const BakeArguments& arguments) {
+  std::optional<BakeJob> job;
+  std::optional<transport::BakePoints> points;
+  std::optional<Bake> bake;
+  Interruption interruption;  // ends before the bake that it stops
+  Diagnostics diagnostics;
+  auto render_options = read_options(arguments.scene, diagnostics);
+  if (render_options) {
+    if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
+    if (can_write(arguments.output, *render_options, diagnostics)) {
+      job = bake_job(*render_options, arguments.directions, diagnostics);
+    }
+  }
+  if (job) points.emplace(job->scene, job->compiled);
+  if (points && points->count() == 0) {
+    diagnostics.error(grf::whole_file(render_options->scene),
+                      "the scene has no mesh, and lights get no irradiance");
+  }
+  print(diagnostics);
+  if (!job || points->count() == 0) return ExitCode::BadInput;
+  if (!counts_samples(arguments.flags, *render_options)) {
+    job->settings.samples = transport::RenderSettings::Unlimited;
+  }
+  bake.emplace(job->compiled, *points, job->settings);
+  ProgressReport progress(progress_style_of(arguments.progress));
+  Diagnostics of_run;
+  const RunSettings settings = run_settings_of(*render_options, arguments.directions, diagnostics);
+  const bool has_run = run(*bake, interruption, settings, progress, of_run);
+  print(of_run);
+  if (!has_run || !keep(*bake, *job, render_options->scene, arguments.output)) return ExitCode::BadInput;
+  progress.finish(bake->progress(), arguments.output);
+  print_summary(*bake, arguments);
+  return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
+}
+
+}  // namespace command

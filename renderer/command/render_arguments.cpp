@@ -1,0 +1,55 @@
+#include "renderer/command/render_arguments.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "renderer/options/op_file.h"
+
+namespace command {
+namespace {
+
+using options::RenderOptions;
+
+/// A flag's words: `800x600` are two.
+std::vector<std::string> words_of(const options::OptionInfo& option, const std::string& text) {
+  const std::size_t x = text.find('x');
+  if (options::word_count(option) != 2 || x == std::string::npos) return {text};
+  return {text.substr(0, x), text.substr(x + 1)};
+}
+
+}  // namespace
+
+std::optional<RenderOptions> read_options(const std::string& path, grf::Diagnostics& diagnostics) {
+  if (std::filesystem::path(path).extension() == ".op") return options::read_op_file(path, diagnostics);
+  RenderOptions render_options;
+  render_options.scene = path;
+  return render_options;
+}
+
+bool apply_flags(const OptionFlags& flags, RenderOptions& render_options) {
+  bool right = true;
+  for (const options::OptionInfo& option : options::option_table()) {
+    const auto given = flags.find(std::string(option.flag));
+    if (option.flag.empty() || given == flags.end()) continue;
+    const auto problem = set_option(render_options, option, words_of(option, given->second));
+    if (problem) fmt::print(stderr, "error: {}: {}\n", option.flag, *problem);
+    right = right && !problem;
+    render_options.locations.erase(option.key);  // it is no longer what the file says
+  }
+  return right;
+}
+
+bool counts_samples(const OptionFlags& flags, const RenderOptions& render_options) {
+  const bool has_samples = flags.count("--samples") > 0 || render_options.locations.count("BPT_Samples") > 0;
+  return has_samples || (!render_options.target_error && !render_options.max_seconds);
+}
+
+ProgressStyle progress_style_of(const std::string& word) {
+  if (word == "json") return ProgressStyle::Json;
+  return word == "bar" ? ProgressStyle::Bar : ProgressStyle::None;
+}
+
+}  // namespace command

@@ -1,0 +1,369 @@
+#include "renderer/transport/bake.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "renderer/reflectance/schemes/own_scheme.h"
+#include "renderer/transport/integrators/scattering.h"
+#include "renderer/transport/thread_sanitizer.h"
+#include "renderer/transport/threads.h"
+
+namespace transport {
+namespace {
+
+/// Samples of a half that tell how much light varies at a vertex.
+constexpr int PilotSamples = 32;
+
+/// How many samples there are at the next look at the error.
+std::int64_t next_check(std::int64_t samples) {
+  return samples + std::max<std::int64_t>(2, (samples / 5 + 1) / 2 * 2);
+}
+
+bool is_finite(const Rgb& rgb) {
+  return std::isfinite(rgb.x) && std::isfinite(rgb.y) && std::isfinite(rgb.z);
+}
+
+IntegratorSettings for_gathering(IntegratorSettings settings) {
+  settings.integrator = Integrator::Path;
+  settings.resampling.reset();
+  settings.uses_irradiance = false;
+  settings.measures_sampling = false;
+  return settings;
+}
+
+}  // namespace
+
+/// A vertex that a worker adds samples to.
+class Bake::Vertex {
+ public:
+  BakeTally tally;
+  std::vector<Imath::V3d> sums;
+  RenderTotals done;
+  RayCounter counter;
+  reflectance::Frame frame{Vec3f(0, 0, 1)};
+
+  void stand_at(std::size_t index, const BakePoints& points, const reflectance::Reflector& reflector) {
+    points.points_at(index, points_);
+    scatterings_.clear();
+    for (const BakePoints::Point& at : points_) {
+      scatterings_.emplace_back(at.point, reflector, at.point.geometric_normal);
+    }
+    frame = reflectance::Frame(BakePoints::normal_of(points_));
+  }
+
+  /// One of the points, by their shares.
+  const Scattering& scattering(float xi) const {
+    const auto chosen = std::find_if(points_.begin(), points_.end() - 1,
+                                     [&](const BakePoints::Point& at) { return xi < at.share_end; });
+    return scatterings_[static_cast<std::size_t>(chosen - points_.begin())];
+  }
+
+ private:
+  std::vector<BakePoints::Point> points_;
+  std::vector<Scattering> scatterings_;
+};
+
+Bake::Bake(const CompiledScene& scene, const BakePoints& points, const BakeSettings& settings)
+    : scene_(scene),
+      points_(points),
+      settings_(settings),
+      kernel_(gather_kernel_of(scene, for_gathering(settings.integrator))),
+      white_(reflectance::Diffuse{Rgb(1)}, reflectance::OwnScheme()),
+      cells_(std::max(1, settings.directions)),
+      tallies_(points.count()),
+      sums_(points.count() * sums_per_vertex(), Imath::V3d(0)),
+      start_(std::chrono::steady_clock::now()) {
+  settings_.integrator = for_gathering(settings.integrator);
+  for (std::size_t i = 0; i < points.count(); ++i) baked_vertices_ += points.has_faces(i) ? 1 : 0;
+}
+
+void Bake::restore(int stage, const RenderTotals& totals) {
+  stage_ = stage;
+  totals_ = totals;
+  restored_paths_ = totals.paths;
+}
+
+void Bake::restore_vertex(std::size_t vertex, const BakeTally& tally, const std::vector<Imath::V3d>& sums) {
+  tallies_[vertex] = tally;
+  std::copy(sums.begin(), sums.end(),
+            sums_.begin() + static_cast<std::ptrdiff_t>(vertex * sums_per_vertex()));
+}
+
+void Bake::copy_vertex(std::size_t vertex, BakeTally& tally, std::vector<Imath::V3d>& sums) const {
+  const std::lock_guard lock(lock_of(vertex));
+  tally = tallies_[vertex];
+  const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(vertex * sums_per_vertex());
+  sums.assign(first, first + static_cast<std::ptrdiff_t>(sums_per_vertex()));
+}
+
+void Bake::put_back(std::size_t index, const Vertex& vertex) {
+  {
+    const std::lock_guard lock(lock_of(index));
+    restore_vertex(index, vertex.tally, vertex.sums);
+  }
+  const std::lock_guard lock(totals_lock_);
+  totals_.paths += vertex.done.paths;
+  totals_.rays += vertex.counter.rays;
+  totals_.rejected += vertex.done.rejected;
+  if (vertex.done.rejected > 0) totals_.first_rejected = std::min(totals_.first_rejected, index);
+}
+
+void Bake::run() {
+  RenderEnd end = RenderEnd::NotYet;
+  run_with_threads(settings_.threads, [&] { end = run_stages(); });
+  const RenderTotals all = totals();
+  const std::lock_guard lock(totals_lock_);
+  totals_ = all;
+  end_ = end;
+}
+
+/// The samples a vertex after which the error is looked at: those of the pilots, and then ever more, so that
+/// a bake that is ended by time or by a signal is about as good everywhere.
+int Bake::samples_of_stage(int stage) const {
+  std::int64_t samples = 2 * PilotSamples;
+  for (int i = 0; i < stage && samples < settings_.samples; ++i) samples = next_check(samples);
+  return static_cast<int>(std::min<std::int64_t>(samples, settings_.samples));
+}
+
+RenderEnd Bake::run_stages() {
+  // A checkpoint may have been written while the pilots came to their end.
+  if (stage_ > 0 && !run_stage(samples_of_stage(0))) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
+  while (true) {
+    const int samples = samples_of_stage(stage_);
+    if (stage_ > 0) weigh_vertices();
+    if (!run_stage(samples)) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
+    if (settings_.target_error && reaches_target()) return RenderEnd::TargetError;
+    if (samples == settings_.samples) return RenderEnd::Samples;
+    ++stage_;
+  }
+}
+
+bool Bake::run_stage(int samples) {
+  publish(this);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.count()),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      see(this);
+                      Vertex vertex;
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        if (points_.has_faces(i) && !advance(i, samples, vertex)) break;
+                      }
+                      publish(this);
+                    });
+  see(this);
+  return !stopped_ && !out_of_time_;
+}
+
+bool Bake::reaches_target() {
+  const auto error = estimated_error();
+  const std::lock_guard lock(totals_lock_);
+  last_error_ = error;
+  return error && *error <= *settings_.target_error;
+}
+
+/// Of the radiance about a vertex, over what Film::estimated_error divides by.
+double Bake::deviation(const BakeTally& tally, int half) const {
+  const BakeTally::Pilot& pilot = tally.pilots[static_cast<std::size_t>(half)];
+  const double mean = pilot.sum / PilotSamples;
+  const double variance = std::max(0.0, pilot.squares / PilotSamples - mean * mean);
+  return std::sqrt(variance / (mean * mean + 0.01));
+}
+
+// A pilot can miss what is rare: each vertex counts with a quarter of the mean deviation at least.
+void Bake::weigh_vertices() {
+  const auto mean_of = [&](const auto& function) {
+    double sum = 0;
+    for (std::size_t i = 0; i < tallies_.size(); ++i) sum += points_.has_faces(i) ? function(tallies_[i]) : 0;
+    return sum / baked_vertex_count();
+  };
+  for (int half = 0; half < 2; ++half) {
+    Weighing& weighing = weighings_[static_cast<std::size_t>(half)];
+    weighing.least = mean_of([&](const BakeTally& tally) { return deviation(tally, half); }) / 4;
+    weighing.mean =
+        mean_of([&](const BakeTally& tally) { return std::max(deviation(tally, half), weighing.least); });
+  }
+}
+
+/// How many samples a half is to have when there are so many a vertex.
+std::uint32_t Bake::count_after(const BakeTally& tally, int half, int samples) const {
+  const int mean_count = samples / 2 + (half == 0 ? samples % 2 : 0);
+  if (mean_count <= PilotSamples) return static_cast<std::uint32_t>(mean_count);
+  const Weighing& weighing = weighings_[static_cast<std::size_t>(1 - half)];
+  const double weight =
+      weighing.mean > 0 ? std::max(deviation(tally, 1 - half), weighing.least) / weighing.mean : 1;
+  const double count = PilotSamples + std::floor((mean_count - PilotSamples) * weight + 0.5);
+  constexpr double Most = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min(count, Most));
+}
+
+/// Adds samples to a vertex that nobody else writes. False if that came to an early end; what there is then
+/// stays.
+bool Bake::advance(std::size_t index, int samples, Vertex& vertex) {
+  if (ends_early()) return false;
+  copy_vertex(index, vertex.tally, vertex.sums);
+  const std::array<std::uint32_t, 2> counts = {count_after(vertex.tally, 0, samples),
+                                               count_after(vertex.tally, 1, samples)};
+  if (vertex.tally.counts[0] >= counts[0] && vertex.tally.counts[1] >= counts[1]) return true;
+  vertex.done = {};
+  vertex.counter = {};
+  vertex.stand_at(index, points_, white_);
+  const bool is_whole = add_samples(index, 0, counts[0], vertex) && add_samples(index, 1, counts[1], vertex);
+  put_back(index, vertex);
+  return is_whole;
+}
+
+bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex& vertex) {
+  const auto h = static_cast<std::size_t>(half);
+  const std::uint32_t seed =
+      hash(hash(settings_.seed, static_cast<std::uint32_t>(index)), static_cast<std::uint32_t>(half));
+  for (std::uint32_t& number = vertex.tally.counts[h]; number < count; ++number) {
+    if (number % 16 == 0 && ends_early()) return false;
+    PathNumbers numbers(seed, number);
+    const Scattering& scattering = vertex.scattering(numbers.next().x);
+    Gathered gathered;
+    if (settings_.integrator.depth > 0) {
+      gathered = kernel_(scene_, settings_.integrator, scattering, numbers, vertex.counter);
+    }
+    ++vertex.done.paths;
+    const Rgb radiance = gathered.light.radiance + gathered.scattered.radiance;
+    if (!is_finite(radiance)) {
+      assert(false && "a sample is not finite");
+      ++vertex.done.rejected;
+      continue;
+    }
+    add(gathered, half, vertex);
+    if (number >= PilotSamples) continue;
+    const double mean = reflectance::mean(radiance);
+    vertex.tally.pilots[h].sum += mean;
+    vertex.tally.pilots[h].squares += mean * mean;
+  }
+  return true;
+}
+
+void Bake::add(const Gathered& gathered, int half, Vertex& vertex) const {
+  for (const Arrival& arrival : {gathered.light, gathered.scattered}) {
+    if (arrival.radiance == Rgb(0)) continue;
+    const std::size_t cell =
+        cell_count() == 1
+            ? 0
+            : static_cast<std::size_t>(cells_.cell_of(vertex.frame.to_local(arrival.direction)));
+    vertex.sums[static_cast<std::size_t>(half) * cell_count() + cell] += Imath::V3d(arrival.radiance);
+  }
+}
+
+bool Bake::ends_early() {
+  if (settings_.max_seconds && elapsed() >= *settings_.max_seconds) out_of_time_ = true;
+  return stopped_ || out_of_time_;
+}
+
+double Bake::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+RenderTotals Bake::totals() const {
+  const std::lock_guard lock(totals_lock_);
+  RenderTotals totals = totals_;
+  if (end_ == RenderEnd::NotYet) totals.seconds += elapsed();
+  return totals;
+}
+
+double Bake::samples_per_vertex() const { return static_cast<double>(totals().paths) / baked_vertex_count(); }
+
+RenderProgress Bake::progress() const {
+  RenderProgress progress;
+  progress.seconds = totals().seconds;
+  const double samples = samples_per_vertex();
+  double needed = settings_.samples;
+  double restored = 0;
+  {
+    const std::lock_guard lock(totals_lock_);
+    progress.estimated_error = last_error_;
+    restored = static_cast<double>(restored_paths_) / baked_vertex_count();
+  }
+  const RenderEnd end = end_;
+  if (end != RenderEnd::NotYet && end != RenderEnd::Stopped) {
+    progress.done = 1;
+    progress.seconds_left = 0;
+    return progress;
+  }
+  if (settings_.target_error && progress.estimated_error) {
+    // As independent samples would go on from the last look at the error.
+    const double ratio = std::max(1.0, *progress.estimated_error / *settings_.target_error);
+    needed = std::min(needed, std::max(samples, samples_of_stage(stage_) / 1.2 * ratio * ratio));
+  }
+  progress.done = std::min(1.0, samples / needed);
+  if (samples > restored && needed < RenderSettings::Unlimited) {
+    progress.seconds_left = std::max(0.0, needed - samples) * elapsed() / (samples - restored);
+  }
+  if (settings_.max_seconds && end == RenderEnd::NotYet) {
+    const double left = std::max(0.0, *settings_.max_seconds - elapsed());
+    progress.seconds_left = std::min(left, progress.seconds_left.value_or(left));
+    progress.done = std::clamp(elapsed() / *settings_.max_seconds, progress.done, 1.0);
+  }
+  return progress;
+}
+
+std::size_t Bake::value_count() const {
+  return static_cast<std::size_t>(std::count_if(tallies_.begin(), tallies_.end(),
+                                                [](const BakeTally& tally) { return tally.counts[0] > 0; }));
+}
+
+Imath::V3d Bake::radiance(std::size_t vertex, int half, std::size_t cell) const {
+  const std::uint32_t count = tallies_[vertex].counts[static_cast<std::size_t>(half)];
+  const std::size_t index = vertex * sums_per_vertex() + static_cast<std::size_t>(half) * cell_count() + cell;
+  return count == 0 ? Imath::V3d(0) : sums_[index] / count;
+}
+
+Imath::V3d Bake::radiance(std::size_t vertex, int half) const {
+  Imath::V3d sum(0);
+  for (std::size_t cell = 0; cell < cell_count(); ++cell) sum += radiance(vertex, half, cell);
+  return sum;
+}
+
+// The mean of the halves' means, and not that of all samples: how many of them a half has follows from the
+// other half's values.
+Rgb Bake::irradiance(std::size_t vertex, int cell) const {
+  const auto index = static_cast<std::size_t>(cell);
+  const double halves = tallies_[vertex].counts[1] > 0 ? 2 : 1;
+  return Rgb((radiance(vertex, 0, index) + radiance(vertex, 1, index)) * (std::numbers::pi / halves));
+}
+
+Rgb Bake::irradiance(std::size_t vertex) const {
+  const double halves = tallies_[vertex].counts[1] > 0 ? 2 : 1;
+  return Rgb((radiance(vertex, 0) + radiance(vertex, 1)) * (std::numbers::pi / halves));
+}
+
+std::vector<Vec3f> Bake::directions(std::size_t vertex) const {
+  std::vector<BakePoints::Point> points;
+  points_.points_at(vertex, points);
+  const reflectance::Frame frame(BakePoints::normal_of(points));
+  std::vector<Vec3f> directions;
+  for (int cell = 0; cell < cells_.count(); ++cell) {
+    directions.push_back(frame.to_world(cells_.centre(cell)));
+  }
+  return directions;
+}
+
+std::optional<double> Bake::estimated_error() const {
+  double sum = 0;
+  std::size_t counted = 0;
+  for (std::size_t i = 0; i < tallies_.size(); ++i) {
+    if (tallies_[i].counts[1] == 0) continue;
+    const Imath::V3d a = radiance(i, 0);
+    const Imath::V3d b = radiance(i, 1);
+    for (int k = 0; k < 3; ++k) {
+      const double mean = (a[k] + b[k]) / 2;
+      sum += (a[k] - b[k]) * (a[k] - b[k]) / 4 / (mean * mean + 0.01);
+    }
+    counted += 3;
+  }
+  if (counted == 0) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(counted));
+}
+
+}  // namespace transport

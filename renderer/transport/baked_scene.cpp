@@ -1,0 +1,145 @@
+#include "renderer/transport/baked_scene.h"
+
+#include <cassert>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/visit.h"
+
+namespace transport {
+namespace {
+
+using grf::Block;
+using grf::BlockList;
+using grf::Definition;
+using grf::DefinitionScope;
+using grf::Matrix44d;
+using grf::Mesh;
+using grf::Shared;
+
+std::set<std::string> defined_names(const grf::Scene& scene) {
+  std::set<std::string> names;
+  grf::SceneVisitor visitor;
+  visitor.definition = [&](const Definition& definition, const grf::Placement&) {
+    names.insert(definition.name);
+  };
+  grf::visit(scene, visitor);
+  return names;
+}
+
+/// Walks through the blocks in the order of `grf::visit`, which is that of the bake's vertices.
+class IrradianceWriter {
+ public:
+  IrradianceWriter(BakedScene& baked, const Bake& bake)
+      : baked_(baked), bake_(bake), names_(defined_names(baked.scene)) {}
+
+  void write() {
+    write(baked_.scene.contents, Matrix44d());
+    assert(next_ == bake_.vertex_count());
+  }
+
+ private:
+  /// What became of a definition in the places where it was used.
+  struct Used {
+    Definition* definition = nullptr;
+    std::size_t places = 0;
+    std::vector<Definition> copies;
+  };
+
+  void write(BlockList& list, const Matrix44d& to_world) {
+    for (Block& block : list.blocks) {
+      std::visit([&](auto& content) { write(content, to_world); }, block.content);
+    }
+  }
+  void write(Shared<Mesh>& mesh, const Matrix44d& to_world) { fill(mesh.edit(), to_world); }
+  void write(grf::MeshLight& light, const Matrix44d&) {
+    if (!light.mesh->irradiance.empty()) light.mesh.edit().irradiance = {};
+  }
+  void write(grf::Transform& transform, const Matrix44d& to_world) {
+    write(transform.body, grf::matrix_of(transform.steps) * to_world);
+  }
+  void write(DefinitionScope& scope, const Matrix44d& to_world);
+  void write(grf::Use& use, const Matrix44d& to_world);
+  void write(grf::Include& include, const Matrix44d& to_world) {
+    write(include.contents.edit(), to_world);  // a flat scene has none
+  }
+  void write(grf::AreaLight&, const Matrix44d&) {}
+  void write(grf::Params&, const Matrix44d&) {}
+
+  void fill(Mesh& mesh, const Matrix44d& to_world);
+  grf::Irradiance value_of(std::size_t vertex, const Matrix44d& to_mesh) const;
+  std::string free_name(const std::string& name, std::size_t number);
+
+  BakedScene& baked_;
+  const Bake& bake_;
+  std::set<std::string> names_;
+  /// What each name means, the innermost last.
+  std::map<std::string, std::vector<Used>> in_scope_;
+  std::size_t next_ = 0;  ///< vertex of the bake
+};
+
+void IrradianceWriter::fill(Mesh& mesh, const Matrix44d& to_world) {
+  const Matrix44d to_mesh = to_world.inverse();
+  mesh.irradiance = {};
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i, ++next_) {
+    if (bake_.has_value(next_)) mesh.irradiance.set(i, value_of(next_, to_mesh));
+  }
+}
+
+grf::Irradiance IrradianceWriter::value_of(std::size_t vertex, const Matrix44d& to_mesh) const {
+  if (bake_.settings().directions == 0) return bake_.irradiance(vertex);
+  std::vector<grf::DirectionalIrradiance> list;
+  for (const Vec3f& direction : bake_.directions(vertex)) {
+    grf::Vec3d in_mesh;
+    to_mesh.multDirMatrix(grf::Vec3d(direction), in_mesh);
+    list.push_back({Vec3f(in_mesh.normalized()), bake_.irradiance(vertex, static_cast<int>(list.size()))});
+  }
+  return list;
+}
+
+std::string IrradianceWriter::free_name(const std::string& name, std::size_t number) {
+  std::string result = fmt::format("{}${}", name, number);
+  while (!names_.insert(result).second) result += '$';
+  return result;
+}
+
+void IrradianceWriter::write(grf::Use& use, const Matrix44d& to_world) {
+  Used& used = in_scope_.at(use.mesh.name).back();
+  auto& mesh = std::get<Shared<Mesh>>(used.definition->body);
+  if (++used.places == 1) return fill(mesh.edit(), to_world);
+  Definition copy{free_name(use.mesh.name, used.places), mesh, {}, used.definition->location};
+  fill(std::get<Shared<Mesh>>(copy.body).edit(), to_world);
+  use.mesh.name = copy.name;
+  used.copies.push_back(std::move(copy));
+}
+
+void IrradianceWriter::write(DefinitionScope& scope, const Matrix44d& to_world) {
+  for (Definition& definition : scope.definitions) in_scope_[definition.name].push_back({&definition, 0, {}});
+  write(scope.body, to_world);
+  std::vector<Definition> definitions;
+  for (Definition& definition : scope.definitions) {
+    std::vector<Used>& meanings = in_scope_.at(definition.name);
+    Used used = std::move(meanings.back());
+    meanings.pop_back();
+    baked_.shared_meshes += used.copies.empty() ? 0 : 1;
+    baked_.copies += used.copies.size();
+    definitions.push_back(std::move(definition));
+    std::move(used.copies.begin(), used.copies.end(), std::back_inserter(definitions));
+  }
+  scope.definitions = std::move(definitions);
+}
+
+}  // namespace
+
+BakedScene with_irradiance(grf::Scene scene, const Bake& bake) {
+  BakedScene baked;
+  baked.scene = std::move(scene);
+  IrradianceWriter(baked, bake).write();
+  return baked;
+}
+
+}  // namespace transport

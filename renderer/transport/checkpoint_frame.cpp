@@ -1,0 +1,96 @@
+#include "renderer/transport/checkpoint_frame.h"
+
+#include <bit>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+namespace transport {
+namespace {
+
+// The file: this start, the contents, and the check sum of both. Numbers are little-endian, as those of the
+// machines that we build for.
+static_assert(std::endian::native == std::endian::little);
+
+struct Start {
+  std::array<char, 8> magic;
+  Fingerprint fingerprint;
+};
+static_assert(std::is_trivially_copyable_v<Start> && sizeof(Start) == 8 + 3 * 4,
+              "the file has no gaps of unknown content");
+
+/// What is wrong with a file as such, or nothing.
+std::string defect_of(std::string_view bytes, const CheckpointKind& kind) {
+  const auto& magic = kind.magic;
+  if (bytes.size() < magic.size() || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) {
+    return "it is no checkpoint of this version of bpt";
+  }
+  if (bytes.size() < sizeof(Start) + sizeof(std::uint32_t)) return "it is broken (it ends early)";
+  const std::size_t content = bytes.size() - sizeof(std::uint32_t);
+  std::uint32_t expected = 0;
+  std::memcpy(&expected, bytes.data() + content, sizeof(expected));
+  return check_sum(0, bytes.substr(0, content)) == expected
+             ? ""
+             : "it is broken (it ends early, or its bytes were changed)";
+}
+
+/// What makes it that of something else, or nothing.
+std::string difference_between(const Fingerprint& found, const Fingerprint& expected,
+                               const CheckpointKind& kind) {
+  if (found.files != expected.files) return belongs_elsewhere(kind, "of a scene with other contents");
+  if (found.options != expected.options) return belongs_elsewhere(kind, "with other options");
+  if (found.program != expected.program) return belongs_elsewhere(kind, "by another build of bpt");
+  return "";
+}
+
+}  // namespace
+
+std::uint32_t check_sum(std::uint32_t before, std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
+                            const Fingerprint& fingerprint,
+                            const std::function<bool(const grf::FileWriter&)>& fill,
+                            grf::Diagnostics& diagnostics) {
+  const auto fill_all = [&](const grf::FileWriter& write) {
+    std::uint32_t sum = 0;
+    const grf::FileWriter put = [&](std::string_view bytes) {
+      sum = check_sum(sum, bytes);
+      return write(bytes);
+    };
+    return put(bytes_of(Start{kind.magic, fingerprint})) && fill(put) && write(bytes_of(sum));
+  };
+  return grf::replace_file(path, fill_all, diagnostics);
+}
+
+std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
+                                                        const Fingerprint& fingerprint,
+                                                        grf::Diagnostics& diagnostics) {
+  auto file = grf::map_file(path, diagnostics);
+  if (!file) return std::nullopt;
+  std::string_view bytes = *file;
+  std::string problem = defect_of(bytes, kind);
+  if (problem.empty()) {
+    Start start = {};
+    take(bytes, &start, 1);
+    bytes.remove_suffix(sizeof(std::uint32_t));
+    problem = difference_between(start.fingerprint, fingerprint, kind);
+  }
+  if (problem.empty()) return CheckpointContents{std::move(file), bytes};
+  refuse_checkpoint(path, problem, diagnostics);
+  return std::nullopt;
+}
+
+void refuse_checkpoint(const std::string& path, const std::string& why, grf::Diagnostics& diagnostics) {
+  diagnostics.error(grf::whole_file(path), "cannot resume from the checkpoint: " + why);
+}
+
+std::string belongs_elsewhere(const CheckpointKind& kind, std::string_view what) {
+  return fmt::format("it belongs to a {} {}; remove it, or name another file, to start anew", kind.name,
+                     what);
+}
+
+}  // namespace transport

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+
+#include "grf/relocate.h"
+#include "renderer/transport/bake.h"
+#include "renderer/transport/baked_scene.h"
+#include "tests/transport/scene_helpers.h"
+
+namespace test {
+
+/// A scene from GRF text, ready to be baked.
+struct BakeScene {
+  explicit BakeScene(const std::string& text)
+      : scene(grf::flatten(parsed(text), "test.grf")),
+        compiled(compiled_of(scene)),
+        points(scene, compiled) {}
+
+  grf::Scene scene;
+  transport::CompiledScene compiled;
+  transport::BakePoints points;
+
+ private:
+  static grf::Scene parsed(const std::string& text) {
+    grf::Diagnostics diagnostics;
+    auto scene = grf::read_text(text, "test.grf", diagnostics);
+    if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) {
+      throw std::runtime_error(diagnostics.to_text());
+    }
+    return std::move(*scene);
+  }
+  static transport::CompiledScene compiled_of(const grf::Scene& scene) {
+    grf::Diagnostics diagnostics;
+    auto compiled = transport::compile(scene, diagnostics, transport::without_instances({}));
+    if (!compiled) throw std::runtime_error(diagnostics.to_text());
+    return std::move(*compiled);
+  }
+};
+
+inline transport::BakeSettings bake_settings(int samples, int depth = 5) {
+  transport::BakeSettings settings;
+  settings.samples = samples;
+  settings.integrator.depth = depth;
+  return settings;
+}
+
+/// All values of a bake, in order.
+inline std::vector<transport::Rgb> values_of(const transport::Bake& bake) {
+  std::vector<transport::Rgb> values;
+  for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
+    for (int k = 0; k < std::max(1, bake.settings().directions); ++k) {
+      values.push_back(bake.irradiance(i, k));
+    }
+  }
+  return values;
+}
+
+/// A box from (0,0,0) to (size,size,size) whose fronts are inside, each wall of cells x cells squares with
+/// vertices of its own.
+inline std::string room(const std::string& attributes, int cells, float size = 1) {
+  std::string vertices;
+  std::string faces;
+  int first = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      for (int i = 0; i <= cells; ++i) {
+        for (int k = 0; k <= cells; ++k) {
+          transport::Vec3f p;
+          p[axis] = side == 0 ? 0 : size;
+          p[(axis + 1) % 3] = size * static_cast<float>(i) / static_cast<float>(cells);
+          p[(axis + 2) % 3] = size * static_cast<float>(k) / static_cast<float>(cells);
+          vertices += fmt::format("({},{},{})\n", p.x, p.y, p.z);
+        }
+      }
+      for (int i = 0; i < cells; ++i) {
+        for (int k = 0; k < cells; ++k) {
+          const int a = first + i * (cells + 1) + k;
+          const int b = a + cells + 1;
+          faces += side == 0 ? fmt::format("({},{},{},{})\n", a, b, b + 1, a + 1)
+                             : fmt::format("({},{},{},{})\n", a, a + 1, b + 1, b);
+        }
+      }
+      first += (cells + 1) * (cells + 1);
+    }
+  }
+  return "begin mesh " + attributes + "\nbegin vertexs\n" + vertices + "end vertexs begin faces\n" + faces +
+         "end faces end mesh\n";
+}
+
+}  // namespace test
