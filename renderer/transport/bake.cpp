@@ -145,17 +145,17 @@ RenderEnd Bake::run_stages() {
 }
 
 bool Bake::run_stage(int samples) {
-  publish(this);
+  publish();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.count()),
                     [&](const tbb::blocked_range<std::size_t>& range) {
-                      see(this);
+                      see();
                       Vertex vertex;
                       for (std::size_t i = range.begin(); i != range.end(); ++i) {
                         if (points_.has_faces(i) && !advance(i, samples, vertex)) break;
                       }
-                      publish(this);
+                      publish();
                     });
-  see(this);
+  see();
   return !stopped_ && !out_of_time_;
 }
 

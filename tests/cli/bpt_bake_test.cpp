@@ -85,14 +85,14 @@ TEST_F(BptBake, SaysWhatIsWrong) {
 TEST_F(BptBake, ResumesAnInterruptedOneToTheSameBytes) {
   const std::string scene = write("scene.grf", Quad);
   const auto bake = [&](const std::string& output, std::vector<std::string> more,
-                        const std::optional<test::Interruption>& interruption = {}) {
+                        const std::vector<test::Interruption>& interruptions = {}) {
     more.insert(more.begin(), {GRANADA_BIN_DIR "/bpt", "bake", scene, "-o", path(output), "--samples",
                                "2000000", "--json"});
-    return test::run(more, {}, interruption);
+    return test::run(more, {}, interruptions);
   };
   ASSERT_EQ(bake("whole.igrf", {}).exit_code, 0);
   const Outcome part = bake("part.igrf", {"--checkpoint", path("state")},
-                            test::Interruption{SIGINT, std::chrono::milliseconds(150)});
+                            {test::Interruption{SIGINT, std::chrono::milliseconds(150)}});
   ASSERT_EQ(part.exit_code, 130) << part.err << part.out;
   EXPECT_TRUE(std::filesystem::exists(path("part.igrf")));
   EXPECT_LT(json::parse(part.out)["samples"].get<double>(), 2'000'000);

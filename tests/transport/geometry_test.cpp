@@ -82,8 +82,8 @@ Leaks leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
     const Vec3f normal =
         point->geometric_normal.dot(inside) < 0 ? -point->geometric_normal : point->geometric_normal;
     if (direction.dot(normal) < 0) direction = -direction;
-    const transport::Ray ray = {point->origin_towards(direction), direction, point->id};
-    if (scene.escapes(ray) || !scene.intersect(ray)) ++leaks.after_corners_or_edges;
+    const transport::Ray onwards = {point->origin_towards(direction), direction, point->id};
+    if (scene.escapes(onwards) || !scene.intersect(onwards)) ++leaks.after_corners_or_edges;
   }
   return leaks;
 }
