@@ -253,7 +253,8 @@ TEST(Documents, EverySchemeIsExplained) {
 
 // That MODELS.md shows it follows from how it is generated. To make them: scripts/plot_models.
 TEST(Documents, EveryModelIsExplainedAndHasItsPicture) {
-  std::size_t pictures = 0;
+  const std::string scene = test::bytes_of(GRANADA_SOURCE_DIR "/samples/models/models.grf");
+  std::ptrdiff_t pictures = 0;
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
     EXPECT_FALSE(model.about.empty()) << model.keyword;
     if (model.example.empty()) continue;
@@ -263,11 +264,13 @@ TEST(Documents, EveryModelIsExplainedAndHasItsPicture) {
     EXPECT_TRUE(std::filesystem::exists(path)) << "scripts/plot_models makes it: " << path;
     EXPECT_NE(test::bytes_of(path).find(fmt::format(">{}</text>", model.example)), std::string::npos)
         << path << " is not of the example: run scripts/plot_models";
+    EXPECT_NE(scene.find(fmt::format("brdf {}", model.keyword)), std::string::npos)
+        << "samples/models/models.grf has no sphere of " << model.keyword;
     ++pictures;
   }
   const std::filesystem::directory_iterator files(GRANADA_SOURCE_DIR "/samples/models");
-  EXPECT_EQ(static_cast<std::size_t>(std::distance(begin(files), end(files))), pictures)
-      << "one has no model";
+  const auto is_plot = [](const auto& entry) { return entry.path().extension() == ".svg"; };
+  EXPECT_EQ(std::count_if(begin(files), end(files), is_plot), pictures) << "one has no model";
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ RC_GTEST_PROP(Lights, SayOfTheirSamplesWhatTheySayOfDirections, ()) {
     RC_ASSERT(std::isfinite(1 / light->density));
     RC_ASSERT(std::abs(light->direction.length() - 1) < 1e-6F);
     const float density = lights.density(from, normal, light->emitter, light->direction);
-    RC_ASSERT(std::abs(density - light->density) <= 1e-6F * density);
+    RC_ASSERT(std::abs(density - light->density) <= 1e-5F * density);
     // The position lies where the direction points, and on the light.
     const Emitter& emitter = lights[light->emitter];
     const Vec3f to_light = light->position - from;

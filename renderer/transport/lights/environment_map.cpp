@@ -139,10 +139,14 @@ Vec2f EnvironmentMap::pair_of(const Place& place) const {
 Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Vec2f& place) const {
   const double cosine = cosines_[row] + double(place.y) * (cosines_[row + 1] - cosines_[row]);
   const double sine = std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));
-  const auto phi =
-      static_cast<float>(2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5));
-  return {static_cast<float>(sine) * std::sin(phi), static_cast<float>(cosine),
-          static_cast<float>(-sine) * std::cos(phi)};
+  const double phi = 2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5);
+  if (is_near_border(row, place)) {
+    return {static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine),
+            static_cast<float>(-sine * std::cos(phi))};
+  }
+  const auto rounded = static_cast<float>(phi);
+  return {static_cast<float>(sine) * std::sin(rounded), static_cast<float>(cosine),
+          static_cast<float>(-sine) * std::cos(rounded)};
 }
 
 /// True unless a direction at this place in a texel is surely found there again. The angles of a direction in
