@@ -128,6 +128,7 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
   RandomNumbers random(8);
   for (const double angle : Angles) {
     const Vec3f u = test::direction(angle, 25);
+    int over_an_edge = 0;
     for (int i = 0; i < 5000; ++i) {
       const auto sample = subject.sample(u, random.next());
       if (!sample || sample->is_mirror) continue;
@@ -135,14 +136,19 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
       ASSERT_NEAR(v.length(), 1, 1e-5);
       ASSERT_GT(v.z, 0);
       const float density = subject.density(u, v);
-      // A direction that is rounded can be over the edge of a cell.
-      ASSERT_NEAR(sample->density, density, (GetParam().depth > 0 ? 1e-2F : 1e-3F) * density);
+      if (std::abs(sample->density - density) > (GetParam().depth > 0 ? 1e-2F : 1e-3F) * density) {
+        // A direction that is rounded can be over the edge of a cell, where the density steps.
+        ASSERT_NEAR(sample->density, density, 0.3F * density);
+        ++over_an_edge;
+        continue;
+      }
       const Rgb expected = subject.evaluate(u, v) * v.z / density;
       for (int k = 0; k < 3; ++k)
         ASSERT_NEAR(sample->weight[k], expected[k],
                     (GetParam().depth > 0 ? 1e-2F : 2e-3F) * expected[k] + 1e-6F)
             << v;
     }
+    EXPECT_LE(over_an_edge, 2) << angle;
   }
 }
 
