@@ -22,7 +22,7 @@ const std::vector<std::string> Schemes = {"auto",
                                           "anisotropic",
                                           "reject",
                                           "adaptive nQT=12",
-                                          "adaptive mode=reject nQT=12",
+                                          "adaptive mode=reject nQT=6 nAnisoQT=6 res=200",
                                           "factored",
                                           "cascadeCDF"};
 
@@ -53,7 +53,10 @@ Look look_from(const Vec3f& u) {
 
 TEST_P(Albedo, IsWhatAFloorShowsUnderAWhiteSky) {
   const std::string brdf = scene_cases()[GetParam()];
-  for (const std::string& scheme : {Schemes.front(), Schemes[GetParam() % Schemes.size()]}) {
+  std::vector<std::string> schemes = {Schemes.front()};
+  // Tables take seconds to make, so each scheme has two BRDFs here; `sampling_test` has all, without a scene.
+  if (GetParam() % 3 == 0) schemes.push_back(Schemes[GetParam() / 3 % Schemes.size()]);
+  for (const std::string& scheme : schemes) {
     const CompiledScene scene =
         test::scene_of(test::quad("brdf " + brdf + " pdf " + scheme, "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)"));
     for (const float theta : {0.3F, 1.1F}) {
@@ -63,7 +66,7 @@ TEST_P(Albedo, IsWhatAFloorShowsUnderAWhiteSky) {
       const auto& reflector = *scene.reflector(*point->surface);
       const double expected = reflectance::mean(reflectance::albedo(reflector, u));
       const test::Estimate shown = test::mean_radiance(test::render(scene, look_from(u)));
-      // 264 comparisons of which each channel's noise is known from two halves of few pixels.
+      // 166 comparisons of which each channel's noise is known from two halves of few pixels.
       EXPECT_NEAR(shown.mean, expected, 6 * shown.deviation + 3e-3 * expected) << brdf << " by " << scheme;
       EXPECT_LT(shown.deviation, 0.05 * expected + 1e-4) << brdf << " by " << scheme;
       if (test::info_of(reflector.brdf()).not_conserving.empty()) {
