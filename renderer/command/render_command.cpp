@@ -11,16 +11,12 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include "grf/check.h"
-#include "grf/read.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_job.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
-#include "renderer/options/scheme_model.h"
-#include "renderer/reflectance/scheme.h"
 #include "renderer/transport/render.h"
 
 namespace command {

@@ -10,20 +10,12 @@
 #include <turbojpeg.h>
 
 #include "renderer/transport/image/image_encoders.h"
+#include "renderer/transport/image/srgb.h"
 
 namespace transport {
 namespace {
 
 using reflectance::Rgb;
-
-/// 0 for what is no number.
-std::uint8_t srgb_byte(float linear) {
-  if (!(linear > 0)) return 0;
-  const float clamped = std::min(linear, 1.0F);
-  const float encoded =
-      clamped <= 0.0031308F ? 12.92F * clamped : 1.055F * std::pow(clamped, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
-}
 
 /// Three bytes a pixel, rows from the top.
 std::vector<std::uint8_t> srgb_bytes(const ImageFile& file) {
@@ -31,7 +23,7 @@ std::vector<std::uint8_t> srgb_bytes(const ImageFile& file) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * file.image.pixels.size());
   for (const Rgb& pixel : file.image.pixels) {
-    for (int i = 0; i < 3; ++i) bytes.push_back(srgb_byte(scale * pixel[i]));
+    for (int i = 0; i < 3; ++i) bytes.push_back(to_srgb_byte(scale * pixel[i]));
   }
   return bytes;
 }

@@ -23,9 +23,10 @@ inline const SrgbTable& srgb_table() {
   return Table;
 }
 
-/// The byte whose value is nearest in sRGB's own measure, for values in [0,1].
+/// The byte whose value is nearest in sRGB's own measure: 255 from 1 on, and 0 for what is no number.
 inline std::uint8_t to_srgb_byte(float linear) {
-  const float value = std::clamp(linear, 0.0F, 1.0F);
+  if (!(linear > 0)) return 0;
+  const float value = std::min(linear, 1.0F);
   const float encoded = value <= 0.0031308F ? 12.92F * value : 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
   return static_cast<std::uint8_t>(std::lround(255 * encoded));
 }
