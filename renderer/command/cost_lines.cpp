@@ -75,12 +75,10 @@ bool set_scheme(const std::string& text, CostLine& line) {
   if (!set_option(line.options, option, {text})) return true;
   grf::Diagnostics diagnostics;
   line.scheme = grf::read_pdf(text, std::string(PdfFlag), diagnostics);
-  if (line.scheme && check_scheme(*line.scheme, diagnostics)) {
-    line.options.name = line.scheme->keyword;
-    return true;
-  }
+  const bool is_right = line.scheme && check_scheme(*line.scheme, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
-  return false;
+  if (is_right) line.options.name = line.scheme->keyword;
+  return is_right;
 }
 
 bool belongs_to(const AxisOption& axis, const CostLine& line) {
