@@ -125,7 +125,7 @@ ExitCode bake(const BakeArguments& arguments) {
       job = bake_job(*render_options, arguments.directions, diagnostics);
     }
   }
-  if (job) points.emplace(job->scene, job->compiled);
+  if (job) points.emplace(job->scene, job->compiled, job->settings.threads);
   if (points && points->count() == 0) {
     diagnostics.error(grf::whole_file(render_options->scene),
                       "the scene has no mesh, and lights get no irradiance");

@@ -9,6 +9,7 @@
 #include "grf/relocate.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/transport/baked_scene.h"
 #include "renderer/transport/image/image.h"
 
 namespace command {
@@ -163,6 +164,7 @@ std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Di
   auto scene = read_scene(render_options, diagnostics);
   if (!scene || !compile_settings) return std::nullopt;
   *scene = grf::flatten(*scene, render_options.scene);
+  if (!transport::has_few_copies(*scene, diagnostics)) return std::nullopt;
   auto compiled = transport::compile(*scene, diagnostics, transport::without_instances(*compile_settings));
   if (!compiled) return std::nullopt;
   transport::RenderSettings render_settings = settings_of(render_options, compiled->bounds());

@@ -103,6 +103,9 @@ void warn_of_unused_options(const RenderOptions& options, grf::Diagnostics& diag
   if (is_naive && options.samples) {
     warn_of("BPT_Samples", "the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2");
   }
+  if (is_naive && options.uses_irradiance) {
+    warn_of("BPT_Irradiance", "the integrator 'naive' finds all light by its own rays");
+  }
   const std::string_view places = "the integrator 'path' spreads its samples by itself";
   if (!is_naive && options.pixel_radial) warn_of("BPT_Pixel_Radial", places);
   if (!is_naive && !options.pixel_random) warn_of("BPT_Pixel_Random", places);
@@ -112,6 +115,8 @@ void warn_of_unused_options(const RenderOptions& options, grf::Diagnostics& diag
   }
   if (options.resampling && (options.environment.empty() || is_backplate)) {
     warn_of("BPT_RIS", is_backplate ? "a backplate lights nothing" : "no BPT_EM_Background is given");
+  } else if (options.resampling && is_naive) {
+    warn_of("BPT_RIS", "the integrator 'naive' samples no light");
   }
 }
 

@@ -1,11 +1,18 @@
 #include "renderer/transport/bake_points.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include "grf/visit.h"
+#include "renderer/transport/thread_sanitizer.h"
+#include "renderer/transport/threads.h"
 
 namespace transport {
 namespace {
@@ -18,13 +25,19 @@ float angle_at(const grf::Vec3d& corner, const grf::Vec3d& next, const grf::Vec3
   return area > 0 ? static_cast<float>(std::atan2(area, a.dot(b))) : 0;
 }
 
-/// The weights of the second and the third corner, near one of the corners.
-Vec2f weights_near(std::uint32_t corner) {
-  constexpr float Other = 1e-3F / 3;
-  std::array<float, 3> weights = {Other, Other, Other};
-  weights[corner] = 1 - 2 * Other;
+/// The weights of the second and the third corner, so much of the way from a corner to the middle.
+Vec2f weights_near(std::uint32_t corner, float way) {
+  std::array<float, 3> weights = {way / 3, way / 3, way / 3};
+  weights[corner] = 1 - 2 * way / 3;
   return {weights[1], weights[2]};
 }
+
+/// Steeply up, and at a low angle to all sides: from below a sheet that is in the air one looks out.
+constexpr float LowSine = 0.02F;
+constexpr float D = std::numbers::sqrt2_v<float> / 2;
+constexpr std::array WaysUp = {Vec3f(0, 0, 1),        Vec3f(1, 0, LowSine),  Vec3f(-1, 0, LowSine),
+                               Vec3f(0, 1, LowSine),  Vec3f(0, -1, LowSine), Vec3f(D, D, LowSine),
+                               Vec3f(-D, D, LowSine), Vec3f(D, -D, LowSine), Vec3f(-D, -D, LowSine)};
 
 }  // namespace
 
@@ -33,9 +46,20 @@ CompileSettings without_instances(CompileSettings settings) {
   return settings;
 }
 
-BakePoints::BakePoints(const grf::Scene& scene, const CompiledScene& compiled) : compiled_(compiled) {
+BakePoints::BakePoints(const grf::Scene& scene, const CompiledScene& compiled, int threads)
+    : compiled_(compiled) {
   list_vertices(scene);
   list_corners();
+  run_with_threads(threads, [&] {
+    publish();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size()),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        see();
+                        for (std::size_t i = range.begin(); i != range.end(); ++i) uncover(i);
+                        publish();
+                      });
+    see();
+  });
 }
 
 // In the order in which the compiled scene has them.
@@ -73,17 +97,71 @@ void BakePoints::list_corners() {
   for (std::size_t i = 0; i < angles.size(); ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (!(angles[i][k] > 0)) continue;
-      corners_[next[mesh.triangles[i].corners[k]]++] = {static_cast<std::uint32_t>(i), k, angles[i][k]};
+      corners_[next[mesh.triangles[i].corners[k]]++] = {static_cast<std::uint32_t>(i), k, angles[i][k],
+                                                        Start};
     }
   }
+}
+
+SurfacePoint BakePoints::point_at(const Corner& corner) const {
+  return compiled_.front_point({0, corner.triangle}, weights_near(corner.corner, corner.way));
+}
+
+bool BakePoints::is_covered(const Corner& corner) const {
+  const SurfacePoint point = point_at(corner);
+  const Vec3f& normal = point.geometric_normal;
+  const TriangleMesh& mesh = compiled_.geometry().meshes.front();
+  const auto& corners = mesh.triangles[corner.triangle].corners;
+  const Vec3f edge = mesh.positions[corners[1]] - mesh.positions[corners[0]];
+  const float area = edge.cross(mesh.positions[corners[2]] - mesh.positions[corners[0]]).length();
+  const float touching = 1e-3F * std::sqrt(area);
+  const reflectance::Frame frame(normal);
+  return std::all_of(WaysUp.begin(), WaysUp.end(), [&](const Vec3f& way) {
+    const Vec3f direction = frame.to_world(way);
+    const auto met = compiled_.intersect({point.origin_towards(direction), direction, point.id});
+    if (!met) return false;
+    if (direction.dot(met->geometric_normal) > 0) return true;
+    return met->geometric_normal.dot(normal) < -0.5F &&
+           (met->position - point.position).dot(normal) < touching;
+  });
+}
+
+void BakePoints::uncover(std::size_t vertex) {
+  const std::size_t first = first_corner_[vertices_[vertex]];
+  const std::span<Corner> corners = std::span(corners_).subspan(first, corners_of(vertex).size());
+  std::vector<bool> is_open;
+  for (const Corner& corner : corners) is_open.push_back(!is_covered(corner));
+  if (std::find(is_open.begin(), is_open.end(), true) == is_open.end()) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const float way = way_out(corners[i]);
+      is_open[i] = way > 0;
+      if (way > 0) corners[i].way = way;
+    }
+  }
+  if (std::find(is_open.begin(), is_open.end(), true) == is_open.end()) return;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!is_open[i]) corners[i].angle = 0;
+  }
+}
+
+/// How far a covered point has to move; 0 if it finds no way out.
+float BakePoints::way_out(Corner corner) const {
+  constexpr int Steps = 24;
+  constexpr float OppositeEdge = 1.5F;
+  for (int i = 1; i < Steps; ++i) {
+    corner.way = OppositeEdge * static_cast<float>(i) / Steps;
+    if (!is_covered(corner)) return corner.way;
+  }
+  return 0;
 }
 
 void BakePoints::points_at(std::size_t vertex, std::vector<Point>& points) const {
   points.clear();
   float sum = 0;
   for (const Corner& corner : corners_of(vertex)) {
+    if (!(corner.angle > 0)) continue;
     sum += corner.angle;
-    points.push_back({compiled_.front_point({0, corner.triangle}, weights_near(corner.corner)), sum});
+    points.push_back({point_at(corner), sum});
   }
   for (Point& point : points) point.share_end /= sum;
 }

@@ -1,5 +1,6 @@
 #include "renderer/transport/baked_scene.h"
 
+#include <algorithm>
 #include <cassert>
 #include <map>
 #include <set>
@@ -140,6 +141,29 @@ BakedScene with_irradiance(grf::Scene scene, const Bake& bake) {
   baked.scene = std::move(scene);
   IrradianceWriter(baked, bake).write();
   return baked;
+}
+
+bool has_few_copies(const grf::Scene& scene, grf::Diagnostics& diagnostics, std::size_t most_vertices) {
+  std::map<const Definition*, std::size_t> places;
+  const Definition* largest = nullptr;
+  std::size_t vertices = 0;
+  std::size_t most = 0;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const Mesh& mesh, const grf::Placement& placement, const Block&) {
+    if (placement.instance_of == nullptr || ++places[placement.instance_of] == 1) return;
+    vertices += mesh.positions.size();
+    const std::size_t of_mesh = (places[placement.instance_of] - 1) * mesh.positions.size();
+    if (of_mesh > most) largest = placement.instance_of;
+    most = std::max(most, of_mesh);
+  };
+  grf::visit(scene, visitor);
+  if (vertices <= most_vertices) return true;
+  diagnostics.error(
+      largest->location,
+      fmt::format("each place of a mesh has irradiance of its own, so copies with {} vertices would "
+                  "be written out, more than {}: 'use' '{}', which is placed {} times, less often",
+                  vertices, most_vertices, largest->name, places[largest]));
+  return false;
 }
 
 }  // namespace transport

@@ -1,6 +1,7 @@
 // `bpt bake` as its users meet it.
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -65,6 +66,21 @@ TEST_F(BptBake, WarnsOfMeshesInManyPlaces) {
       << outcome.err;
   EXPECT_NE(outcome.err.find("2 vertices have no irradiance"), std::string::npos) << outcome.err;
   EXPECT_NE(test::bytes_of(path("a.igrf")).find("use tile$2"), std::string::npos);
+}
+
+// 100 places of 60,000 vertices each.
+TEST_F(BptBake, RefusesToWriteHugeCopies) {
+  std::string text = "def tile = begin mesh brdf diffuse begin vertexs\n";
+  for (int i = 0; i < 60'000; ++i) text += fmt::format("({},{},0)\n", i % 300, i / 300);
+  text += "end vertexs begin faces (0,1,301) end faces end mesh begin\n";
+  for (int i = 0; i < 100; ++i) text += "use tile\n";
+  const Outcome outcome = bpt({"bake", write("scene.grf", text + "end\n"), "-o", path("a.igrf")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("copies with 5940000 vertices would be written out, more than 5000000: 'use' "
+                             "'tile', which is placed 100 times, less often"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(path("a.igrf")));
 }
 
 TEST_F(BptBake, SaysWhatIsWrong) {

@@ -97,6 +97,10 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
             "3: BPT_Pixel_Random has no effect: the integrator 'path' spreads its samples by itself\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Pixel_Radial true\nBPT_Samples 4\n"),
             "4: BPT_Samples has no effect: the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2\n");
+  EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Irradiance true\n"),
+            "3: BPT_Irradiance has no effect: the integrator 'naive' finds all light by its own rays\n");
+  EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_RIS 8 2\nBPT_EM_Background sky.exr\n"),
+            "3: BPT_RIS has no effect: the integrator 'naive' samples no light\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\n"), "2: BPT_RIS has no effect: no BPT_EM_Background is given\n");
 }
 

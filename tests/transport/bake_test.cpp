@@ -115,6 +115,62 @@ TEST(Bake, SeesAllOfTheSkyFromASmoothSphere) {
   }
 }
 
+/// A closed block of which the bottom is at a height.
+std::string block(double bottom, double half_width, double height) {
+  std::string vertices;
+  for (const double z : {bottom, bottom + height}) {
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+      vertices += fmt::format("({},{},{}) ", x * half_width, y * half_width, z);
+    }
+  }
+  return "begin mesh brdf diffuse kd=0.5 begin vertexs " + vertices +
+         "end vertexs begin faces (3,2,1,0) (4,5,6,7) (0,1,5,4) (1,2,6,5) (2,3,7,6) (3,0,4,7) end faces end "
+         "mesh\n";
+}
+
+/// A floor of 4 x 4 squares, from -2 to 2.
+std::string floor_of_squares() {
+  std::string text = "begin mesh brdf diffuse kd=0.5 begin vertexs\n";
+  for (int i = 0; i < 25; ++i) text += fmt::format("({},{},0)\n", i % 5 - 2, i / 5 - 2);
+  text += "end vertexs begin faces\n";
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      text += fmt::format("({},{},{},{})\n", 5 * i + k, 5 * i + k + 1, 5 * i + k + 6, 5 * i + k + 5);
+    }
+  }
+  return text + "end faces end mesh\n";
+}
+
+/// What arrives at the floor's middle, under a white sky.
+double in_the_middle(const std::string& above) {
+  const BakeScene scene(floor_of_squares() + above);
+  BakeSettings settings = bake_settings(256, 1);
+  settings.integrator.background = Rgb(1);
+  Bake bake(scene.compiled, scene.points, settings);
+  bake.run();
+  return bake.irradiance(12).x;
+}
+
+// The faces about the floor's middle reach out from under the block: what they show there is to be as bright
+// as the floor beside it, where half of the sky is seen and more.
+TEST(Bake, IsNotDarkInAFloorUnderWhatStandsOnIt) {
+  for (const double bottom : {0.0, -0.1, 1e-5}) {
+    const double shown = in_the_middle(block(bottom, 0.4, 2));
+    EXPECT_GT(shown, 0.5 * pi) << "bottom at " << bottom;
+    EXPECT_LT(shown, 0.9 * pi) << "bottom at " << bottom;
+  }
+  EXPECT_NEAR(in_the_middle(""), pi, 1e-4);
+}
+
+// What is in the air has a shadow, and a floor that is covered in whole is dark.
+TEST(Bake, IsDarkUnderWhatHangsOrCoversAll) {
+  EXPECT_LT(in_the_middle(block(0.1, 0.9, 1)), 0.1 * pi);
+  const std::string sheet =
+      test::quad("brdf diffuse", "(-0.9,-0.9,0.1) (0.9,-0.9,0.1) (0.9,0.9,0.1) (-0.9,0.9,0.1)");
+  EXPECT_LT(in_the_middle(sheet), 0.1 * pi);
+  EXPECT_EQ(in_the_middle(block(0, 3, 1)), 0);
+}
+
 TEST(Bake, ListsAddUpToTheSingleValue) {
   const BakeScene scene(test::room("brdf diffuse kd=0.7", 2) +
                         "light begin rgb (5,4,3) (0.3,0.99,0.3) (0.4,0,0) (0,0,0.4) end\n");

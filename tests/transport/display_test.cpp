@@ -105,16 +105,10 @@ struct Viewer {
 
 class Display : public testing::Test {
  protected:
-  transport::CompiledScene scene_ =
-      test::scene_of("light begin rgb (9,8,7) (-1,3,-1) (2,0,0) (0,0,2) end\n" +
-                     test::quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)"));
+  transport::CompiledScene scene_ = test::scene_of(test::LitFloor);
 
   static transport::RenderSettings settings(int samples) {
-    test::Look look;
-    look.eye = transport::Vec3f(0, 2, 5);
-    look.width = 150;
-    look.height = 61;
-    look.samples = samples;
+    test::Look look = test::look_at_floor(150, 61, samples);
     look.background = 0.25F;
     return test::settings_of(look);
   }

@@ -213,6 +213,14 @@ TEST(FarScene, IsTheSameAsTheNearOne) {
   }
 }
 
+// Two opposite corners of a light say nothing of where the other two are.
+TEST(FarScene, IsMovedByTheBoxAroundARotatedLight) {
+  const CompiledScene scene = test::scene_of("light begin (900,0,0) (1,50,0) (1,-50,0) end\n");
+  EXPECT_EQ(scene.bounds().min, grf::Vec3d(900, -50, 0));
+  EXPECT_EQ(scene.bounds().max, grf::Vec3d(902, 50, 0));
+  EXPECT_EQ(scene.origin(), grf::Vec3d(0));
+}
+
 TEST(Ray, DoesNotMeetTheTriangleThatItLeaves) {
   const CompiledScene scene = test::scene_of(test::quad("brdf diffuse", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)"));
   const auto point = scene.intersect({Vec3f(0.7F, 0.2F, 1), Vec3f(0, 0, -1)});

@@ -13,15 +13,8 @@ using transport::Render;
 using transport::RenderEnd;
 using transport::RenderSettings;
 
-const std::string Light = "light begin rgb (9,9,9) (-1,3,-1) (2,0,0) (0,0,2) end\n";
-const std::string Floor = test::quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
-
 RenderSettings settings(int samples) {
-  test::Look look;
-  look.eye = transport::Vec3f(0, 2, 5);
-  look.width = 70;
-  look.height = 50;
-  look.samples = samples;
+  test::Look look = test::look_at_floor(70, 50, samples);
   look.threads = 2;
   return test::settings_of(look);
 }
@@ -41,7 +34,7 @@ TEST(SampleScenes, GiveTheSameImageForAnyNumberOfThreads) {
 }
 
 TEST(Snapshot, IsTheImageSoFarWhileWorkersGoOn) {
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   Render render(scene, settings(300));
   std::thread worker([&] { render.run(); });
   int snapshots = 0;
@@ -84,7 +77,7 @@ TEST(Snapshot, NeverShowsHalfATile) {
 }
 
 TEST(TargetError, StopsAllThreadCountsAtTheSameSample) {
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 0.02;
   std::set<std::uint32_t> counts;
@@ -109,7 +102,7 @@ TEST(TargetError, StopsAllThreadCountsAtTheSameSample) {
 }
 
 TEST(TargetError, IsNoReasonToExceedTheSamples) {
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(21);
   until.target_error = 1e-6;
   Render render(scene, until);
@@ -119,7 +112,7 @@ TEST(TargetError, IsNoReasonToExceedTheSamples) {
 }
 
 TEST(MaxTime, StopsWithWhatThereIs) {
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.max_seconds = 0.3;
   Render render(scene, until);
@@ -133,7 +126,7 @@ TEST(MaxTime, StopsWithWhatThereIs) {
 }
 
 TEST(Progress, KnowsTheTimeToATarget) {
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 1e-4;
   Render render(scene, until);
@@ -154,8 +147,8 @@ TEST(Progress, KnowsTheTimeToATarget) {
 TEST(RejectedSamples, AreCountedWithTheFirstPixel) {
   RenderSettings broken = settings(4);
   broken.integrator.background = transport::Rgb(std::numeric_limits<float>::infinity());
-  const auto scene =
-      test::scene_of(Light + test::quad("brdf diffuse kd=0", "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)"));
+  const auto scene = test::scene_of(test::FloorLight +
+                                    test::quad("brdf diffuse kd=0", "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)"));
   broken.view.eye = transport::Vec3f(0, 9.5F, 5);  // sees over the edge of the quad, in the upper half
   broken.view.target = transport::Vec3f(0, 9.5F, 0);
   Render render(scene, broken);

@@ -87,6 +87,20 @@ inline transport::RenderSettings settings_of(const Look& look) {
   return settings;
 }
 
+/// A floor under a light, which has another radiance in each channel.
+inline const std::string FloorLight = "light begin rgb (9,8,7) (-1,3,-1) (2,0,0) (0,0,2) end\n";
+inline const std::string LitFloor =
+    FloorLight + quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
+
+inline Look look_at_floor(int width, int height, int samples) {
+  Look look;
+  look.eye = transport::Vec3f(0, 2, 5);
+  look.width = width;
+  look.height = height;
+  look.samples = samples;
+  return look;
+}
+
 /// The film of a finished render.
 inline transport::Film render(const transport::CompiledScene& scene, const Look& look) {
   transport::Render render(scene, settings_of(look));

@@ -62,9 +62,10 @@ Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
     add(*light.mesh, placement);
   };
   visitor.light = [&](const grf::AreaLight& light, const grf::Placement& placement, const grf::Block&) {
-    grf::Box3f box(light.corner);
-    box.extendBy(light.corner + light.edge1 + light.edge2);
-    bounds.extendBy(transformed(box, placement.to_world));
+    const Vec3d corner(light.corner), edge1(light.edge1), edge2(light.edge2);
+    for (const Vec3d& vertex : {corner, corner + edge1, corner + edge2, corner + edge1 + edge2}) {
+      bounds.extendBy(vertex * placement.to_world);
+    }
     triangles += 2;
   };
   grf::visit(scene, visitor);

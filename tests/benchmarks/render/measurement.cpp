@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/transport/image/image_file.h"
+#include "tests/benchmarks/render/pictures.h"
 
 namespace benchmark {
 namespace {
@@ -18,13 +18,6 @@ using transport::Image;
 
 constexpr int ReferenceFactor = 64;
 constexpr std::uint32_t ReferenceSeed = 1000;
-
-Image read(const fs::path& path) {
-  grf::Diagnostics diagnostics;
-  auto image = transport::read_image(path.string(), diagnostics);
-  if (!image) throw std::runtime_error(diagnostics.to_text());
-  return std::move(*image);
-}
 
 /// Tells contents of files apart (FNV-1a), so that a changed scene does not meet its old reference.
 std::uint64_t fingerprint(const fs::path& folder) {
@@ -54,7 +47,7 @@ class SceneMeasurement {
       measurement.mean = mean_of(references_.back());
       measurements_.push_back(measurement);
     }
-    write_pictures();
+    write_side_by_side(references_, settings.folder / (scene.name + ".png"));
   }
 
   std::vector<Measurement> run() {
@@ -99,7 +92,7 @@ class SceneMeasurement {
       render(renderer, reference);
       fs::rename(reference.image, kept);
     }
-    return read(kept);
+    return read_picture(kept);
   }
 
   void measure_round(int round, std::size_t index) {
@@ -107,7 +100,7 @@ class SceneMeasurement {
     Job timed = job(measurement.renderer);
     timed.seed = static_cast<std::uint32_t>(round) + 1;
     const Outcome outcome = render(measurement.renderer, timed);
-    const double error = relmse(read(timed.image), references_[index]);
+    const double error = relmse(read_picture(timed.image), references_[index]);
     say_(fmt::format("{}: round {}, {}: {:.2f} s, relMSE {:.3g}", scene_.name, round + 1,
                      name_of(measurement.renderer), outcome.seconds, error));
     measurement.relmse += error;
@@ -125,20 +118,6 @@ class SceneMeasurement {
     measurement.embree_share = outcome.embree->share;
     if (!measurement.rays_per_second) {
       measurement.rays_per_second = outcome.embree->queries / measurement.seconds;
-    }
-  }
-
-  void write_pictures() const {
-    Image all{settings_.size * static_cast<int>(references_.size()), settings_.size, {}};
-    for (int y = 0; y < settings_.size; ++y) {
-      for (const Image& image : references_) {
-        const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
-        all.pixels.insert(all.pixels.end(), row, row + image.width);
-      }
-    }
-    grf::Diagnostics diagnostics;
-    if (!transport::write_image({all}, (settings_.folder / (scene_.name + ".png")).string(), diagnostics)) {
-      throw std::runtime_error(diagnostics.to_text());
     }
   }
 

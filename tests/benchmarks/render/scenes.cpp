@@ -38,17 +38,16 @@ void make_environment_map(const fs::path& file) {
 }
 
 /// Copies SOURCE.grf and SOURCE.op into a folder of the scene's own, and makes its meshes there.
-SceneFiles make_scene(const fs::path& folder, const fs::path& source, const std::vector<Shape>& shapes,
+SceneFiles make_scene(const fs::path& own, const fs::path& source, const std::vector<Shape>& shapes,
                       bool small) {
   const std::string name = source.filename().string();
-  const fs::path own = folder / name;
   fs::create_directories(own);
   for (const char* extension : {".grf", ".op"}) {
     fs::copy_file(source.string() + extension, own / (name + extension),
                   fs::copy_options::overwrite_existing);
   }
   for (const Shape& shape : shapes) make_shape(own, shape, small);
-  return {name, own / (name + ".op")};
+  return {own.filename().string(), own / (name + ".op")};
 }
 
 }  // namespace
@@ -57,12 +56,25 @@ std::vector<SceneFiles> make_scenes(const fs::path& folder, bool small) {
   const fs::path sources = GRANADA_SOURCE_DIR "/tests/benchmarks/render/scenes";
   const Shape sphere = {"sphere", 16'000, "metal"};
   std::vector<SceneFiles> scenes;
-  scenes.push_back(make_scene(folder, GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box", {}, small));
-  scenes.push_back(make_scene(folder, sources / "glossy_sphere", {sphere}, small));
-  scenes.push_back(make_scene(folder, sources / "coated_knot", {{"knot", 100'000, "coated"}}, small));
-  scenes.push_back(make_scene(folder, sources / "environment", {sphere, {"knot", 70'000, "glossy"}}, small));
+  const auto make = [&](const fs::path& source, const std::vector<Shape>& shapes) {
+    scenes.push_back(make_scene(folder / source.filename(), source, shapes, small));
+  };
+  make(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box", {});
+  make(sources / "glossy_sphere", {sphere});
+  make(sources / "coated_knot", {{"knot", 100'000, "coated"}});
+  make(sources / "environment", {sphere, {"knot", 70'000, "glossy"}});
   make_environment_map(folder / "environment" / "outdoor.exr");
   return scenes;
+}
+
+std::vector<SceneFiles> make_artefact_scenes(const fs::path& folder) {
+  const fs::path sources = GRANADA_SOURCE_DIR "/tests/benchmarks/render/artefacts";
+  const Shape coarse = {"sphere", 200, "matte"};
+  const Shape fine = {"sphere", 200'000, "matte"};
+  return {make_scene(folder / "terminator", sources / "terminator", {coarse}, false),
+          make_scene(folder / "fine_terminator", sources / "terminator", {fine}, false),
+          make_scene(folder / "closed_room", sources / "closed_room", {coarse}, false),
+          make_scene(folder / "contact", sources / "contact", {}, false)};
 }
 
 }  // namespace benchmark

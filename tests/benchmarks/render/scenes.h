@@ -18,4 +18,8 @@ struct SceneFiles {
 /// `small` has meshes of 2,000 triangles.
 std::vector<SceneFiles> make_scenes(const std::filesystem::path& folder, bool small);
 
+/// Makes the scenes of artefacts/ in a folder: `terminator` with a sphere of few triangles, `fine_terminator`
+/// with one of many in its place, `closed_room` and `contact`. Throws if a file cannot be made.
+std::vector<SceneFiles> make_artefact_scenes(const std::filesystem::path& folder);
+
 }  // namespace benchmark

@@ -1,0 +1,34 @@
+#include "tests/benchmarks/render/pictures.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "renderer/transport/image/image_file.h"
+
+namespace benchmark {
+
+using transport::Image;
+
+Image read_picture(const std::filesystem::path& path) {
+  grf::Diagnostics diagnostics;
+  auto image = transport::read_image(path.string(), diagnostics);
+  if (!image) throw std::runtime_error(diagnostics.to_text());
+  return std::move(*image);
+}
+
+void write_side_by_side(const std::vector<Image>& images, const std::filesystem::path& path) {
+  Image all{0, images.front().height, {}};
+  for (const Image& image : images) all.width += image.width;
+  for (int y = 0; y < all.height; ++y) {
+    for (const Image& image : images) {
+      const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+      all.pixels.insert(all.pixels.end(), row, row + image.width);
+    }
+  }
+  grf::Diagnostics diagnostics;
+  if (!transport::write_image({all}, path.string(), diagnostics)) {
+    throw std::runtime_error(diagnostics.to_text());
+  }
+}
+
+}  // namespace benchmark

@@ -1,0 +1,75 @@
+#include "tests/transport/block_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/distributions/students_t.hpp>
+
+namespace test {
+namespace {
+
+/// The means of the blocks, level after level.
+std::vector<double> means_of(const transport::Image& image) {
+  std::vector<double> means;
+  for (int across = 1; across <= 8; across *= 2) {
+    const auto blocks = static_cast<std::size_t>(across * across);
+    std::vector<double> sums(3 * blocks);
+    std::vector<int> counts(blocks);
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const auto block =
+            static_cast<std::size_t>(y * across / image.height * across + x * across / image.width);
+        const auto& pixel = image.pixels[static_cast<std::size_t>(y * image.width + x)];
+        for (int k = 0; k < 3; ++k) sums[3 * block + static_cast<std::size_t>(k)] += pixel[k];
+        ++counts[block];
+      }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) means.push_back(sums[i] / counts[i / 3]);
+  }
+  return means;
+}
+
+double p_value(double difference, double variance_a, double variance_b, int count_a, int count_b) {
+  const double variance = variance_a + variance_b;
+  // What is the same in all renders may yet be rounded in other ways.
+  if (difference < 1e-5) return 1;
+  if (!(variance > 0)) return 0;
+  const double freedom = variance * variance /
+                         (variance_a * variance_a / (count_a - 1) + variance_b * variance_b / (count_b - 1));
+  const boost::math::students_t distribution(freedom);
+  return 2 * boost::math::cdf(boost::math::complement(distribution, difference / std::sqrt(variance)));
+}
+
+}  // namespace
+
+void BlockStatistics::add(const transport::Image& image) {
+  const std::vector<double> means = means_of(image);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    Block& block = blocks_[i];
+    if (count_ == 0) block.first = means[i];
+    block.sum += means[i] - block.first;
+    block.squares += (means[i] - block.first) * (means[i] - block.first);
+  }
+  ++count_;
+}
+
+double BlockStatistics::mean(std::size_t block) const {
+  return blocks_[block].first + blocks_[block].sum / count_;
+}
+
+double BlockStatistics::variance_of_mean(std::size_t block) const {
+  const double sum = blocks_[block].sum;
+  return std::max(0.0, blocks_[block].squares - sum * sum / count_) / (count_ - 1) / count_;
+}
+
+double least_p_value(const BlockStatistics& a, const BlockStatistics& b, double tolerance) {
+  double least = 1;
+  for (std::size_t i = 0; i < a.blocks_.size(); ++i) {
+    const double difference = std::abs(a.mean(i) - b.mean(i)) - tolerance * b.mean(i);
+    least = std::min(least,
+                     p_value(difference, a.variance_of_mean(i), b.variance_of_mean(i), a.count_, b.count_));
+  }
+  return least;
+}
+
+}  // namespace test
