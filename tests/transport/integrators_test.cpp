@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -101,6 +102,17 @@ TEST(Normals, AreTheComponentsOnTheViewersSide) {
     const transport::Ray ray = {{0, 0, 3 * side}, {0.1F, 0.2F, -side}};
     EXPECT_EQ(kernel_of(scene, normals)(scene, normals, ray, {}, numbers, counter), Rgb(0, 0, side));
   }
+}
+
+// Where rounding puts a point of its back before its front.
+TEST(Path, LightsNoFaceByItself) {
+  const CompiledScene scene =
+      test::scene_of(test::quad("brdf diffuse kd=0.5 light rgb (1,2,1)",
+                                "(-0.36749107,0.9572506,1.5854685)"
+                                "(0.22587675,0.43399888,-0.12987137)(0.57726663,-1.4840348,-0.4794128)"
+                                "(-0.016101182,-0.9607831,1.2359271)"));
+  const transport::Image image = test::render(scene, Look()).mean();
+  EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), Rgb(0)), 32 * 32);
 }
 
 struct KernelCase {
