@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -112,7 +111,8 @@ TEST(Path, LightsNoFaceByItself) {
                                 "(0.22587675,0.43399888,-0.12987137)(0.57726663,-1.4840348,-0.4794128)"
                                 "(-0.016101182,-0.9607831,1.2359271)"));
   const transport::Image image = test::render(scene, Look()).mean();
-  EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), Rgb(0)), 32 * 32);
+  // The other triangle of the quad may be seen edge-on, as rounding bends the two.
+  for (const Rgb& pixel : image.pixels) EXPECT_LT(pixel.length(), 1e-9F);
 }
 
 struct KernelCase {
