@@ -1,6 +1,9 @@
 #include "renderer/command/plan_summary.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +16,17 @@ nlohmann::json entry(const std::string& name, const std::string& why) {
 }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+/// Of the files that are there.
+std::uintmax_t left_out_texture_bytes(const transport::Plan& plan) {
+  std::uintmax_t sum = 0;
+  for (const transport::PlannedTexture& texture : plan.textures) {
+    std::error_code missing;
+    const std::uintmax_t bytes = texture.is_needed ? 0 : std::filesystem::file_size(texture.file, missing);
+    sum += missing ? 0 : bytes;
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -37,12 +51,21 @@ void add_plan(const transport::Plan& plan, nlohmann::json& summary) {
   }
   summary["effects"] = std::move(effects);
   summary["left_out"] = std::move(left_out);
+  const auto is_left_out = [](const transport::PlannedTable& table) { return !table.is_needed; };
+  summary["saved"] = {{"tables", std::count_if(plan.tables.begin(), plan.tables.end(), is_left_out)},
+                      {"texture_file_bytes", left_out_texture_bytes(plan)},
+                      {"scatterings", plan.asked_depth - plan.depth}};
 }
 
 std::string left_out_line(const nlohmann::json& summary) {
   std::vector<std::string> names;
   for (const nlohmann::json& one : summary["left_out"]) names.push_back(one["name"]);
-  return names.empty() ? "nothing left out" : fmt::format("left out: {}", fmt::join(names, ", "));
+  if (names.empty()) return "nothing left out";
+  const nlohmann::json& saved = summary["saved"];
+  return fmt::format(
+      "left out: {}; that saved {} tables, {} bytes of texture files and {} scatterings of a path",
+      fmt::join(names, ", "), saved["tables"].get<int>(), saved["texture_file_bytes"].get<std::uint64_t>(),
+      saved["scatterings"].get<int>());
 }
 
 }  // namespace command

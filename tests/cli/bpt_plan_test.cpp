@@ -77,6 +77,8 @@ TEST_F(BptPlan, IsWhatARenderDoes) {
   EXPECT_TRUE(has("texture wood.png"));
   EXPECT_TRUE(has("table of blinn for cascadecdf"));
   EXPECT_TRUE(has("mirror_reflection"));
+  EXPECT_EQ(summary["saved"]["tables"], 1);
+  EXPECT_EQ(summary["saved"]["scatterings"], 0);
   // With a second bounce, the texture is wanted, and is not there.
   EXPECT_EQ(render("2").exit_code, 1);
   EXPECT_TRUE(plan({"--depth", "2"})["textures"][0]["needed"].get<bool>());
