@@ -13,6 +13,7 @@
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/cost_command.h"
+#include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/options/render_options.h"
 
@@ -47,30 +48,37 @@ void add_option(CLI::App& command, const options::OptionInfo& option, command::O
       ->type_name(type_name_of(option));
 }
 
-void add_render(CLI::App& app, command::RenderArguments& arguments) {
-  CLI::App* render = app.add_subcommand("render", "Render a scene to an image");
-  render->add_option("scene", arguments.scene, "an OP file, or a GRF scene")
+/// The scene, and all flags of the table but that of the image.
+void add_scene_options(CLI::App& command, std::string& scene, command::OptionFlags& flags) {
+  command.add_option("scene", scene, "an OP file, or a GRF scene")
       ->required()
       ->type_name("SCENE.op|SCENE.grf");
   for (const options::OptionInfo& option : options::option_table()) {
-    if (option.flag.empty()) continue;
-    const std::string flag(option.flag);
-    if (flag == "--output") {
-      render->add_option(flag, arguments.outputs, "the image; may be given again, for another type of file")
-          ->type_name("path")
-          ->allow_extra_args(false);
-      continue;
-    }
+    if (option.flag.empty() || option.flag == "--output") continue;
     if (std::holds_alternative<options::BooleanOption<bool>>(option.value)) {
       // `--irradiance` alone, or `--irradiance=false` against what the file says.
-      render->add_flag_function(
-          flag,
-          [&arguments, flag](std::int64_t count) { arguments.flags[flag] = count > 0 ? "true" : "false"; },
+      const std::string flag(option.flag);
+      command.add_flag_function(
+          flag, [&flags, flag](std::int64_t count) { flags[flag] = count > 0 ? "true" : "false"; },
           std::string(option.meaning));
       continue;
     }
-    add_option(*render, option, arguments.flags);
+    add_option(command, option, flags);
   }
+}
+
+void add_plan(CLI::App& app, command::PlanArguments& arguments) {
+  CLI::App* plan = app.add_subcommand("plan", "Say what a render would do, what it would leave out, and why");
+  add_scene_options(*plan, arguments.scene, arguments.flags);
+  plan->add_flag("--json", arguments.json, "print one JSON object");
+}
+
+void add_render(CLI::App& app, command::RenderArguments& arguments) {
+  CLI::App* render = app.add_subcommand("render", "Render a scene to an image");
+  add_scene_options(*render, arguments.scene, arguments.flags);
+  render->add_option("--output", arguments.outputs, "the image; may be given again, for another type of file")
+      ->type_name("path")
+      ->allow_extra_args(false);
   add_progress(*render, arguments.progress);
   render->add_flag("--json", arguments.json,
                    "print the summary as JSON; after --progress json as one more line");
@@ -230,6 +238,8 @@ ExitCode run(int argc, char** argv) {
   add_render(app, arguments);
   command::BakeArguments bake_arguments;
   add_bake(app, bake_arguments);
+  command::PlanArguments plan_arguments;
+  add_plan(app, plan_arguments);
   command::BrdfArguments brdf_arguments;
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
@@ -245,6 +255,7 @@ ExitCode run(int argc, char** argv) {
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
+  if (app.got_subcommand("plan")) return command::plan(plan_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);
 }

@@ -31,34 +31,52 @@ using transport::PixelPlacing;
 
 bool is_naive(const CostLine& line) { return line.options.integrator == "naive"; }
 
-/// Compiles a scene for lines; those that need the same tables share them.
-class Compiler {
+/// Makes what is rendered of lines; those that need the same tables share a compiled scene.
+class Subjects {
  public:
-  Compiler(const grf::Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+  Subjects(const grf::Scene& scene, bool has_centred_rays, Diagnostics& diagnostics)
+      : scene_(scene), has_centred_rays_(has_centred_rays), diagnostics_(diagnostics) {}
 
-  /// Null after an error.
-  std::shared_ptr<const CompiledScene> compile(const CostLine& line) {
-    auto settings = compile_settings_of(line.options, diagnostics_);
-    if (!settings) return nullptr;
-    if (line.scheme) settings->scheme = {*line.scheme, line.options.factors_file};
-    const std::string key = (line.scheme ? to_text(*line.scheme) : "") + (is_naive(line) ? " naive " : " ") +
-                            line.options.precision;
-    const auto known = compiled_.find(key);
-    if (known != compiled_.end()) return known->second;
-    auto scene = transport::compile(scene_, diagnostics_, *settings);
-    if (scene && scene->triangle_count() == 0) {
-      diagnostics_.error(grf::whole_file(line.options.scene),
-                         "the scene has nothing to render, expected a mesh or a light");
-      return nullptr;
-    }
-    if (!scene) return nullptr;
-    return compiled_.emplace(key, std::make_shared<const CompiledScene>(std::move(*scene))).first->second;
+  /// Nothing after an error.
+  std::optional<CostSubject> of(const CostLine& line) {
+    auto compile_settings = compile_settings_of(line.options, diagnostics_);
+    if (!compile_settings) return std::nullopt;
+    if (line.scheme) compile_settings->scheme = {*line.scheme, line.options.factors_file};
+    auto planned = render_plan(scene_, std::move(*compile_settings), line.options, diagnostics_);
+    if (!planned) return std::nullopt;
+    auto compiled = compile(line, planned->compile_settings);
+    if (!load_surroundings(line.options, *planned, diagnostics_) || !compiled) return std::nullopt;
+    share(environment_, planned->settings.integrator.environment);
+    share(backplate_, planned->settings.backplate);
+    if (has_centred_rays_) planned->settings.placing = PixelPlacing::Centre;
+    return CostSubject{std::move(compiled), std::move(planned->settings)};
   }
 
  private:
+  std::shared_ptr<const CompiledScene> compile(const CostLine& line,
+                                               const transport::CompileSettings& settings) {
+    const std::string key = fmt::format("{} {} {} {}", line.scheme ? to_text(*line.scheme) : "",
+                                        line.options.integrator, line.options.precision, line.options.depth);
+    const auto known = compiled_.find(key);
+    if (known != compiled_.end()) return known->second;
+    auto scene = transport::compile(scene_, diagnostics_, settings);
+    if (!scene || !has_something(*scene, line.options, diagnostics_)) return nullptr;
+    return compiled_.emplace(key, std::make_shared<const CompiledScene>(std::move(*scene))).first->second;
+  }
+
+  /// One of an image in memory is enough.
+  template <class Image>
+  static void share(std::shared_ptr<const Image>& first, std::shared_ptr<const Image>& image) {
+    if (!first) first = image;
+    if (image) image = first;
+  }
+
   const grf::Scene& scene_;
+  bool has_centred_rays_;
   Diagnostics& diagnostics_;
   std::map<std::string, std::shared_ptr<const CompiledScene>> compiled_;
+  std::shared_ptr<const transport::EnvironmentMap> environment_;
+  std::shared_ptr<const transport::Image> backplate_;
 };
 
 /// The line of the reference: `path` with the best scheme of each BRDF, Sobol points, and the greatest depth.
@@ -90,26 +108,13 @@ bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& rend
                    Diagnostics& diagnostics) {
   const auto scene = read_scene(render_options, diagnostics);
   if (!scene) return false;
-  Compiler compiler(*scene, diagnostics);
-  const bool has_naive = std::any_of(lines.begin(), lines.end(), is_naive);
-  std::optional<transport::RenderSettings> first;
-  const auto subject_of = [&](const CostLine& line) -> std::optional<CostSubject> {
-    auto compiled = compiler.compile(line);
-    if (!compiled) return std::nullopt;
-    auto settings = render_settings_of(line.options, compiled->bounds(), diagnostics);
-    if (!settings) return std::nullopt;
-    if (!first) first = settings;
-    settings->integrator.environment = first->integrator.environment;  // one in memory is enough
-    settings->backplate = first->backplate;
-    if (has_naive) settings->placing = PixelPlacing::Centre;
-    return CostSubject{std::move(compiled), std::move(*settings)};
-  };
+  Subjects subjects(*scene, std::any_of(lines.begin(), lines.end(), is_naive), diagnostics);
   // The first one that is made takes longer, with the start of threads: that is to be no line's.
-  auto reference = subject_of(reference_line(lines, render_options));
+  auto reference = subjects.of(reference_line(lines, render_options));
   if (!reference) return false;
   plan.reference = std::move(*reference);
   for (const CostLine& line : lines) {
-    auto subject = subject_of(line);
+    auto subject = subjects.of(line);
     if (!subject) return false;
     plan.lines.push_back(std::move(*subject));
   }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "renderer/command/plan_summary.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_job.h"
@@ -48,7 +49,7 @@ nlohmann::json whole_if_exact(double number) {
 }
 
 nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
-                          const std::string& output, double setup_seconds, const CompiledScene& scene) {
+                          const std::string& output, double setup_seconds, const transport::Plan& plan) {
   const double seconds = render.seconds();
   const auto error = render.film().estimated_error();
   nlohmann::json summary;
@@ -62,7 +63,7 @@ nlohmann::json summary_of(const transport::Render& render, const RenderOptions& 
   summary["rays_per_second"] = static_cast<double>(render.ray_count()) / seconds;
   summary["estimated_error"] = error ? nlohmann::json(*error) : nlohmann::json(nullptr);
   summary["peak_memory_bytes"] = peak_memory_bytes();
-  summary["effects"] = scene.effects().names();
+  add_plan(plan, summary);
   return summary;
 }
 
@@ -81,6 +82,7 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
   }
   fmt::print("  peak memory {:.0f} MB, effects: {}\n", number("peak_memory_bytes") / 1e6,
              fmt::join(summary["effects"].get<std::vector<std::string>>(), ", "));
+  fmt::print("  {}\n", left_out_line(summary));
 }
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
@@ -162,7 +164,7 @@ grf::ExitCode render(const RenderArguments& arguments) {
     return ExitCode::BadInput;
   }
   progress.finish(render->progress(), outputs.front());
-  print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->scene), arguments);
+  print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
   return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
 }
 

@@ -1,5 +1,6 @@
 #include "renderer/command/render_job.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "grf/check.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
+#include "grf/write.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/baked_scene.h"
@@ -56,21 +58,6 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
   if (render_options.precision == "double") settings.precision = reflectance::Precision::Double;
   if (!override_scheme(render_options, settings, diagnostics)) return std::nullopt;
   return settings;
-}
-
-namespace {
-
-std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
-  const auto settings = compile_settings_of(render_options, diagnostics);
-  auto scene = read_scene(render_options, diagnostics);
-  if (!scene || !settings) return std::nullopt;
-  auto compiled = transport::compile(std::move(*scene), diagnostics, *settings);
-  if (compiled && compiled->triangle_count() == 0) {
-    diagnostics.error(grf::whole_file(render_options.scene),
-                      "the scene has nothing to render, expected a mesh or a light");
-    return std::nullopt;
-  }
-  return compiled;
 }
 
 /// Reads the image around or behind the scene; false after an error.
@@ -125,6 +112,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.integrator.integrator = integrator_of(render_options);
   settings.integrator.secondary_rays =
       render_options.secondary_rays_root * render_options.secondary_rays_root;
+  settings.integrator.uses_full_kernel = render_options.kernel == "full";
   place_samples(render_options, settings);
   settings.target_error = render_options.target_error;
   settings.max_seconds = render_options.max_seconds;
@@ -134,26 +122,78 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   return settings;
 }
 
+bool has_backplate(const RenderOptions& render_options) {
+  return !render_options.environment.empty() && render_options.projection == "backplate";
+}
+
+transport::PlanSettings plan_settings_of(const RenderOptions& render_options,
+                                         const transport::RenderSettings& settings) {
+  transport::PlanSettings plan;
+  plan.limits = {settings.view, settings.width, settings.height, settings.integrator.depth,
+                 render_options.effects()};
+  plan.draws_normals = settings.integrator.integrator == Integrator::Normals;
+  plan.has_backplate = has_backplate(render_options);
+  plan.has_environment = !render_options.environment.empty() && !plan.has_backplate;
+  plan.has_background = !reflectance::is_black(settings.integrator.background);
+  plan.uses_irradiance = render_options.uses_irradiance;
+  plan.keeps_all = render_options.kernel == "full";
+  for (const char* layer : {"albedo", "normal", "depth"}) {
+    const auto& layers = render_options.layers;
+    plan.shows_surfaces |= std::find(layers.begin(), layers.end(), layer) != layers.end();
+  }
+  return plan;
+}
+
 }  // namespace
 
-std::optional<transport::RenderSettings> render_settings_of(const RenderOptions& render_options,
-                                                            const grf::Box3d& bounds,
-                                                            Diagnostics& diagnostics) {
-  transport::RenderSettings settings = settings_of(render_options, bounds);
-  if (!load_surroundings(render_options, settings, diagnostics)) return std::nullopt;
-  // Where there is nothing to render, that is the one thing to be told.
-  if (!bounds.isEmpty() && settings.view.eye == settings.view.target) {
+std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::CompileSettings compile_settings,
+                                      const RenderOptions& render_options, Diagnostics& diagnostics) {
+  compile_settings.effects = render_options.effects();
+  const transport::Outline outline(scene, transport::most_copied_triangles(compile_settings));
+  transport::RenderSettings settings = settings_of(render_options, outline.bounds);
+  if (settings.view.eye == settings.view.target) {
     diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
     return std::nullopt;
   }
-  return settings;
+  transport::PlanSettings plan_settings = plan_settings_of(render_options, settings);
+  if (compile_settings.scheme) plan_settings.scheme = to_text(compile_settings.scheme->model);
+  transport::Plan plan = transport::plan_of(outline, plan_settings);
+  follow(plan, settings);
+  compile_settings.effects = plan.needed();
+  compile_settings.reflecting = plan.reflecting;
+  return RenderPlan{std::move(compile_settings), std::move(settings), std::move(plan)};
+}
+
+bool load_surroundings(const RenderOptions& render_options, RenderPlan& planned, Diagnostics& diagnostics) {
+  const bool is_needed =
+      planned.plan[transport::Effect::Environment].is_needed ||
+      (has_backplate(render_options) && planned.plan[transport::Effect::Background].is_needed);
+  return !is_needed || load_surroundings(render_options, planned.settings, diagnostics);
+}
+
+bool has_something(const CompiledScene& scene, const RenderOptions& render_options,
+                   Diagnostics& diagnostics) {
+  if (scene.triangle_count() > 0) return true;
+  diagnostics.error(grf::whole_file(render_options.scene),
+                    "the scene has nothing to render, expected a mesh or a light");
+  return false;
 }
 
 std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics) {
-  auto scene = load(render_options, diagnostics);
-  auto settings = render_settings_of(render_options, scene ? scene->bounds() : grf::Box3d(), diagnostics);
-  if (!scene || !settings) return std::nullopt;
-  return RenderJob{std::move(*scene), std::move(*settings)};
+  const auto compile_settings = compile_settings_of(render_options, diagnostics);
+  auto scene = read_scene(render_options, diagnostics);
+  std::optional<RenderPlan> planned;
+  if (scene && compile_settings)
+    planned = render_plan(*scene, *compile_settings, render_options, diagnostics);
+  if (!planned) {
+    transport::RenderSettings unused;
+    load_surroundings(render_options, unused, diagnostics);  // says all that is wrong at once
+    return std::nullopt;
+  }
+  auto compiled = transport::compile(std::move(*scene), diagnostics, planned->compile_settings);
+  const bool is_something = compiled && has_something(*compiled, render_options, diagnostics);
+  if (!load_surroundings(render_options, *planned, diagnostics) || !is_something) return std::nullopt;
+  return RenderJob{std::move(*compiled), std::move(planned->settings), std::move(planned->plan)};
 }
 
 std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Diagnostics& diagnostics) {

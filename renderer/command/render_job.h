@@ -5,6 +5,7 @@
 #include "grf/diagnostics.h"
 #include "renderer/options/render_options.h"
 #include "renderer/transport/bake.h"
+#include "renderer/transport/plan/plan.h"
 #include "renderer/transport/render.h"
 
 namespace command {
@@ -13,24 +14,39 @@ namespace command {
 struct RenderJob {
   transport::CompiledScene scene;
   transport::RenderSettings settings;
+  transport::Plan plan;
 };
-
-// The parts of which `render_job` is made; nothing after an error.
-
-/// The scene as its author wrote it, checked.
-std::optional<grf::Scene> read_scene(const options::RenderOptions& render_options,
-                                     grf::Diagnostics& diagnostics);
-/// What the options say of compiling.
-std::optional<transport::CompileSettings> compile_settings_of(const options::RenderOptions& render_options,
-                                                              grf::Diagnostics& diagnostics);
-/// All else that they say, of a scene in that box. Reads the image around or behind it.
-std::optional<transport::RenderSettings> render_settings_of(const options::RenderOptions& render_options,
-                                                            const grf::Box3d& bounds,
-                                                            grf::Diagnostics& diagnostics);
 
 /// Reads and compiles the scene that the options name, with all that they say of it; nothing after an error.
 std::optional<RenderJob> render_job(const options::RenderOptions& render_options,
                                     grf::Diagnostics& diagnostics);
+
+// The parts of which `render_job` is made; nothing, or false, after an error.
+
+/// The scene as its author wrote it, checked.
+std::optional<grf::Scene> read_scene(const options::RenderOptions& render_options,
+                                     grf::Diagnostics& diagnostics);
+/// What the options say of compiling, before a plan.
+std::optional<transport::CompileSettings> compile_settings_of(const options::RenderOptions& render_options,
+                                                              grf::Diagnostics& diagnostics);
+
+/// What a render will do, before anything costly is made.
+struct RenderPlan {
+  transport::CompileSettings compile_settings;
+  transport::RenderSettings settings;
+  transport::Plan plan;
+};
+
+/// Looks at what a render of a scene calls for. Its settings are without surroundings.
+std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::CompileSettings compile_settings,
+                                      const options::RenderOptions& render_options,
+                                      grf::Diagnostics& diagnostics);
+/// Reads the image around or behind the scene into the settings, if the plan needs it.
+bool load_surroundings(const options::RenderOptions& render_options, RenderPlan& planned,
+                       grf::Diagnostics& diagnostics);
+/// An error if there is nothing to render.
+bool has_something(const transport::CompiledScene& scene, const options::RenderOptions& render_options,
+                   grf::Diagnostics& diagnostics);
 
 /// What a bake needs, once its files have been read.
 struct BakeJob {

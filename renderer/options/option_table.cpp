@@ -98,6 +98,22 @@ std::vector<OptionInfo> estimator_options() {
   };
 }
 
+/// Of what is in the image, and what of the program makes it.
+std::vector<OptionInfo> effect_options() {
+  using Options = RenderOptions;
+  return {
+      {"BPT_Only", "--only", ListOption{&Options::only, transport::effect_words()}, "list", "all",
+       "the effects that may be in the image, with commas between: names of renderer/EFFECTS.md, or groups "
+       "of "
+       "them, such as direct"},
+      {"BPT_Without", "--without", ListOption{&Options::without, transport::effect_words()}, "list", "none",
+       "those of them that are left out all the same"},
+      {"BPT_Kernel", "--kernel", WordOption{&Options::kernel, {"auto", "full"}}, "word", "auto",
+       "auto: build, load and run only what the scene, the options and the view call for, as `bpt plan` "
+       "tells; full: all, for the same image in more time"},
+  };
+}
+
 /// Of how long a render goes on, and who sees it.
 std::vector<OptionInfo> running_options() {
   using Options = RenderOptions;
@@ -183,7 +199,8 @@ std::vector<OptionInfo> scheme_options() {
 const std::vector<OptionInfo>& option_table() {
   static const std::vector<OptionInfo> table = [] {
     std::vector<OptionInfo> options = image_options();
-    for (const auto& group : {view_options(), estimator_options(), running_options(), scheme_options()}) {
+    for (const auto& group :
+         {view_options(), estimator_options(), effect_options(), running_options(), scheme_options()}) {
       options.insert(options.end(), group.begin(), group.end());
     }
     return options;

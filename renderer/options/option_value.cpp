@@ -204,6 +204,16 @@ int RenderOptions::samples_a_pixel() const {
   return static_cast<int>(places > Most / secondary_rays ? Most : places * secondary_rays);
 }
 
+transport::EffectSet RenderOptions::effects() const {
+  const transport::EffectSet chosen = transport::effects_named(only);
+  const transport::EffectSet left_out = transport::effects_named(without);
+  transport::EffectSet effects;
+  for (const transport::EffectInfo& info : transport::EffectInfos) {
+    if (chosen.has(info.effect) && !left_out.has(info.effect)) effects.add(info.effect);
+  }
+  return effects;
+}
+
 std::size_t word_count(const OptionInfo& option) {
   if (std::holds_alternative<SizeOption>(option.value) ||
       std::holds_alternative<PairOption<IntegerPair>>(option.value) ||

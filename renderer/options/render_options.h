@@ -13,6 +13,7 @@
 #include "grf/keywords.h"
 #include "grf/math.h"
 #include "grf/source_location.h"
+#include "renderer/transport/plan/effect.h"
 
 namespace options {
 
@@ -89,6 +90,9 @@ struct RenderOptions : SchemeOptions {
   std::string precision = "float";  ///< or double
   bool ray_casting = false;
   bool uses_irradiance = false;
+  /// Words of transport::effect_words; what is in the first and not in the second may be in the image.
+  std::vector<std::string> only = all_effects(), without;
+  std::string kernel = "auto";        ///< auto or full
   std::optional<float> target_error;  ///< sqrt(relMSE) of the image
   std::optional<float> max_seconds;
   std::string checkpoint;  ///< path; empty: none
@@ -102,11 +106,19 @@ struct RenderOptions : SchemeOptions {
   bool writes_prebuild_time = false;   ///< `prebuildTime`
   OptionLocations locations;
 
+  transport::EffectSet effects() const;
+
   /// Of the integrator path. Where BPT_Samples is not given, as many as the thesis' estimator would take, so
   /// that an old OP file costs about what it did.
   int samples_a_pixel() const;
 
   bool operator==(const RenderOptions&) const = default;
+
+ private:
+  static std::vector<std::string> all_effects() {
+    const auto words = transport::effect_words();
+    return {words.begin(), words.end()};
+  }
 };
 
 /// A number with its legal values. Those of reals are open intervals where `open` says so. The field may be

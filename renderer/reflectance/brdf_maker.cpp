@@ -35,6 +35,14 @@ std::optional<Brdf> BrdfMaker::make(const grf::BrdfModel& data, const grf::Scope
   return Combine{std::move(parts)};
 }
 
+std::vector<const grf::BrdfModel*> BrdfMaker::models_of(const grf::BrdfModel& data, const grf::Scope& scope) {
+  std::vector<const grf::BrdfModel*> models;
+  for (const Leaf& leaf : leaves_of(data, scope)) {
+    if (leaf.weight > 0) models.push_back(leaf.model);
+  }
+  return models;
+}
+
 std::string BrdfMaker::identity(const grf::BrdfModel& data, const grf::Scope& scope) {
   std::string text;
   for (const Leaf& leaf : leaves_of(data, scope)) {

@@ -20,6 +20,9 @@ class BrdfMaker {
   /// The BRDF, whose names mean what they mean in that scope, or nothing after an error.
   std::optional<Brdf> make(const grf::BrdfModel& data, const grf::Scope& scope);
 
+  /// What a sum adds up, without sums, or the model itself; those of weight 0 are left out. Reads no data.
+  std::vector<const grf::BrdfModel*> models_of(const grf::BrdfModel& data, const grf::Scope& scope);
+
   /// A text that is the same for the same BRDFs.
   std::string identity(const grf::BrdfModel& data, const grf::Scope& scope);
 

@@ -33,6 +33,14 @@ std::string option_rows() {
   return rows;
 }
 
+std::string effect_rows() {
+  std::string rows = "| effect | where it is switched off |\n|---|---|\n";
+  for (const transport::EffectInfo& effect : transport::EffectInfos) {
+    rows += fmt::format("| {} | {} |\n", effect.name, effect.without);
+  }
+  return rows;
+}
+
 /// What a heading's words are in a link to it.
 std::string anchor_of(std::string_view words) {
   std::string anchor;
@@ -237,6 +245,8 @@ std::string schemes() {
 }
 
 TEST(Documents, OptionsAreThoseOfTheTable) { expect_generated("renderer/OPTIONS.md", option_rows()); }
+
+TEST(Documents, EffectsAreThoseOfTheTable) { expect_generated("renderer/EFFECTS.md", effect_rows()); }
 
 TEST(Documents, ModelsAreThoseOfTheCatalogue) { expect_generated("renderer/MODELS.md", models()); }
 

@@ -97,8 +97,8 @@ TEST(OptionTable, WordsOfAnOptionSetItAgain) {
     } else if (const auto* word = std::get_if<options::WordOption>(&option.value)) {
       words = {std::string(word->words.front() == option.default_value ? word->words.back()
                                                                        : word->words.front())};
-    } else if (option.values == "list") {
-      words = {"depth,samples"};
+    } else if (const auto* list = std::get_if<options::ListOption>(&option.value)) {
+      words = {std::string(list->words[1]) + "," + std::string(list->words[2])};
     } else if (option.values == "path") {
       words = {"a/b c"};
     } else if (option.key == "BPT_QT_avgnmax") {

@@ -103,6 +103,18 @@ TEST(Normals, AreTheComponentsOnTheViewersSide) {
   }
 }
 
+// Where rounding puts a point of its back before its front.
+TEST(Path, LightsNoFaceByItself) {
+  const CompiledScene scene =
+      test::scene_of(test::quad("brdf diffuse kd=0.5 light rgb (1,2,1)",
+                                "(-0.36749107,0.9572506,1.5854685)"
+                                "(0.22587675,0.43399888,-0.12987137)(0.57726663,-1.4840348,-0.4794128)"
+                                "(-0.016101182,-0.9607831,1.2359271)"));
+  const transport::Image image = test::render(scene, Look()).mean();
+  // The other triangle of the quad may be seen edge-on, as rounding bends the two.
+  for (const Rgb& pixel : image.pixels) EXPECT_LT(pixel.length(), 1e-9F);
+}
+
 struct KernelCase {
   const char* name;
   std::string text;

@@ -122,7 +122,7 @@ TEST_F(TexturedScene, MultipliesTheColour) {
   EXPECT_NEAR((colour_at(0.75F, 0.75F) - Rgb(0, 0.5F, 0)).length(), 0, 1e-3);
   EXPECT_NEAR((colour_at(0.25F, 0.25F) - Rgb(0, 0, 0.5F)).length(), 0, 1e-3);
   EXPECT_NEAR((colour_at(0.75F, 0.25F) - Rgb(0.5F)).length(), 0, 1e-3);
-  EXPECT_TRUE(scene.effects().textures);
+  EXPECT_EQ(scene.texture_count(), 1U);
 }
 
 // A cone that is as wide as the quad sees the mean of it.

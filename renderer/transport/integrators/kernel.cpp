@@ -10,6 +10,7 @@ namespace transport {
 namespace {
 
 PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& settings) {
+  if (settings.uses_full_kernel) return {};
   PathEffects effects;
   effects.area_lights = !scene.lights().empty();
   effects.environment = settings.environment != nullptr;

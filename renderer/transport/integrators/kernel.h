@@ -29,6 +29,8 @@ struct IntegratorSettings {
   /// by mirrors, if that is on the front of a surface with neither a glossy nor a mirror part; the path ends
   /// there. Of `Path` alone.
   bool uses_irradiance = false;
+  bool reflects_mirrors = true;    ///< else the Dirac part of BRDFs reflects nothing
+  bool uses_full_kernel = false;   ///< of `Path` alone: that which does all, whatever the scene calls for
   bool measures_sampling = false;  ///< fills in RayCounter::sampling_ticks
 };
 

@@ -21,7 +21,7 @@ class NaivePaths {
   Rgb run(const Ray& ray, const std::optional<Rgb>& behind);
 
  private:
-  Rgb follow(Ray ray, int path);
+  Rgb follow(Ray ray, int path, bool was_scattered);
   std::vector<ScatterSample> draw_secondary(const Scattering& scattering);
   std::optional<ScatterSample> draw(const Scattering& scattering, const Uniforms& xi);
   std::optional<SurfacePoint> intersect(const Ray& ray);
@@ -83,13 +83,14 @@ std::optional<ScatterSample> NaivePaths::draw(const Scattering& scattering, cons
 std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const ScatterSample& drawn) const {
   const Vec3f direction = scattering.frame.to_world(drawn.direction);
   if (!scattering.is_above(direction)) return std::nullopt;
+  if (drawn.is_mirror && !settings_.reflects_mirrors) return std::nullopt;
   auto ray = scattering.ray_towards(scene_, direction);
   if (ray && !drawn.is_mirror) ray->cone = ray->cone.widened(drawn.density);
   return ray;
 }
 
-/// What arrives along a ray that has been scattered once.
-Rgb NaivePaths::follow(Ray ray, int path) {
+/// What arrives along a ray that has been scattered once, or reflected by a mirror.
+Rgb NaivePaths::follow(Ray ray, int path, bool was_scattered) {
   Rgb throughput(1);
   Rgb radiance(0);
   for (int events = 1;; ++events) {
@@ -98,12 +99,14 @@ Rgb NaivePaths::follow(Ray ray, int path) {
     radiance += throughput * emission(*point, ray);
     const Reflector* reflector = scene_.reflector(*point->surface);
     if (reflector == nullptr || events >= settings_.depth) return radiance;
+    if (was_scattered && !point->surface->interreflects) return radiance;
     const Scattering scattering(*point, *reflector, -ray.direction);
     const auto drawn = draw(scattering, uniforms(points_of(events)[path]));
     if (!drawn) return radiance;
     throughput *= drawn->weight * point->colour;
     const auto next = scattered(scattering, *drawn);
     if (!next || reflectance::is_black(throughput)) return radiance;
+    was_scattered = was_scattered || !drawn->is_mirror;
     ray = *next;
   }
 }
@@ -120,7 +123,8 @@ Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& behind) {
   for (const ScatterSample& drawn : draw_secondary(scattering)) {
     const Rgb weight = drawn.weight * point->colour;
     const auto next = scattered(scattering, drawn);
-    if (next && !reflectance::is_black(weight)) sum += Imath::V3d(weight * follow(*next, path));
+    if (next && !reflectance::is_black(weight))
+      sum += Imath::V3d(weight * follow(*next, path, !drawn.is_mirror));
     ++path;
   }
   return own + Rgb(sum / settings_.secondary_rays);

@@ -78,6 +78,7 @@ class Path {
   bool has_environment_ = false;
   /// So far the path has met mirrors alone, and irradiance serves where the scene has it.
   bool takes_irradiance_ = settings_.uses_irradiance;
+  bool was_scattered_ = false;        ///< other than by mirrors
   Vec3f light_direction_ = Vec3f(0);  ///< to the last point of a light that could be reflected
 };
 
@@ -150,6 +151,8 @@ template <PathEffects Has>
 void Path<Has>::add_area_light(const Scattering& scattering, float choice, const Vec2f& xi) {
   const auto light = scene_.lights().sample(scattering.point.position, scattering.frame.z, choice, xi);
   if (!light || !scattering.is_above(light->direction)) return;
+  // Rounding can put a point on the back of a face before the face's own front.
+  if (light->emitter == scattering.point.emitter) return;
   const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
   const Vec3f end = offset_towards(light->position, light->error, light->normal, -light->direction);
@@ -210,7 +213,7 @@ std::optional<ScatterSample> Path<Has>::sample(const Scattering& scattering, con
 template <PathEffects Has>
 bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   const auto drawn = sample(scattering, xi);
-  if (!drawn) return false;
+  if (!drawn || (drawn->is_mirror && !settings_.reflects_mirrors)) return false;
   const Vec3f direction = scattering.frame.to_world(drawn->direction);
   if (!scattering.is_above(direction)) return false;
   throughput_ *= drawn->weight * scattering.point.colour;
@@ -224,6 +227,7 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   if (density_ > 0) {
     ray_.cone = ray_.cone.widened(density_);
     takes_irradiance_ = false;
+    was_scattered_ = true;
   }
   return true;
 }
@@ -271,6 +275,7 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
     add_emission(*point);
     const Reflector* reflector = scene_.reflector(*point->surface);
     if (reflector == nullptr || events >= settings_.depth) return radiance_;
+    if (was_scattered_ && !point->surface->interreflects) return radiance_;
     const Scattering scattering(*point, *reflector, -ray_.direction);
     if (has_irradiance(*point, *reflector)) {
       const Rgb value = reflector->evaluate(scattering.u, Vec3f(0, 0, 1));

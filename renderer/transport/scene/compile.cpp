@@ -1,4 +1,5 @@
 #include <array>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -40,6 +41,12 @@ struct Placed {
   Matrix44d to_scene;
 };
 
+EffectSet effects_of(const CompileSettings& settings) {
+  EffectSet effects = settings.effects;
+  if (!settings.has_irradiance) effects.remove(Effect::Irradiance);
+  return effects;
+}
+
 /// Lists what is placed, with its surfaces, while the scope that they need is at hand; then makes the arrays,
 /// whose sizes are known by then.
 class Compiler {
@@ -47,10 +54,11 @@ class Compiler {
   Compiler(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics)
       : settings_(settings),
         diagnostics_(diagnostics),
-        survey_(scene, settings.most_copied_triangles),
+        effects_(effects_of(settings)),
+        survey_(scene, most_copied_triangles(settings)),
         reflectors_(settings.scheme, settings.missed_part, settings.precision, diagnostics),
         textures_(diagnostics),
-        surfaces_(reflectors_, textures_) {
+        surfaces_(reflectors_, textures_, effects_, settings.reflecting.get()) {
     geometry_.origin = survey_.origin;
   }
 
@@ -74,6 +82,7 @@ class Compiler {
 
   const CompileSettings& settings_;
   grf::Diagnostics& diagnostics_;
+  EffectSet effects_;
   Survey survey_;
   ReflectorSetBuilder reflectors_;
   TextureSetBuilder textures_;
@@ -85,13 +94,11 @@ class Compiler {
   grf::Box3d local_bounds_;
 };
 
-// A scene that is small as a file can be large by what it includes many times.
 bool Compiler::has_room() {
-  constexpr std::size_t Most = 200'000'000;
-  if (survey_.triangles <= Most && survey_.instances <= Most / 10) return true;
+  if (!survey_.is_too_large()) return true;
   diagnostics_.error(
       {}, fmt::format("more than {} million triangles, or {} million instances, cannot be rendered",
-                      Most / 1'000'000, Most / 10'000'000));
+                      Survey::MostTriangles / 1'000'000, Survey::MostInstances / 1'000'000));
   return false;
 }
 
@@ -127,8 +134,7 @@ MeshSize Compiler::size_of_first_mesh() const {
       size.vertices += 4;
       size.triangles += 2;
     } else if (!survey_.is_instanced(*placed.mesh)) {
-      size.add(*placed.mesh, surfaces_.needs_uvs(*placed.mesh, placed.first_surface),
-               settings_.has_irradiance);
+      size.add(*placed.mesh, surfaces_.needs_uvs(*placed.mesh, placed.first_surface), effects_);
     }
   }
   return size;
@@ -160,7 +166,7 @@ void Compiler::place_light(const Placed& placed, MeshBuilder& builder) {
   const AreaLight& light = *placed.light;
   const Matrix44d& map = placed.to_scene;
   Emitter emitter{Vec3f(Vec3d(light.corner) * map), transformed_edge(light.edge1, map),
-                  transformed_edge(light.edge2, map), false, light.radiance.value_or(Colour(1))};
+                  transformed_edge(light.edge2, map), false, surfaces_[placed.first_surface].emission};
   if (mirrors(map)) std::swap(emitter.edge1, emitter.edge2);
   const auto first_triangle = static_cast<std::uint32_t>(builder.mesh().triangles.size());
   builder.add(emitter, placed.first_surface);
@@ -176,7 +182,7 @@ std::uint32_t Compiler::mesh_index(const Placed& placed) {
   if (!is_new) return known->second;
   MeshSize size;
   // Another instance may have a texture where this one has none.
-  size.add(mesh, true, settings_.has_irradiance);
+  size.add(mesh, true, effects_);
   MeshBuilder builder(size);
   builder.add(mesh, Matrix44d(), surfaces_.of(mesh, placed.first_surface), 0);
   geometry_.meshes.push_back(builder.finish());
@@ -233,6 +239,11 @@ std::optional<CompiledScene> Compiler::finish() {
 }
 
 }  // namespace
+
+std::size_t most_copied_triangles(const CompileSettings& settings) {
+  return settings.effects.has(Effect::Instances) ? settings.most_copied_triangles
+                                                 : std::numeric_limits<std::size_t>::max();
+}
 
 std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
                                      const CompileSettings& settings) {

@@ -7,22 +7,6 @@
 
 namespace transport {
 
-std::vector<std::string> Effects::names() const {
-  std::vector<std::string> names;
-  const auto add = [&](bool present, const char* name) {
-    if (present) names.emplace_back(name);
-  };
-  add(area_lights, "area_lights");
-  add(diffuse_reflection, "diffuse_reflection");
-  add(glossy_reflection, "glossy_reflection");
-  add(mirror_reflection, "mirror_reflection");
-  add(anisotropy, "anisotropy");
-  add(interpolated_normals, "interpolated_normals");
-  add(vertex_colours, "vertex_colours");
-  add(textures, "textures");
-  return names;
-}
-
 CompiledScene::CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces,
                              ReflectorSet reflectors, std::vector<Texture> textures,
                              std::vector<Emitter> emitters)
@@ -101,31 +85,6 @@ std::size_t CompiledScene::bytes() const {
 bool CompiledScene::is_matte() const {
   return std::all_of(reflectors_.reflectors.begin(), reflectors_.reflectors.end(),
                      [](const reflectance::Reflector& reflector) { return reflector.is_matte(); });
-}
-
-Effects CompiledScene::geometry_effects() const {
-  Effects effects;
-  for (const TriangleMesh& mesh : geometry_->meshes) {
-    if (!mesh.colours.empty()) effects.vertex_colours = true;
-    if (mesh.normals.empty() || effects.interpolated_normals) continue;
-    effects.interpolated_normals = std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
-                                               [](const Triangle& triangle) { return !triangle.is_flat; });
-  }
-  return effects;
-}
-
-Effects CompiledScene::effects() const {
-  Effects effects = geometry_effects();
-  effects.area_lights = !lights_.empty();
-  effects.textures = !textures_.empty();
-  for (const reflectance::Reflector& reflector : reflectors_.reflectors) {
-    const reflectance::Brdf& brdf = reflector.brdf();
-    if (reflectance::has_mirror(brdf)) effects.mirror_reflection = true;
-    if (reflectance::has_diffuse_part(brdf)) effects.diffuse_reflection = true;
-    if (reflectance::has_glossy_part(brdf)) effects.glossy_reflection = true;
-    if (reflectance::is_anisotropic(brdf)) effects.anisotropy = true;
-  }
-  return effects;
 }
 
 }  // namespace transport

@@ -11,27 +11,15 @@
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 #include "renderer/transport/lights/lights.h"
+#include "renderer/transport/plan/effect.h"
 #include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/ray_caster.h"
 #include "renderer/transport/scene/reflector_set.h"
 #include "renderer/transport/scene/surface_point.h"
+#include "renderer/transport/scene/surface_set.h"
 #include "renderer/transport/scene/texture.h"
 
 namespace transport {
-
-/// What a scene makes a path tracer do. A kernel is to do no more than that.
-struct Effects {
-  bool area_lights = false;
-  bool diffuse_reflection = false;
-  bool glossy_reflection = false;
-  bool mirror_reflection = false;
-  bool anisotropy = false;
-  bool interpolated_normals = false;
-  bool vertex_colours = false;
-  bool textures = false;
-
-  std::vector<std::string> names() const;
-};
 
 /// Coordinates, of rays and of what they meet, are those of the world less an origin. That is (0,0,0) but for
 /// scenes so far from the world's origin that floats would make steps of them.
@@ -72,7 +60,7 @@ class CompiledScene {
   std::size_t triangle_count() const;                                             ///< each instance counted
   std::size_t instance_count() const { return geometry_->instances.size() - 1; }  ///< of shared meshes
   std::size_t bytes() const;  ///< of triangles, their attributes and textures, without what Embree has
-  Effects effects() const;
+  std::size_t texture_count() const { return textures_.size(); }
   /// True if all that reflects is `diffuse`, sampled by cosine.
   bool is_matte() const;
 
@@ -82,7 +70,6 @@ class CompiledScene {
   double table_seconds() const { return reflectors_.seconds; }
 
  private:
-  Effects geometry_effects() const;
   std::optional<RayStart> raised_start(const SurfacePoint& point) const;
 
   std::unique_ptr<const Geometry> geometry_;  ///< its arrays stay where they are, for the caster
@@ -99,10 +86,15 @@ struct CompileSettings {
   reflectance::Precision precision = reflectance::Precision::Float;
   int threads = 0;              ///< that make tables and read textures; 0: as many as the machine has
   bool has_irradiance = false;  ///< keeps the irradiance of vertices
+  EffectSet effects = EffectSet::all();                  ///< what of others is to be in the scene
+  std::shared_ptr<const ReflectingSurfaces> reflecting;  ///< the others are black; null: all
   /// A mesh that is placed more than once is copied if all its copies together have no more triangles than
   /// that: rays meet them sooner than instances.
   std::size_t most_copied_triangles = 10'000;
 };
+
+/// That of the settings, unless there are to be no instances at all.
+std::size_t most_copied_triangles(const CompileSettings& settings);
 
 /// Compiles a scene that was checked against the catalogue. A sampling scheme that cannot serve the BRDF of
 /// its faces, and an image that cannot be read, is an error, and nothing is returned.

@@ -27,13 +27,13 @@ bool mirrors(const Matrix44d& map) { return map.determinant() < 0; }
 
 std::size_t triangle_count(const grf::Mesh& mesh) { return mesh.corners.size() - 2 * mesh.face_count(); }
 
-void MeshSize::add(const grf::Mesh& mesh, bool needs_uvs, bool needs_irradiance) {
+void MeshSize::add(const grf::Mesh& mesh, bool needs_uvs, const EffectSet& effects) {
   vertices += mesh.positions.size();
   triangles += triangle_count(mesh);
-  has_normals |= !mesh.normals.empty();
-  has_colours |= !mesh.colours.empty();
+  has_normals |= effects.has(Effect::InterpolatedNormals) && !mesh.normals.empty();
+  has_colours |= effects.has(Effect::VertexColours) && !mesh.colours.empty();
   has_uvs |= needs_uvs && !mesh.uvs.empty();
-  has_irradiance |= needs_irradiance && !mesh.irradiance.empty();
+  has_irradiance |= effects.has(Effect::Irradiance) && !mesh.irradiance.empty();
 }
 
 MeshBuilder::MeshBuilder(const MeshSize& size) : size_(size) {

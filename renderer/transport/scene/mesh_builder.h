@@ -7,6 +7,7 @@
 
 #include "grf/mesh.h"
 #include "renderer/transport/lights/emitter.h"
+#include "renderer/transport/plan/effect.h"
 #include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/surface_point.h"
 
@@ -24,7 +25,8 @@ struct MeshSize {
   bool has_uvs = false;
   bool has_irradiance = false;
 
-  void add(const grf::Mesh& mesh, bool needs_uvs, bool needs_irradiance);
+  /// Of the values of its vertices, only those of these effects.
+  void add(const grf::Mesh& mesh, bool needs_uvs, const EffectSet& effects);
 };
 
 /// Makes triangles of polygons. All memory is reserved at once, and nothing else is taken for a face of three

@@ -1,5 +1,6 @@
 #include "renderer/transport/scene/reflector_set.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -60,6 +61,13 @@ std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface) {
   if (override_ && !override_->factors_file.empty() && !use_factors_file(surface, pair)) return 0;
   pairs_.push_back(std::move(pair));
   return static_cast<std::uint32_t>(pairs_.size() - 1);
+}
+
+bool ReflectorSetBuilder::reads_data(const grf::ResolvedSurface& surface) {
+  if (surface.brdf == nullptr) return false;
+  const auto models = brdfs_.models_of(*surface.brdf, surface.brdf_scope);
+  return std::any_of(models.begin(), models.end(),
+                     [](const grf::BrdfModel* model) { return !model->data_file.empty(); });
 }
 
 bool ReflectorSetBuilder::use_factors_file(const grf::ResolvedSurface& surface, Pair& pair) {

@@ -53,6 +53,14 @@ class ReflectorSetBuilder {
     return index < pairs_.size() && reflectance::is_anisotropic(pairs_[index].brdf);
   }
 
+  /// True if it has neither a glossy nor a mirror part.
+  bool is_matte(std::uint32_t index) const {
+    return index < pairs_.size() && !reflectance::has_glossy_part(pairs_[index].brdf) &&
+           !reflectance::has_mirror(pairs_[index].brdf);
+  }
+  /// Whether a file is needed to know the BRDF.
+  bool reads_data(const grf::ResolvedSurface& surface);
+
   /// Makes the tables of all of them, in parallel, and warns of schemes that miss part of their BRDF. There
   /// must have been no error.
   ReflectorSet build(int threads);

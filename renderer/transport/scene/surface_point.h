@@ -17,6 +17,8 @@ struct CompiledSurface {
   std::uint32_t reflector = None;  ///< None: black
   std::uint32_t texture = None;
   bool is_anisotropic = false;
+  /// False if it reflects nothing to paths that were scattered before, other than by mirrors.
+  bool interreflects = true;
   /// Where there are no uv, the tangent is the cross product of this and the normal: the y axis of the
   /// object, transformed as normals are, so that tangents run round it like parallels round the earth.
   Vec3f axis = Vec3f(0, 1, 0);

@@ -5,18 +5,31 @@
 namespace transport {
 
 CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const grf::Scope& scope,
-                                            const Vec3f& axis) {
-  const grf::ResolvedSurface resolved = resolve(surface, scope);
+                                            const Vec3f& axis, bool reflects) {
+  grf::ResolvedSurface resolved = resolve(surface, scope);
   CompiledSurface result;
   result.colour = resolved.colour;
-  result.emission = resolved.emission.value_or(Rgb(0));
+  result.emission = emitted(resolved.emission.value_or(Rgb(0)));
   // An emitter without a BRDF reflects nothing; any other face without one is diffuse.
-  if (resolved.brdf == nullptr && resolved.emission) return result;
+  if (!reflects || (resolved.brdf == nullptr && resolved.emission)) return result;
+  if (!effects_.has(Effect::MeasuredData) && reflectors_.reads_data(resolved)) {
+    resolved.brdf = nullptr;
+    resolved.pdf = nullptr;
+  }
   result.reflector = reflectors_.index_of(resolved);
-  if (resolved.texture != nullptr) result.texture = textures_.index_of(*resolved.texture);
-  result.is_anisotropic = reflectors_.is_anisotropic(result.reflector);
+  const bool has_texture = resolved.texture != nullptr && effects_.has(Effect::Textures);
+  if (has_texture) result.texture = textures_.index_of(*resolved.texture);
+  result.is_anisotropic = effects_.has(Effect::Anisotropy) && reflectors_.is_anisotropic(result.reflector);
+  result.interreflects = effects_.has(reflectors_.is_matte(result.reflector) ? Effect::DiffuseInterreflection
+                                                                             : Effect::GlossyInterreflection);
   if (result.is_anisotropic) result.axis = axis;
   return result;
+}
+
+bool SurfaceSetBuilder::reflects(const grf::Mesh& mesh, std::size_t surface) const {
+  if (reflecting_ == nullptr) return true;
+  const auto found = reflecting_->find(&mesh);
+  return found != reflecting_->end() && found->second[surface];
 }
 
 std::uint32_t SurfaceSetBuilder::add(const grf::Mesh& mesh, const grf::Scope& scope, const Vec3f& axis) {
@@ -24,7 +37,7 @@ std::uint32_t SurfaceSetBuilder::add(const grf::Mesh& mesh, const grf::Scope& sc
   if (is_new) used->second = used_surfaces(mesh);
   std::vector<CompiledSurface> surfaces(mesh.surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (used->second[i]) surfaces[i] = compiled(mesh.surfaces[i], scope, axis);
+    if (used->second[i]) surfaces[i] = compiled(mesh.surfaces[i], scope, axis, reflects(mesh, i));
   }
   return index_of(mesh, surfaces);
 }
@@ -32,14 +45,14 @@ std::uint32_t SurfaceSetBuilder::add(const grf::Mesh& mesh, const grf::Scope& sc
 std::uint32_t SurfaceSetBuilder::add_light(const grf::Mesh& mesh, const grf::Scope& scope) {
   std::vector<CompiledSurface> surfaces(mesh.surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    surfaces[i].emission = resolve(mesh.surfaces[i], scope).colour;
+    surfaces[i].emission = emitted(resolve(mesh.surfaces[i], scope).colour);
   }
   return index_of(mesh, surfaces);
 }
 
 std::uint32_t SurfaceSetBuilder::add_light(const Rgb& radiance) {
   CompiledSurface surface;
-  surface.emission = radiance;
+  surface.emission = emitted(radiance);
   surfaces_.push_back(surface);
   return static_cast<std::uint32_t>(surfaces_.size() - 1);
 }

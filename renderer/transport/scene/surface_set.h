@@ -8,18 +8,24 @@
 #include "grf/diagnostics.h"
 #include "grf/mesh.h"
 #include "grf/visit.h"
+#include "renderer/transport/plan/effect.h"
 #include "renderer/transport/scene/reflector_set.h"
 #include "renderer/transport/scene/surface_point.h"
 #include "renderer/transport/scene/texture_set.h"
 
 namespace transport {
 
+/// Which of the surfaces of meshes can reflect what anybody sees.
+using ReflectingSurfaces = std::unordered_map<const grf::Mesh*, std::vector<bool>>;
+
 /// Looks up what the surfaces of meshes refer to, where the meshes stand. A mesh that is placed many times
 /// has its surfaces once, as long as names mean the same there.
 class SurfaceSetBuilder {
  public:
-  SurfaceSetBuilder(ReflectorSetBuilder& reflectors, TextureSetBuilder& textures)
-      : reflectors_(reflectors), textures_(textures) {}
+  /// With these effects alone; surfaces that are not among those that reflect (null: all are) are black.
+  SurfaceSetBuilder(ReflectorSetBuilder& reflectors, TextureSetBuilder& textures, const EffectSet& effects,
+                    const ReflectingSurfaces* reflecting)
+      : reflectors_(reflectors), textures_(textures), effects_(effects), reflecting_(reflecting) {}
 
   /// The index of the first surface of a mesh; the others follow in the mesh's order. The axis is that of
   /// CompiledSurface.
@@ -36,11 +42,16 @@ class SurfaceSetBuilder {
   std::vector<CompiledSurface> take() { return std::move(surfaces_); }
 
  private:
-  CompiledSurface compiled(const grf::Surface& surface, const grf::Scope& scope, const Vec3f& axis);
+  CompiledSurface compiled(const grf::Surface& surface, const grf::Scope& scope, const Vec3f& axis,
+                           bool reflects);
+  bool reflects(const grf::Mesh& mesh, std::size_t surface) const;
+  Rgb emitted(const Rgb& radiance) const { return effects_.has(Effect::AreaLights) ? radiance : Rgb(0); }
   std::uint32_t index_of(const grf::Mesh& mesh, const std::vector<CompiledSurface>& surfaces);
 
   ReflectorSetBuilder& reflectors_;
   TextureSetBuilder& textures_;
+  EffectSet effects_;
+  const ReflectingSurfaces* reflecting_;
   std::vector<CompiledSurface> surfaces_;
   std::unordered_map<const grf::Mesh*, std::vector<bool>> used_;
   std::unordered_multimap<const grf::Mesh*, std::uint32_t> first_of_mesh_;

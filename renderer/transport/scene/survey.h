@@ -19,8 +19,14 @@ struct Survey {
 
   bool is_instanced(const grf::Mesh& mesh) const { return instanced.contains(&mesh); }
 
+  /// A scene that is small as a file can be large by what it includes many times.
+  bool is_too_large() const { return triangles > MostTriangles || instances > MostInstances; }
+
   /// The box around the vertices of an instanced mesh.
   const grf::Box3f& box_of(const grf::Mesh& mesh) const { return instanced.at(&mesh); }
+
+  static constexpr std::size_t MostTriangles = 200'000'000;
+  static constexpr std::size_t MostInstances = MostTriangles / 10;
 
   std::unordered_map<const grf::Mesh*, grf::Box3f> instanced;  ///< with the boxes around their vertices
   std::size_t triangles = 0;                                   ///< those of instanced meshes once

@@ -1,0 +1,133 @@
+#include "renderer/command/plan_command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/command/render_job.h"
+#include "renderer/transport/plan/table_bytes.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using Json = nlohmann::ordered_json;
+using transport::Plan;
+
+Json effects_of(const Plan& plan) {
+  Json effects = Json::array();
+  for (const transport::PlannedEffect& effect : plan.effects) {
+    effects.push_back({{"name", name_of(effect.effect)}, {"needed", effect.is_needed}, {"why", effect.why}});
+  }
+  return effects;
+}
+
+Json tables_of(const grf::Scene& scene, const RenderPlan& planned, Diagnostics& diagnostics) {
+  const auto bytes = transport::table_bytes(scene, planned.compile_settings, diagnostics);
+  Json tables = Json::array();
+  for (const transport::PlannedTable& table : planned.plan.tables) {
+    const auto known = bytes.find({table.brdf, table.scheme});
+    tables.push_back({{"brdf", table.brdf},
+                      {"pdf", table.scheme},
+                      {"bytes", known != bytes.end() ? Json(known->second) : Json(nullptr)},
+                      {"needed", table.is_needed},
+                      {"why", table.is_needed ? "a path can meet it" : table.why}});
+  }
+  return tables;
+}
+
+Json textures_of(const Plan& plan) {
+  Json textures = Json::array();
+  for (const transport::PlannedTexture& texture : plan.textures) {
+    std::error_code missing;
+    const std::uintmax_t bytes = std::filesystem::file_size(texture.file, missing);
+    textures.push_back({{"file", texture.file},
+                        {"file_bytes", missing ? Json(nullptr) : Json(bytes)},
+                        {"needed", texture.is_needed},
+                        {"why", texture.is_needed ? "on faces that a path can meet" : texture.why}});
+  }
+  return textures;
+}
+
+std::uint64_t sum_of_left_out(const Json& list, const char* bytes) {
+  std::uint64_t sum = 0;
+  for (const Json& one : list) {
+    if (!one["needed"].get<bool>() && !one[bytes].is_null()) sum += one[bytes].get<std::uint64_t>();
+  }
+  return sum;
+}
+
+Json report_of(const grf::Scene& scene, const RenderPlan& planned, Diagnostics& diagnostics) {
+  const Plan& plan = planned.plan;
+  Json report;
+  report["effects"] = effects_of(plan);
+  report["tables"] = tables_of(scene, planned, diagnostics);
+  report["textures"] = textures_of(plan);
+  report["depth"] = plan.depth;
+  report["why_depth"] = plan.why_depth;
+  report["saved"] = {{"table_bytes", sum_of_left_out(report["tables"], "bytes")},
+                     {"texture_file_bytes", sum_of_left_out(report["textures"], "file_bytes")},
+                     {"scatterings", plan.asked_depth - plan.depth}};
+  return report;
+}
+
+std::string bytes_text(const Json& bytes) {
+  return bytes.is_null() ? "unknown size" : fmt::format("{} bytes", bytes.get<std::uint64_t>());
+}
+
+void print_text(const Json& report) {
+  for (const Json& effect : report["effects"]) {
+    fmt::print("{} {:<24}{}\n", effect["needed"].get<bool>() ? "+" : "-", effect["name"].get<std::string>(),
+               effect["why"].get<std::string>());
+  }
+  const auto sign = [](const Json& one) { return one["needed"].get<bool>() ? "+" : "-"; };
+  for (const Json& table : report["tables"]) {
+    fmt::print("{} table of `{}` for `{}`, {}: {}\n", sign(table), table["brdf"].get<std::string>(),
+               table["pdf"].get<std::string>(), bytes_text(table["bytes"]), table["why"].get<std::string>());
+  }
+  for (const Json& texture : report["textures"]) {
+    fmt::print("{} texture `{}`, {}: {}{}\n", sign(texture),
+               std::filesystem::path(texture["file"].get<std::string>()).filename().string(),
+               texture["file_bytes"].is_null() ? "no such file" : bytes_text(texture["file_bytes"]),
+               texture["why"].get<std::string>(),
+               texture["needed"].get<bool>() ? "" : "; a render does not ask whether the file is there");
+  }
+  fmt::print("depth {}: {}\n", report["depth"].get<int>(), report["why_depth"].get<std::string>());
+  const Json& saved = report["saved"];
+  fmt::print(
+      "saved: {} bytes of tables (built here to know them), {} bytes of texture files, {} scatterings\n",
+      saved["table_bytes"].get<std::uint64_t>(), saved["texture_file_bytes"].get<std::uint64_t>(),
+      saved["scatterings"].get<int>());
+}
+
+}  // namespace
+
+ExitCode plan(const PlanArguments& arguments) {
+  Diagnostics diagnostics;
+  auto render_options = read_options(arguments.scene, diagnostics);
+  Json report;
+  if (render_options) {
+    if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
+    const auto compile_settings = compile_settings_of(*render_options, diagnostics);
+    const auto scene = read_scene(*render_options, diagnostics);
+    std::optional<RenderPlan> planned;
+    if (scene && compile_settings) {
+      planned = render_plan(*scene, *compile_settings, *render_options, diagnostics);
+    }
+    if (planned) report = report_of(*scene, *planned, diagnostics);
+  }
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (diagnostics.error_count() > 0) return ExitCode::BadInput;
+  if (arguments.json) fmt::print("{}\n", report.dump(2));
+  if (!arguments.json) print_text(report);
+  return ExitCode::Done;
+}
+
+}  // namespace command

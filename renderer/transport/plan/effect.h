@@ -1,0 +1,128 @@
+// The effects of which a render may be made up, by their names. Header only: options know them too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace transport {
+
+enum class Effect : std::uint8_t {
+  AreaLights,
+  Environment,
+  Background,
+  DiffuseInterreflection,
+  GlossyInterreflection,
+  MirrorReflection,
+  Anisotropy,
+  Textures,
+  VertexColours,
+  InterpolatedNormals,
+  MeasuredData,
+  Irradiance,
+  Instances,
+};
+
+struct EffectInfo {
+  Effect effect;
+  std::string_view name;
+  /// What a render has in its place where it is switched off.
+  std::string_view without;
+};
+
+constexpr std::array EffectInfos = {
+    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing, and stand where they are"},
+    EffectInfo{Effect::Environment, "environment", "the constant background in place of the image around"},
+    EffectInfo{Effect::Background, "background", "black in place of the constant one and of a backplate"},
+    EffectInfo{Effect::DiffuseInterreflection, "diffuse_interreflection",
+               "faces with neither a glossy nor a mirror part reflect only where they are seen by the eye, "
+               "directly or in mirrors"},
+    EffectInfo{Effect::GlossyInterreflection, "glossy_interreflection", "the same for all other faces"},
+    EffectInfo{Effect::MirrorReflection, "mirror_reflection", "the Dirac part of BRDFs reflects nothing"},
+    EffectInfo{Effect::Anisotropy, "anisotropy",
+               "the directions of lobes follow neither texture coordinates nor the axis of the object, but "
+               "the scene's axes"},
+    EffectInfo{Effect::Textures, "textures", "white: the colour of the face"},
+    EffectInfo{Effect::VertexColours, "vertex_colours", "white: the colour of the face"},
+    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals", "the normals of the polygons"},
+    EffectInfo{Effect::MeasuredData, "measured_data",
+               "the diffuse BRDF of faces that have none, in place of each that reads a file"},
+    EffectInfo{Effect::Irradiance, "irradiance", "light that is estimated, as without BPT_Irradiance"},
+    EffectInfo{Effect::Instances, "instances", "a copy of the triangles for each place; the image stays"},
+};
+
+constexpr std::string_view name_of(Effect effect) {
+  return EffectInfos[static_cast<std::size_t>(effect)].name;
+}
+
+class EffectSet {
+ public:
+  constexpr bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
+  constexpr void add(Effect effect) { bits_ |= bit(effect); }
+  constexpr void remove(Effect effect) { bits_ &= ~bit(effect); }
+
+  static constexpr EffectSet all() {
+    EffectSet set;
+    for (const EffectInfo& info : EffectInfos) set.add(info.effect);
+    return set;
+  }
+  static constexpr EffectSet all_but(Effect effect) {
+    EffectSet set = all();
+    set.remove(effect);
+    return set;
+  }
+
+  bool operator==(const EffectSet&) const = default;
+
+ private:
+  static constexpr std::uint32_t bit(Effect effect) { return 1U << static_cast<unsigned>(effect); }
+
+  std::uint32_t bits_ = 0;
+};
+
+/// Some effects under one name.
+struct EffectGroup {
+  std::string_view name;
+  EffectSet effects;
+};
+
+constexpr std::array EffectGroups = [] {
+  EffectGroup direct{"direct", EffectSet::all()};
+  EffectGroup indirect{"indirect", {}};
+  for (const Effect effect : {Effect::DiffuseInterreflection, Effect::GlossyInterreflection}) {
+    indirect.effects.add(effect);
+    direct.effects.remove(effect);
+  }
+  direct.effects.remove(Effect::MirrorReflection);
+  direct.effects.remove(Effect::Irradiance);
+  return std::array{direct, indirect};
+}();
+
+/// Effects and groups.
+inline std::vector<std::string_view> effect_words() {
+  std::vector<std::string_view> words;
+  for (const EffectInfo& info : EffectInfos) words.push_back(info.name);
+  for (const EffectGroup& group : EffectGroups) words.push_back(group.name);
+  return words;
+}
+
+/// What words of `effect_words` name together.
+template <class Words>
+EffectSet effects_named(const Words& words) {
+  EffectSet set;
+  for (const std::string_view word : words) {
+    for (const EffectInfo& info : EffectInfos) {
+      if (info.name == word) set.add(info.effect);
+    }
+    for (const EffectGroup& group : EffectGroups) {
+      if (group.name != word) continue;
+      for (const EffectInfo& info : EffectInfos) {
+        if (group.effects.has(info.effect)) set.add(info.effect);
+      }
+    }
+  }
+  return set;
+}
+
+}  // namespace transport

@@ -1,0 +1,364 @@
+#include "renderer/transport/plan/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <compare>
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+#include "grf/text_file.h"
+#include "grf/write.h"
+#include "renderer/reflectance/brdf_maker.h"
+#include "renderer/transport/plan/convex_solid.h"
+#include "renderer/transport/scene/mesh_builder.h"
+#include "renderer/transport/scene/survey.h"
+#include "renderer/transport/scene/triangulation.h"
+
+namespace transport {
+namespace {
+
+using grf::Box3d;
+using grf::Matrix44d;
+using grf::Mesh;
+using grf::Placement;
+using grf::Vec3d;
+
+/// A mesh of more triangles is seen as a box for each of its surfaces.
+constexpr std::size_t MostTrianglesOfMesh = 256;
+/// Pairs of parts are looked at.
+constexpr std::size_t MostParts = 1024;
+
+double largest_component(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+Vec3d unit_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Vec3d normal = (b - a).cross(c - a);
+  const double length = normal.length();
+  return length > 0 ? normal / length : Vec3d(0);
+}
+
+/// The same in all places of a mesh.
+struct MeshFacts {
+  std::vector<std::size_t> faces;  ///< of each surface
+  std::vector<bool> is_smooth;     ///< of each surface: some face's corners have normals other than its own
+  bool has_colours = false;
+};
+
+bool differs(const Vec3f& normal, const Vec3d& geometric) {
+  return Vec3d(normal).normalized().dot(geometric) < 1 - 1e-12;
+}
+
+bool is_smooth(const Mesh& mesh, std::span<const std::uint32_t> corners) {
+  if (mesh.normals.empty()) return false;
+  const auto has = [&](std::uint32_t corner) {
+    return mesh.normals.has(corner) && mesh.normals[corner] != Vec3f(0);
+  };
+  if (!std::all_of(corners.begin(), corners.end(), has)) return false;
+  const auto at = [&](std::size_t i) { return Vec3d(mesh.positions[corners[i]]); };
+  const Vec3d normal = unit_normal(at(0), at(1), at(2));
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t corner) { return differs(mesh.normals[corner], normal); });
+}
+
+MeshFacts facts_of(const Mesh& mesh) {
+  MeshFacts facts;
+  facts.faces.resize(mesh.surfaces.size());
+  facts.is_smooth.resize(mesh.surfaces.size());
+  std::vector<Vec3f> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const std::uint32_t surface = mesh.surface_of_face[face];
+    ++facts.faces[surface];
+    if (mesh.normals.empty() || facts.is_smooth[surface]) continue;
+    // Of more than three corners, some may lack a normal and others bend: any triangle of them counts.
+    const auto corners = mesh.face(face);
+    positions.clear();
+    triangles.clear();
+    for (const std::uint32_t corner : corners) positions.push_back(mesh.positions[corner]);
+    triangulate(positions, triangles);
+    for (const auto& triangle : triangles) {
+      const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
+      if (is_smooth(mesh, of_mesh)) facts.is_smooth[surface] = true;
+    }
+  }
+  for (std::size_t i = 0; i < mesh.positions.size() && !facts.has_colours; ++i) {
+    facts.has_colours = mesh.colours.has(i) && mesh.colours[i] != grf::Colour(1);
+  }
+  return facts;
+}
+
+class OutlineBuilder {
+ public:
+  OutlineBuilder(Outline& outline, const Survey& survey)
+      : outline_(outline), survey_(survey), brdfs_(unheard_) {}
+
+  void add(const Mesh& mesh, const Placement& placement, bool is_light);
+  void add(const grf::AreaLight& light, const Placement& placement);
+  void finish();
+
+ private:
+  /// Of thousands of instances most have the same.
+  struct SurfaceKey {
+    const Mesh* mesh;
+    std::uint32_t index;
+    const grf::BrdfModel* brdf;
+    const grf::PdfModel* pdf;
+    const grf::Texture* texture;
+    bool is_black;
+    bool emits;
+    std::string sum;  ///< of a `combine`: what its names mean there
+
+    auto operator<=>(const SurfaceKey&) const = default;
+  };
+
+  const MeshFacts& facts(const Mesh& mesh);
+  OutlineSurface described(const Mesh& mesh, const grf::ResolvedSurface& resolved, bool is_light);
+  std::uint32_t surface_of(const Mesh& mesh, std::uint32_t index, const grf::Scope& scope, bool is_light);
+  void describe_brdf(const grf::ResolvedSurface& resolved, OutlineSurface& surface);
+  void add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
+                     const std::vector<Vec3d>& positions, bool turns);
+  void find_solid(std::size_t first_part);
+  void add_boxes(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
+                 const std::vector<Vec3d>& positions);
+  void add_box(std::uint32_t surface, const Box3d& box, bool is_smooth);
+  void add_part(std::uint32_t surface, std::span<const Vec3d> points, bool is_smooth, bool is_plane);
+  Matrix44d to_scene(const Placement& placement) const {
+    return placement.to_world * Matrix44d().setTranslation(-outline_.origin);
+  }
+  bool has_room() const { return outline_.parts.size() <= MostParts; }
+
+  Outline& outline_;
+  const Survey& survey_;
+  grf::Diagnostics unheard_;  // compiling says what is wrong
+  reflectance::BrdfMaker brdfs_;
+  std::unordered_map<const Mesh*, MeshFacts> facts_;
+  std::map<SurfaceKey, std::uint32_t> surface_of_key_;
+  Box3d bounds_;
+};
+
+const MeshFacts& OutlineBuilder::facts(const Mesh& mesh) {
+  const auto found = facts_.find(&mesh);
+  return found != facts_.end() ? found->second : facts_.emplace(&mesh, facts_of(mesh)).first->second;
+}
+
+/// Without loading data: what is measured may be anything but a mirror.
+void OutlineBuilder::describe_brdf(const grf::ResolvedSurface& resolved, OutlineSurface& surface) {
+  surface.brdf = resolved.brdf != nullptr ? to_text(*resolved.brdf) : "diffuse";
+  surface.scheme = resolved.pdf != nullptr ? to_text(*resolved.pdf) : "auto";
+  if (reflectance::is_black(resolved.colour)) return;
+  const auto add = [&](const reflectance::Brdf& brdf) {
+    surface.is_diffuse |= reflectance::has_diffuse_part(brdf);
+    surface.is_glossy |= reflectance::has_glossy_part(brdf);
+    surface.is_mirror |= reflectance::has_mirror(brdf);
+    surface.is_anisotropic |= reflectance::is_anisotropic(brdf);
+  };
+  if (resolved.brdf == nullptr) return add(reflectance::default_brdf());
+  for (const grf::BrdfModel* leaf : brdfs_.models_of(*resolved.brdf, resolved.brdf_scope)) {
+    if (const auto brdf = reflectance::make_brdf(*leaf)) add(*brdf);
+    if (leaf->data_file.empty()) continue;
+    surface.is_measured = surface.is_diffuse = surface.is_glossy = true;
+  }
+}
+
+OutlineSurface OutlineBuilder::described(const Mesh& mesh, const grf::ResolvedSurface& resolved,
+                                         bool is_light) {
+  OutlineSurface surface;
+  surface.mesh = &mesh;
+  // As in SurfaceSetBuilder: an emitter without a BRDF reflects nothing.
+  if (is_light || (resolved.brdf == nullptr && resolved.emission)) return surface;
+  describe_brdf(resolved, surface);
+  surface.has_colours = facts(mesh).has_colours;
+  surface.has_irradiance = !mesh.irradiance.empty();
+  if (resolved.texture != nullptr) {
+    const auto& file = resolved.texture->location.file;
+    surface.texture = file ? grf::path_beside(file->path, resolved.texture->file) : resolved.texture->file;
+  }
+  return surface;
+}
+
+std::uint32_t OutlineBuilder::surface_of(const Mesh& mesh, std::uint32_t index, const grf::Scope& scope,
+                                         bool is_light) {
+  const grf::ResolvedSurface resolved = resolve(mesh.surfaces[index], scope);
+  const grf::Colour emission = is_light ? resolved.colour : resolved.emission.value_or(grf::Colour(0));
+  SurfaceKey key{&mesh,
+                 index,
+                 resolved.brdf,
+                 resolved.pdf,
+                 resolved.texture,
+                 reflectance::is_black(resolved.colour),
+                 !reflectance::is_black(emission),
+                 {}};
+  if (resolved.brdf != nullptr && !resolved.brdf->terms.empty()) {
+    key.sum = brdfs_.identity(*resolved.brdf, resolved.brdf_scope);
+  }
+  const bool emits = key.emits;
+  const auto [known, is_new] =
+      surface_of_key_.try_emplace(std::move(key), static_cast<std::uint32_t>(outline_.surfaces.size()));
+  if (is_new) {
+    outline_.surfaces.push_back(described(mesh, resolved, is_light));
+    outline_.surfaces.back().index = index;
+    outline_.surfaces.back().emits = emits;
+    outline_.surfaces.back().is_smooth = facts(mesh).is_smooth[index];
+  }
+  outline_.surfaces[known->second].faces += facts(mesh).faces[index];
+  return known->second;
+}
+
+void OutlineBuilder::add(const Mesh& mesh, const Placement& placement, bool is_light) {
+  std::vector<std::uint32_t> surfaces(mesh.surfaces.size(), None);
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    if (facts(mesh).faces[i] > 0) surfaces[i] = surface_of(mesh, i, placement.scope, is_light);
+  }
+  outline_.triangles += triangle_count(mesh);
+  const Matrix44d map = to_scene(placement);
+  if (survey_.is_instanced(mesh)) {
+    const Box3d box = transformed(survey_.box_of(mesh), map);
+    bounds_.extendBy(box);
+    ++outline_.instances;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if (surfaces[i] != None) add_box(surfaces[i], box, facts(mesh).is_smooth[i]);
+    }
+    return;
+  }
+  std::vector<Vec3d> positions;
+  for (const Vec3f& position : mesh.positions) {
+    // As rays see them: rounded.
+    positions.emplace_back(Vec3f(Vec3d(position) * map));
+    bounds_.extendBy(positions.back());
+  }
+  if (!has_room()) return;
+  if (triangle_count(mesh) > MostTrianglesOfMesh) return add_boxes(mesh, surfaces, positions);
+  add_triangles(mesh, surfaces, positions, mirrors(placement.to_world));
+}
+
+void OutlineBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
+                                   const std::vector<Vec3d>& positions, bool turns) {
+  const std::size_t first_part = outline_.parts.size();
+  std::vector<Vec3f> corners_of_face;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const auto corners = mesh.face(face);
+    corners_of_face.clear();
+    triangles.clear();
+    for (const std::uint32_t corner : corners) corners_of_face.push_back(mesh.positions[corner]);
+    triangulate(corners_of_face, triangles);
+    for (const auto& triangle : triangles) {
+      const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
+      std::array points = {positions[of_mesh[0]], positions[of_mesh[1]], positions[of_mesh[2]]};
+      if (turns) std::swap(points[1], points[2]);
+      add_part(surfaces[mesh.surface_of_face[face]], points, is_smooth(mesh, of_mesh), true);
+    }
+  }
+  find_solid(first_part);
+}
+
+void OutlineBuilder::find_solid(std::size_t first_part) {
+  if (!has_room()) return;
+  const std::span parts = std::span(outline_.parts).subspan(first_part);
+  std::vector<PlaneTriangle> triangles;
+  double extent = 0;
+  for (const OutlinePart& part : parts) {
+    triangles.push_back({std::span(outline_.points).subspan(part.first_point, 3), part.normal, part.height});
+    extent = std::max(extent, part.extent);
+  }
+  if (!enclose_convex_solid(triangles, OutlineRounding * extent)) return;
+  for (OutlinePart& part : parts) part.solid = static_cast<std::uint32_t>(outline_.solids.size());
+  outline_.solids.push_back(
+      {static_cast<std::uint32_t>(first_part), static_cast<std::uint32_t>(parts.size())});
+}
+
+void OutlineBuilder::add_boxes(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
+                               const std::vector<Vec3d>& positions) {
+  std::vector<Box3d> boxes(surfaces.size());
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    for (const std::uint32_t corner : mesh.face(face)) {
+      boxes[mesh.surface_of_face[face]].extendBy(positions[corner]);
+    }
+  }
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i] != None) add_box(surfaces[i], boxes[i], facts(mesh).is_smooth[i]);
+  }
+}
+
+void OutlineBuilder::add_box(std::uint32_t surface, const Box3d& box, bool smooth) {
+  std::array<Vec3d, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      corners[i][axis] = (i >> axis & 1U) != 0 ? box.max[axis] : box.min[axis];
+    }
+  }
+  add_part(surface, corners, smooth, false);
+}
+
+void OutlineBuilder::add_part(std::uint32_t surface, std::span<const Vec3d> points, bool smooth,
+                              bool is_plane) {
+  if (!has_room()) return;
+  OutlinePart part;
+  part.surface = surface;
+  part.first_point = static_cast<std::uint32_t>(outline_.points.size());
+  part.points = static_cast<std::uint32_t>(points.size());
+  part.is_smooth = smooth;
+  for (const Vec3d& point : points) part.extent = std::max(part.extent, largest_component(point));
+  if (is_plane) part.normal = unit_normal(points[0], points[1], points[2]);
+  part.height = part.normal.dot(points[0]);
+  outline_.points.insert(outline_.points.end(), points.begin(), points.end());
+  outline_.parts.push_back(part);
+}
+
+void OutlineBuilder::add(const grf::AreaLight& light, const Placement& placement) {
+  OutlineSurface surface;
+  surface.faces = 1;
+  surface.emits = !reflectance::is_black(light.radiance.value_or(grf::Colour(1)));
+  const auto index = static_cast<std::uint32_t>(outline_.surfaces.size());
+  outline_.surfaces.push_back(surface);
+  outline_.triangles += 2;
+  const Matrix44d map = to_scene(placement);
+  const Vec3f corner(Vec3d(light.corner) * map);
+  const auto edge = [&](const Vec3f& of_light) {
+    Vec3d result;
+    map.multDirMatrix(Vec3d(of_light), result);
+    return Vec3f(result);
+  };
+  Vec3f edge1 = edge(light.edge1);
+  Vec3f edge2 = edge(light.edge2);
+  if (mirrors(map)) std::swap(edge1, edge2);
+  const std::array points = {Vec3d(corner), Vec3d(corner + edge1), Vec3d(corner + edge2),
+                             Vec3d(corner + edge1 + edge2)};
+  for (const Vec3d& point : points) bounds_.extendBy(point);
+  add_part(index, points, false, true);
+}
+
+void OutlineBuilder::finish() {
+  if (!bounds_.isEmpty()) {
+    outline_.bounds = {bounds_.min + outline_.origin, bounds_.max + outline_.origin};
+  }
+  if (has_room()) return;
+  outline_.parts.clear();
+  outline_.solids.clear();
+  outline_.points.clear();
+}
+
+}  // namespace
+
+Outline::Outline(const grf::Scene& scene, std::size_t most_copied_triangles) {
+  const Survey survey(scene, most_copied_triangles);
+  origin = survey.origin;
+  if (survey.is_too_large()) return;  // compiling says so
+  OutlineBuilder builder(*this, survey);
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
+    builder.add(mesh, placement, false);
+  };
+  visitor.mesh_light = [&](const grf::MeshLight& light, const Placement& placement, const grf::Block&) {
+    builder.add(*light.mesh, placement, true);
+  };
+  visitor.light = [&](const grf::AreaLight& light, const Placement& placement, const grf::Block&) {
+    builder.add(light, placement);
+  };
+  grf::visit(scene, visitor);
+  builder.finish();
+}
+
+}  // namespace transport

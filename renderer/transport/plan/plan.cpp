@@ -1,0 +1,322 @@
+#include "renderer/transport/plan/plan.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace transport {
+namespace {
+
+struct Answer {
+  bool is_needed;
+  std::string why;
+};
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string faces(std::size_t count) { return counted(count, "face", "faces"); }
+
+class Planner {
+ public:
+  Planner(const Outline& outline, const PlanSettings& settings)
+      : outline_(outline), settings_(settings), reach_(outline, limits_of(settings)) {
+    if (settings.keeps_all) keep_all();
+    if (settings.shows_surfaces) keep_what_is_seen();
+  }
+
+  Plan plan() const;
+
+ private:
+  using Test = std::function<bool(const OutlineSurface&)>;
+
+  static PathLimits limits_of(const PlanSettings& settings) {
+    PathLimits limits = settings.limits;
+    if (settings.draws_normals) limits.depth = 0;
+    return limits;
+  }
+  void keep_all();
+  void keep_what_is_seen();
+  std::size_t count(const Test& test) const;
+  std::size_t reflecting(const Test& test) const;
+  Answer of(Effect effect) const;
+  Answer area_lights() const;
+  Answer environment() const;
+  Answer background() const;
+  Answer interreflection(bool matte) const;
+  Answer of_faces(const Test& test, std::string_view what) const;
+  Answer interpolated_normals() const;
+  Answer irradiance() const;
+  std::string why_not(std::size_t all, std::size_t reflects) const;
+  std::string why_depth() const;
+  const std::string& scheme_of(const OutlineSurface& surface) const {
+    return settings_.scheme.empty() ? surface.scheme : settings_.scheme;
+  }
+  void add_tables(Plan& plan) const;
+  void add_textures(Plan& plan) const;
+  void add_reflecting(Plan& plan) const;
+
+  const Outline& outline_;
+  const PlanSettings& settings_;
+  Reach reach_;
+};
+
+void Planner::keep_all() {
+  const std::size_t all = outline_.surfaces.size();
+  reach_.depth = settings_.limits.depth;
+  for (std::vector<bool>* list : {&reach_.is_seen, &reach_.is_met, &reach_.is_lit_from, &reach_.is_smooth}) {
+    list->assign(all, true);
+  }
+  for (std::size_t i = 0; i < all; ++i) reach_.reflects[i] = outline_.surfaces[i].reflects();
+}
+
+void Planner::keep_what_is_seen() {
+  for (std::size_t i = 0; i < reach_.reflects.size(); ++i) {
+    if (reach_.is_seen[i] && outline_.surfaces[i].reflects()) reach_.reflects[i] = true;
+  }
+}
+
+std::size_t Planner::count(const Test& test) const {
+  std::size_t sum = 0;
+  for (const OutlineSurface& surface : outline_.surfaces) sum += test(surface) ? surface.faces : 0;
+  return sum;
+}
+
+/// The faces among them at which a path can be scattered.
+std::size_t Planner::reflecting(const Test& test) const {
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
+    const OutlineSurface& surface = outline_.surfaces[i];
+    if (reach_.reflects[i] && test(surface)) sum += surface.faces;
+  }
+  return sum;
+}
+
+/// Of things that so many faces have, of which so many reflect something, and none of them is met.
+std::string Planner::why_not(std::size_t all, std::size_t reflects) const {
+  if (reflects == 0)
+    return fmt::format("only on {} that {} nothing", faces(all), all == 1 ? "reflects" : "reflect");
+  if (settings_.draws_normals) return "normals alone are drawn";
+  if (settings_.limits.depth == 0) return "the depth of 0 shows emission alone";
+  const std::string far = reach_.depth == 1
+                              ? fmt::format("and {} makes no path go further",
+                                            settings_.limits.depth == 1 ? "the depth of 1" : "the geometry")
+                              : "and behind the faces that paths come from";
+  return fmt::format("only on {} that no path meets: outside the view, {}", faces(reflects), far);
+}
+
+Answer Planner::of_faces(const Test& test, std::string_view what) const {
+  const std::size_t met = reflecting(test);
+  if (met > 0)
+    return {true, fmt::format("{} that a path can meet {} {}", faces(met), met == 1 ? "has" : "have", what)};
+  const std::size_t all = count(test);
+  if (all == 0) return {false, fmt::format("no face has {}", what)};
+  return {false, why_not(all, count([&](const OutlineSurface& s) { return test(s) && s.reflects(); }))};
+}
+
+Answer Planner::area_lights() const {
+  const std::size_t all = count([](const OutlineSurface& surface) { return surface.emits; });
+  if (all == 0) return {false, "nothing in the scene emits"};
+  if (settings_.draws_normals) return {false, "normals alone are drawn"};
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
+    if (outline_.surfaces[i].emits && reach_.is_lit_from[i]) met += outline_.surfaces[i].faces;
+  }
+  if (met == 0) return {false, fmt::format("no path meets the front of the {} that emit", faces(all))};
+  return {true, fmt::format("{} {} light that a path can meet", faces(met), met == 1 ? "emits" : "emit")};
+}
+
+Answer Planner::environment() const {
+  if (!settings_.has_environment) return {false, "the options name no environment map"};
+  if (settings_.draws_normals) return {false, "normals alone are drawn"};
+  return {true, "paths can leave the scene"};
+}
+
+Answer Planner::background() const {
+  if (settings_.draws_normals) return {false, "normals alone are drawn"};
+  if (settings_.has_backplate) return {true, "the options name an image behind the scene"};
+  if (!settings_.has_background) return {false, "it is black"};
+  const bool has_environment = settings_.has_environment && settings_.limits.effects.has(Effect::Environment);
+  if (has_environment) return {false, "the environment map stands before it"};
+  return {true, "paths can leave the scene"};
+}
+
+Answer Planner::interreflection(bool matte) const {
+  const Test test = [&](const OutlineSurface& surface) {
+    return surface.is_matte() == matte && (surface.is_diffuse || surface.is_glossy);
+  };
+  if (reach_.depth < 2) return {false, why_depth()};
+  return of_faces(test, matte ? "a diffuse BRDF, and paths go on from there or to there"
+                              : "a glossy BRDF, and paths go on from there or to there");
+}
+
+Answer Planner::interpolated_normals() const {
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
+    const bool shows = reach_.reflects[i] || settings_.draws_normals || settings_.shows_surfaces;
+    if (shows && reach_.is_smooth[i] && outline_.surfaces[i].is_smooth) met += outline_.surfaces[i].faces;
+  }
+  if (met > 0) return {true, fmt::format("{} of meshes that bend can be met", faces(met))};
+  const std::size_t all = count([](const OutlineSurface& surface) { return surface.is_smooth; });
+  if (all == 0) return {false, "no vertex has a normal other than its faces'"};
+  return {false, why_not(all, count([](const OutlineSurface& s) { return s.is_smooth && s.reflects(); }))};
+}
+
+Answer Planner::irradiance() const {
+  if (!settings_.uses_irradiance) return {false, "BPT_Irradiance is not asked for"};
+  return of_faces([](const OutlineSurface& surface) { return surface.has_irradiance && surface.is_matte(); },
+                  "baked irradiance and a diffuse BRDF");
+}
+
+Answer Planner::of(Effect effect) const {
+  if (!settings_.limits.effects.has(effect)) return {false, "it is switched off"};
+  switch (effect) {
+    case Effect::AreaLights:
+      return area_lights();
+    case Effect::Environment:
+      return environment();
+    case Effect::Background:
+      return background();
+    case Effect::DiffuseInterreflection:
+      return interreflection(true);
+    case Effect::GlossyInterreflection:
+      return interreflection(false);
+    case Effect::MirrorReflection:
+      return of_faces([](const OutlineSurface& surface) { return surface.is_mirror; }, "a mirror part");
+    case Effect::Anisotropy:
+      return of_faces([](const OutlineSurface& surface) { return surface.is_anisotropic; },
+                      "an anisotropic BRDF");
+    case Effect::Textures:
+      return of_faces([](const OutlineSurface& surface) { return !surface.texture.empty(); }, "a texture");
+    case Effect::VertexColours:
+      return of_faces([](const OutlineSurface& surface) { return surface.has_colours; },
+                      "vertices with colours that are not white");
+    case Effect::InterpolatedNormals:
+      return interpolated_normals();
+    case Effect::MeasuredData:
+      return of_faces([](const OutlineSurface& surface) { return surface.is_measured; }, "a measured BRDF");
+    case Effect::Irradiance:
+      return irradiance();
+    case Effect::Instances:
+      break;
+  }
+  if (outline_.instances == 0) return {false, "no mesh of many triangles is placed more than once"};
+  return {true, fmt::format("{} share their triangles", counted(outline_.instances, "mesh", "meshes"))};
+}
+
+std::string Planner::why_depth() const {
+  const int asked = settings_.limits.depth;
+  if (settings_.draws_normals) return "normals alone are drawn";
+  if (reach_.depth == asked) return fmt::format("the options ask for a depth of {}", asked);
+  if (reach_.depth == 0) return "no face that the eye sees reflects";
+  return fmt::format(
+      "after {} no path can meet a face that reflects",
+      reach_.depth == 1 ? "its first scattering" : fmt::format("{} scatterings", reach_.depth));
+}
+
+void Planner::add_tables(Plan& plan) const {
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
+    const OutlineSurface& surface = outline_.surfaces[i];
+    if (surface.brdf.empty()) continue;
+    const std::string& scheme = scheme_of(surface);
+    const auto [place, is_new] = places.try_emplace({surface.brdf, scheme}, plan.tables.size());
+    if (is_new) plan.tables.push_back({surface.brdf, scheme, false, {}});
+    plan.tables[place->second].is_needed = plan.tables[place->second].is_needed || reach_.reflects[i];
+  }
+  for (PlannedTable& table : plan.tables) {
+    if (table.is_needed) continue;
+    const auto is_same = [&](const OutlineSurface& surface) {
+      return surface.brdf == table.brdf && scheme_of(surface) == table.scheme;
+    };
+    table.why =
+        why_not(count(is_same), count([&](const OutlineSurface& s) { return is_same(s) && s.reflects(); }));
+  }
+}
+
+void Planner::add_textures(Plan& plan) const {
+  std::map<std::string, std::size_t> places;
+  const bool are_on = settings_.limits.effects.has(Effect::Textures);
+  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
+    const OutlineSurface& surface = outline_.surfaces[i];
+    if (surface.texture.empty()) continue;
+    const auto [place, is_new] = places.try_emplace(surface.texture, plan.textures.size());
+    if (is_new) plan.textures.push_back({surface.texture, false, {}});
+    PlannedTexture& texture = plan.textures[place->second];
+    texture.is_needed = texture.is_needed || (are_on && reach_.reflects[i]);
+  }
+  for (PlannedTexture& texture : plan.textures) {
+    if (texture.is_needed) continue;
+    const auto is_same = [&](const OutlineSurface& surface) { return surface.texture == texture.file; };
+    texture.why = !are_on
+                      ? "textures are switched off"
+                      : why_not(count(is_same),
+                                count([&](const OutlineSurface& s) { return is_same(s) && s.reflects(); }));
+  }
+}
+
+void Planner::add_reflecting(Plan& plan) const {
+  if (settings_.keeps_all) return;
+  auto reflecting = std::make_shared<ReflectingSurfaces>();
+  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
+    const OutlineSurface& surface = outline_.surfaces[i];
+    if (surface.mesh == nullptr) continue;
+    std::vector<bool>& of_mesh = (*reflecting)[surface.mesh];
+    of_mesh.resize(surface.mesh->surfaces.size());
+    if (reach_.reflects[i]) of_mesh[surface.index] = true;
+  }
+  plan.reflecting = std::move(reflecting);
+}
+
+Plan Planner::plan() const {
+  Plan plan;
+  plan.asked_depth = settings_.limits.depth;
+  plan.depth = reach_.depth;
+  plan.why_depth = why_depth();
+  for (const EffectInfo& info : EffectInfos) {
+    Answer answer = of(info.effect);
+    plan.effects.push_back({info.effect, answer.is_needed, std::move(answer.why)});
+  }
+  add_tables(plan);
+  add_textures(plan);
+  add_reflecting(plan);
+  return plan;
+}
+
+}  // namespace
+
+EffectSet Plan::needed() const {
+  EffectSet set;
+  for (const PlannedEffect& effect : effects) {
+    if (effect.is_needed) set.add(effect.effect);
+  }
+  return set;
+}
+
+Plan plan_of(const Outline& outline, const PlanSettings& settings) {
+  return Planner(outline, settings).plan();
+}
+
+void follow(const Plan& plan, RenderSettings& settings) {
+  const EffectSet needed = plan.needed();
+  IntegratorSettings& integrator = settings.integrator;
+  integrator.depth = plan.depth;
+  integrator.reflects_mirrors = needed.has(Effect::MirrorReflection);
+  integrator.uses_irradiance = needed.has(Effect::Irradiance);
+  if (!needed.has(Effect::Environment)) {
+    integrator.environment = nullptr;
+    integrator.resampling = std::nullopt;
+  }
+  if (!needed.has(Effect::Background)) {
+    integrator.background = Rgb(0);
+    settings.backplate = nullptr;
+  }
+}
+
+}  // namespace transport

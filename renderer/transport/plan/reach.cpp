@@ -1,0 +1,217 @@
+#include "renderer/transport/plan/reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace transport {
+namespace {
+
+using grf::Vec3d;
+
+/// A part, seen from one of its sides: front, then back.
+using States = std::vector<bool>;
+
+class Sight {
+ public:
+  Sight(const Outline& outline, const PathLimits& limits) : outline_(outline), limits_(limits) {}
+
+  States seen_by_eye() const;
+  /// Those that can be met by rays from others.
+  States met_from(const States& sources) const;
+  /// Those of the states at which a path is scattered; the first time or later.
+  States scattering(const States& states, bool is_first) const;
+
+ private:
+  std::span<const Vec3d> points_of(const OutlinePart& part) const {
+    return std::span(outline_.points).subspan(part.first_point, part.points);
+  }
+  bool rises_over(const OutlinePart& part, const OutlinePart& plane, bool front) const;
+  bool is_met(const OutlinePart& part, bool front, const OutlinePart& from, bool from_front) const;
+  bool is_outside(std::span<const Vec3d> points, double least, const OutlineSolid& solid) const;
+  bool leaves_anywhere(const OutlinePart& part) const;
+  bool reflects_later(const OutlineSurface& surface) const;
+
+  const Outline& outline_;
+  const PathLimits& limits_;
+};
+
+/// The planes through the eye and the sides of the image, and that across the view, their normals to the
+/// inside.
+std::array<Vec3d, 5> sides_of_view(const Camera& camera, int width, int height) {
+  const auto right = static_cast<float>(width);
+  const auto bottom = static_cast<float>(height);
+  const std::array corners = {Vec3d(camera.ray(0, 0).direction), Vec3d(camera.ray(right, 0).direction),
+                              Vec3d(camera.ray(right, bottom).direction),
+                              Vec3d(camera.ray(0, bottom).direction)};
+  const Vec3d middle = corners[0] + corners[1] + corners[2] + corners[3];
+  std::array<Vec3d, 5> sides;
+  sides[4] = middle.normalized();
+  for (std::size_t i = 0; i < 4; ++i) {
+    sides[i] = corners[i].cross(corners[(i + 1) % 4]).normalized();
+    if (sides[i].dot(middle) < 0) sides[i] = -sides[i];
+  }
+  return sides;
+}
+
+States Sight::seen_by_eye() const {
+  const View view = seen_from(outline_.origin, limits_.view);
+  const Vec3d eye = Vec3d(Vec3f(view.eye));
+  // Directions of the image's corners have the digits of floats.
+  constexpr double Margin = 1e-5;
+  const auto sides =
+      sides_of_view(Camera(view, limits_.width, limits_.height), limits_.width, limits_.height);
+  States seen(2 * outline_.parts.size());
+  for (std::size_t i = 0; i < outline_.parts.size(); ++i) {
+    const OutlinePart& part = outline_.parts[i];
+    const auto points = points_of(part);
+    const bool is_out_of_view = std::any_of(sides.begin(), sides.end(), [&](const Vec3d& side) {
+      return std::all_of(points.begin(), points.end(), [&](const Vec3d& point) {
+        const Vec3d way = point - eye;
+        return side.dot(way) < -Margin * (way.length() + part.extent);
+      });
+    });
+    if (is_out_of_view) continue;
+    const double height = part.is_plane() ? part.normal.dot(eye) - part.height : 0;
+    const double margin = Margin * (part.extent + eye.length());
+    seen[2 * i] = height >= -margin;
+    // Rays from outside a solid end on its faces' fronts.
+    const bool is_hidden =
+        part.solid != None && is_outside(std::span(&eye, 1), margin, outline_.solids[part.solid]);
+    seen[2 * i + 1] = height <= margin && !is_hidden;
+  }
+  return seen;
+}
+
+/// Whether some of a part is on this side of the plane of another.
+bool Sight::rises_over(const OutlinePart& part, const OutlinePart& plane, bool front) const {
+  if (!plane.is_plane()) return true;
+  const double least = OutlineRounding * std::max(part.extent, plane.extent);
+  const auto points = points_of(part);
+  return std::any_of(points.begin(), points.end(), [&](const Vec3d& point) {
+    const double height = plane.normal.dot(point) - plane.height;
+    return (front ? height : -height) > least;
+  });
+}
+
+/// Whether all points are in front of a face of the solid by more than that.
+bool Sight::is_outside(std::span<const Vec3d> points, double least, const OutlineSolid& solid) const {
+  const std::span faces = std::span(outline_.parts).subspan(solid.first_part, solid.parts);
+  return std::any_of(faces.begin(), faces.end(), [&](const OutlinePart& face) {
+    return std::all_of(points.begin(), points.end(),
+                       [&](const Vec3d& point) { return face.normal.dot(point) - face.height > least; });
+  });
+}
+
+/// Where interpolated normals make a surface bulge, rays start above it, and may leave behind its plane.
+bool Sight::leaves_anywhere(const OutlinePart& part) const {
+  return part.is_smooth && limits_.effects.has(Effect::InterpolatedNormals);
+}
+
+bool Sight::is_met(const OutlinePart& part, bool front, const OutlinePart& from, bool from_front) const {
+  if (leaves_anywhere(from)) return true;
+  if (!rises_over(part, from, from_front) || !rises_over(from, part, front)) return false;
+  if (front || part.solid == None || (from.solid == part.solid && !from_front)) return true;
+  // Its back is met from inside alone.
+  const double least = -OutlineRounding * std::max(part.extent, from.extent);
+  return !is_outside(points_of(from), least, outline_.solids[part.solid]);
+}
+
+States Sight::met_from(const States& sources) const {
+  States met(sources.size());
+  for (std::size_t to = 0; to < met.size(); ++to) {
+    const OutlinePart& part = outline_.parts[to / 2];
+    for (std::size_t from = 0; from < sources.size() && !met[to]; ++from) {
+      met[to] = sources[from] && is_met(part, to % 2 == 0, outline_.parts[from / 2], from % 2 == 0);
+    }
+  }
+  return met;
+}
+
+/// Behind mirrors, all that reflects is seen as by the eye.
+bool Sight::reflects_later(const OutlineSurface& surface) const {
+  const EffectSet& effects = limits_.effects;
+  if (surface.is_mirror && effects.has(Effect::MirrorReflection)) return true;
+  const bool has_mirrors = effects.has(Effect::MirrorReflection) &&
+                           std::any_of(outline_.surfaces.begin(), outline_.surfaces.end(),
+                                       [](const OutlineSurface& other) { return other.is_mirror; });
+  return has_mirrors ||
+         effects.has(surface.is_matte() ? Effect::DiffuseInterreflection : Effect::GlossyInterreflection);
+}
+
+States Sight::scattering(const States& states, bool is_first) const {
+  States result(states.size());
+  std::vector<bool> of_surface;
+  for (const OutlineSurface& surface : outline_.surfaces) {
+    const bool is_left = surface.is_diffuse || surface.is_glossy ||
+                         (surface.is_mirror && limits_.effects.has(Effect::MirrorReflection));
+    of_surface.push_back(is_left && (is_first || reflects_later(surface)));
+  }
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    result[i] = states[i] && of_surface[outline_.parts[i / 2].surface];
+  }
+  return result;
+}
+
+bool any(const States& states) { return std::find(states.begin(), states.end(), true) != states.end(); }
+
+}  // namespace
+
+void Reach::assume_all(const Outline& outline, int most_events) {
+  is_guessed = true;
+  depth = most_events;
+  const std::size_t count = outline.surfaces.size();
+  for (std::vector<bool>* list : {&is_seen, &is_met, &is_lit_from, &is_smooth}) list->assign(count, true);
+  for (std::size_t i = 0; i < count; ++i) reflects[i] = most_events > 0 && outline.surfaces[i].reflects();
+}
+
+Reach::Reach(const Outline& outline, const PathLimits& limits) {
+  for (std::vector<bool>* list : {&is_seen, &is_met, &is_lit_from, &reflects, &is_smooth}) {
+    list->resize(outline.surfaces.size());
+  }
+  if (outline.parts.empty()) {
+    assume_all(outline, limits.depth);
+    return;
+  }
+  const auto mark = [&](const States& states, std::vector<bool>& list) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (states[i]) list[outline.parts[i / 2].surface] = true;
+    }
+  };
+  const auto mark_met = [&](const States& states) {
+    mark(states, is_met);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const OutlinePart& part = outline.parts[i / 2];
+      if (states[i] && i % 2 == 0) is_lit_from[part.surface] = true;
+      if (states[i] && part.is_smooth) is_smooth[part.surface] = true;
+    }
+  };
+  const Sight sight(outline, limits);
+  States met = sight.seen_by_eye();
+  mark(met, is_seen);
+  mark_met(met);
+  // Surfaces that face each other take turns, so the last but one counts too. Where paths find ever new
+  // surfaces for long, all are taken to be met.
+  constexpr int MostLooks = 32;
+  States sources, before;
+  while (depth < limits.depth) {
+    States next = sight.scattering(met, depth == 0);
+    if (!any(next)) return;
+    mark(next, reflects);
+    if (next == sources || next == before) {
+      depth = limits.depth;
+      return;
+    }
+    if (++depth > MostLooks) {
+      assume_all(outline, limits.depth);
+      return;
+    }
+    before = std::exchange(sources, std::move(next));
+    met = sight.met_from(sources);
+    mark_met(met);
+  }
+}
+
+}  // namespace transport

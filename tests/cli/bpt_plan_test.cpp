@@ -1,0 +1,117 @@
+// `bpt plan`, and the flags that choose effects.
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/bpt.h"
+
+namespace {
+
+using nlohmann::json;
+using test::Bpt;
+using test::Outcome;
+
+const std::string WallAndWallOutOfView =
+    "begin mesh brdf ward pdf cascadecdf begin vertexs (-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0) end vertexs "
+    "begin faces (0,1,2,3) end faces end mesh "
+    "begin mesh brdf blinn pdf cascadecdf texture \"wood.png\" begin vertexs "
+    "(-1,-8,9)(1,-8,9)(1,-8,1)(-1,-8,1) end vertexs begin faces (0,1,2,3) end faces end mesh "
+    "light begin rgb (2,3,4) (-1,2,0.5) (2,0,0) (0,0,2) end";
+
+json effect(const json& report, const std::string& name) {
+  for (const json& one : report["effects"]) {
+    if (one["name"] == name) return one;
+  }
+  return {};
+}
+
+class BptPlan : public Bpt {
+ protected:
+  BptPlan() {
+    write("scene.grf", WallAndWallOutOfView);
+    op_ = write("scene.op", "BPT_Scene scene.grf\nBPT_Viewer 0 0 4\nBPT_VLook 0 0 0\n");
+  }
+
+  json plan(std::vector<std::string> flags) const {
+    flags.insert(flags.begin(), {"plan", op_, "--json"});
+    const Outcome outcome = bpt(flags);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+
+  std::string op_;
+};
+
+TEST_F(BptPlan, SaysWhatIsLeftOutAndWhatThatSaves) {
+  const json report = plan({"--depth", "1"});
+  EXPECT_EQ(report["depth"], 1);
+  EXPECT_TRUE(effect(report, "area_lights")["needed"].get<bool>());
+  EXPECT_FALSE(effect(report, "textures")["needed"].get<bool>());
+  EXPECT_EQ(
+      effect(report, "textures")["why"],
+      "only on 1 face that no path meets: outside the view, and the depth of 1 makes no path go further");
+  ASSERT_EQ(report["tables"].size(), 2U);
+  for (const json& table : report["tables"]) {
+    EXPECT_EQ(table["pdf"], "cascadecdf");
+    EXPECT_GT(table["bytes"].get<int>(), 1000);
+    EXPECT_EQ(table["needed"].get<bool>(), table["brdf"] == "ward");
+  }
+  EXPECT_EQ(report["saved"]["table_bytes"], report["tables"][1]["bytes"]);
+  EXPECT_EQ(report["textures"][0]["file_bytes"], nullptr) << "there is no such file";
+}
+
+TEST_F(BptPlan, IsWhatARenderDoes) {
+  const auto render = [&](const std::string& depth) {
+    return bpt({"render", op_, "--size", "16x16", "--samples", "1", "--depth", depth, "--output",
+                path("a.pfm"), "--json"});
+  };
+  const Outcome direct = render("1");
+  ASSERT_EQ(direct.exit_code, 0) << direct.err;
+  const json summary = json::parse(direct.out);
+  EXPECT_EQ(summary["effects"], std::vector<std::string>{"area_lights"});
+  const auto& left_out = summary["left_out"];
+  const auto has = [&](const std::string& name) {
+    return std::any_of(left_out.begin(), left_out.end(),
+                       [&](const json& one) { return one["name"] == name; });
+  };
+  EXPECT_TRUE(has("texture wood.png"));
+  EXPECT_TRUE(has("table of blinn for cascadecdf"));
+  EXPECT_TRUE(has("mirror_reflection"));
+  EXPECT_EQ(summary["saved"]["tables"], 1);
+  EXPECT_EQ(summary["saved"]["scatterings"], 0);
+  // With a second bounce, the texture is wanted, and is not there.
+  EXPECT_EQ(render("2").exit_code, 1);
+  EXPECT_TRUE(plan({"--depth", "2"})["textures"][0]["needed"].get<bool>());
+}
+
+TEST_F(BptPlan, IsPrintedAsText) {
+  const Outcome outcome = bpt({"plan", op_, "--depth", "1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* text : {"+ area_lights", "- textures", "depth 1", "saved: ", "no such file"}) {
+    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << "\n" << outcome.out;
+  }
+}
+
+TEST_F(BptPlan, FollowsTheFlagsOfEffects) {
+  EXPECT_EQ(plan({"--without", "textures,area_lights"})["effects"][0]["why"], "it is switched off");
+  const json only = plan({"--only", "direct"});
+  EXPECT_EQ(only["depth"], 1);
+  EXPECT_EQ(effect(only, "glossy_interreflection")["why"], "it is switched off");
+  EXPECT_EQ(plan({"--kernel", "full", "--without", "textures"})["depth"], 5);
+}
+
+TEST_F(BptPlan, SuggestsTheNameOfAnEffect) {
+  for (const char* flag : {"--only", "--without"}) {
+    const Outcome outcome = bpt({"plan", op_, flag, "texture"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("did you mean 'textures'"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(BptPlan, FindsWhatIsWrongWithAScene) {
+  write("scene.grf", "begin mesh brdf warp begin");
+  EXPECT_EQ(bpt({"plan", op_}).exit_code, 1);
+  EXPECT_EQ(bpt({"plan", path("missing.op")}).exit_code, 1);
+}
+
+}  // namespace

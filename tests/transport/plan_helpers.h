@@ -1,0 +1,114 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/transport/plan/plan.h"
+#include "tests/transport/scene_helpers.h"
+
+namespace test {
+
+using transport::Effect;
+using transport::EffectSet;
+
+/// What of a render's options a plan looks at.
+struct PlannedLook : Look {
+  EffectSet effects = EffectSet::all();
+  bool full = false;  ///< `--kernel full`
+  bool uses_irradiance = false;
+  /// An environment map, made once: of this radiance in all of its upper half.
+  float environment = 0;
+  std::size_t most_copied_triangles = 10'000;
+};
+
+/// A scene of GRF text with its plan, as `bpt` makes it; throws the diagnostics if there is an error in it.
+class PlannedScene {
+ public:
+  PlannedScene(const std::string& text, const PlannedLook& look, const std::string& file = "test.igrf")
+      : settings_(settings_of(look)) {
+    auto scene = grf::read_text(text, file, diagnostics_);
+    if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics_)) fail();
+    compile_settings_.effects = look.effects;
+    compile_settings_.most_copied_triangles = look.most_copied_triangles;
+    compile_settings_.has_irradiance = look.uses_irradiance;
+    settings_.integrator.uses_full_kernel = look.full;
+    settings_.integrator.uses_irradiance = look.uses_irradiance;
+    if (look.environment > 0) settings_.integrator.environment = map_of(look.environment);
+    const transport::Outline outline(*scene, transport::most_copied_triangles(compile_settings_));
+    bounds_ = outline.bounds;
+    plan_ = plan_of(outline, plan_settings_of(look));
+    follow(plan_, settings_);
+    compile_settings_.effects = plan_.needed();
+    compile_settings_.reflecting = plan_.reflecting;
+    scene_ = std::move(*scene);
+  }
+
+  const transport::Plan& plan() const { return plan_; }
+  const grf::Box3d& bounds() const { return bounds_; }
+  const grf::Scene& scene() const { return scene_; }
+  const transport::CompileSettings& compile_settings() const { return compile_settings_; }
+
+  transport::CompiledScene compiled() {
+    auto compiled = transport::compile(scene_, diagnostics_, compile_settings_);
+    if (!compiled) fail();
+    return std::move(*compiled);
+  }
+
+  transport::Film film() {
+    const transport::CompiledScene scene = compiled();
+    transport::Render render(scene, settings_);
+    render.run();
+    if (render.rejected_samples() > 0) throw std::runtime_error("samples that are not finite");
+    return render.film();
+  }
+  transport::Image image() { return film().mean(); }
+
+  std::vector<std::string> needed() const {
+    std::vector<std::string> names;
+    for (const transport::PlannedEffect& effect : plan_.effects) {
+      if (effect.is_needed) names.emplace_back(name_of(effect.effect));
+    }
+    return names;
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw std::runtime_error(diagnostics_.to_text()); }
+
+  static std::shared_ptr<const transport::EnvironmentMap> map_of(float radiance) {
+    transport::Image image{8, 4, std::vector<transport::Rgb>(32, transport::Rgb(0))};
+    std::fill_n(image.pixels.begin(), 16, transport::Rgb(radiance));
+    return std::make_shared<const transport::EnvironmentMap>(std::move(image));
+  }
+
+  transport::PlanSettings plan_settings_of(const PlannedLook& look) const {
+    transport::PlanSettings settings;
+    settings.limits = {settings_.view, look.width, look.height, look.depth, look.effects};
+    settings.has_environment = look.environment > 0;
+    settings.has_background = look.background > 0;
+    settings.uses_irradiance = look.uses_irradiance;
+    settings.keeps_all = look.full;
+    return settings;
+  }
+
+  grf::Diagnostics diagnostics_;
+  grf::Scene scene_;
+  transport::RenderSettings settings_;
+  transport::CompileSettings compile_settings_;
+  transport::Plan plan_;
+  grf::Box3d bounds_;
+};
+
+inline PlannedLook full(PlannedLook look) {
+  look.full = true;
+  return look;
+}
+
+inline PlannedLook without(PlannedLook look, Effect effect) {
+  look.effects.remove(effect);
+  return look;
+}
+
+}  // namespace test

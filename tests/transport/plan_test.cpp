@@ -1,0 +1,359 @@
+#include "renderer/transport/plan/plan.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/transport/plan_helpers.h"
+
+namespace {
+
+using test::Effect;
+using test::EffectSet;
+using test::PlannedLook;
+using test::PlannedScene;
+using transport::Image;
+
+/// Upright, in the middle of the view, its front to the eye.
+const std::string Place = "(-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0)";
+const std::string Floor = "(-1,-1,2)(1,-1,2)(1,-1,0)(-1,-1,0)";
+/// Behind the eye, and it looks at what the eye does.
+const std::string BehindEye = "(-9,-9,9)(-9,9,9)(9,9,9)(9,-9,9)";
+/// Under the wall and out of view; its front to the wall's front.
+const std::string OutOfView = "(-1,-8,9)(1,-8,9)(1,-8,1)(-1,-8,1)";
+/// A file that is there, so that the scene may name it, and holds no measurements.
+const std::string Data = "\"" GRANADA_SOURCE_DIR "/CMakeLists.txt\"";
+const std::string Lamp = "light begin rgb (2,3,4) (-1,2,0.5) (2,0,0) (0,0,2) end\n";
+const std::string LampBehindWall = "light begin rgb (2,3,4) (-1,-1,-1) (0,2,0) (2,0,0) end\n";
+
+std::string wall(const std::string& attributes) { return test::quad(attributes, Place); }
+
+std::string cube(const std::string& attributes) {
+  return "begin mesh " + attributes +
+         " begin vertexs (-0.5,-0.5,-0.5)(0.5,-0.5,-0.5)(0.5,0.5,-0.5)(-0.5,0.5,-0.5)(-0.5,-0.5,0.5)"
+         "(0.5,-0.5,0.5)(0.5,0.5,0.5)(-0.5,0.5,0.5) end vertexs begin faces (4,5,6,7)(1,0,3,2)(0,4,7,3)"
+         "(5,1,2,6)(7,6,2,3)(0,1,5,4) end faces end mesh\n";
+}
+
+std::string rotated(const std::string& mesh) {
+  return "transform rotation (0.3,0.7,1.1) translation (0.1,0.2,0.3) begin " + mesh + " end ";
+}
+
+std::string upright(const std::string& of_vertex, const std::string& attributes = "brdf diffuse kd=0.5") {
+  return "begin mesh " + attributes + " begin vertexs " + of_vertex + "(-1,-1,0)" + of_vertex + "(1,-1,0)" +
+         of_vertex + "(1,1,0)" + of_vertex +
+         "(-1,1,0) end vertexs begin faces (0,1,2,3) end faces end mesh\n";
+}
+
+PlannedLook depth(int depth) {
+  PlannedLook look;
+  look.depth = depth;
+  return look;
+}
+PlannedLook under_background() {
+  PlannedLook look;
+  look.background = 1;
+  return look;
+}
+PlannedLook under_environment() {
+  PlannedLook look;
+  look.environment = 1;
+  return look;
+}
+PlannedLook with_irradiance() {
+  PlannedLook look;
+  look.uses_irradiance = true;
+  return look;
+}
+PlannedLook with_instances() {
+  PlannedLook look;
+  look.most_copied_triangles = 0;
+  return look;
+}
+PlannedLook inside() {
+  PlannedLook look;
+  look.eye = transport::Vec3f(0, 0, 0.1F);
+  return look;
+}
+
+struct Case {
+  const char* name;
+  std::string text;
+  PlannedLook look;
+  int depth;
+  std::vector<std::string> needed;
+};
+
+const std::string Sphere = test::sphere("brdf diffuse kd=0.5", 5, false);
+const std::string Smooth = test::sphere("brdf diffuse kd=0.5", 5, true);
+
+std::vector<Case> cases() {
+  const std::string diffuse = "brdf diffuse kd=0.5";
+  const std::string interreflects = "diffuse_interreflection";
+  return {
+      {"a flat wall under a lamp", wall(diffuse) + Lamp, {}, 1, {"area_lights"}},
+      {"a lamp that shines away", wall(diffuse) + LampBehindWall, under_background(), 1, {"background"}},
+      {"under a background", wall(diffuse), under_background(), 1, {"background"}},
+      {"under an environment", wall(diffuse), under_environment(), 1, {"environment"}},
+      {"wall and floor",
+       wall(diffuse) + test::quad(diffuse, Floor) + Lamp,
+       {},
+       5,
+       {"area_lights", interreflects}},
+      {"glossy wall and floor",
+       wall("brdf ward") + test::quad("brdf ward", Floor) + Lamp,
+       {},
+       5,
+       {"area_lights", "glossy_interreflection"}},
+      {"a wall that sees another out of view",
+       wall(diffuse) + test::quad(diffuse, OutOfView) + Lamp,
+       {},
+       5,
+       {"area_lights", interreflects}},
+      {"direct light alone", wall(diffuse) + test::quad(diffuse, Floor) + Lamp, depth(1), 1, {"area_lights"}},
+      {"emission alone", wall("brdf ward texture \"a.png\"") + Lamp, depth(0), 0, {}},
+      {"black walls",
+       wall("brdf diffuse kd=0") + test::quad("rgb (0,0,0) brdf ward", Floor) + Lamp,
+       {},
+       0,
+       {}},
+      {"a mirror", wall("brdf specular") + Lamp, {}, 1, {"area_lights", "mirror_reflection"}},
+      {"anisotropy", wall("brdf ward sx=0.1 sy=0.4") + Lamp, {}, 1, {"area_lights", "anisotropy"}},
+      {"no anisotropy", wall("brdf ward sx=0.2 sy=0.2") + Lamp, {}, 1, {"area_lights"}},
+      {"a texture", wall(diffuse + " texture \"a.png\"") + Lamp, {}, 1, {"area_lights", "textures"}},
+      {"a texture out of view",
+       wall(diffuse) + test::quad(diffuse + " texture \"a.png\"", OutOfView) + Lamp,
+       depth(1),
+       1,
+       {"area_lights"}},
+      {"a texture out of view that paths meet",
+       wall(diffuse) + test::quad(diffuse + " texture \"a.png\"", OutOfView) + Lamp,
+       {},
+       5,
+       {"area_lights", interreflects, "textures"}},
+      {"a texture on black", wall("rgb (0,0,0) texture \"a.png\"") + Lamp, {}, 0, {}},
+      {"coloured vertices", upright("rgb (1,0,0) ") + Lamp, {}, 1, {"area_lights", "vertex_colours"}},
+      {"white vertices", upright("rgb (1,1,1) ") + Lamp, {}, 1, {"area_lights"}},
+      {"normals that bend",
+       upright("normal (0.1,0,1) ") + Lamp,
+       {},
+       5,
+       {"area_lights", interreflects, "interpolated_normals"}},
+      {"normals that do not bend", upright("normal (0,0,2) ") + Lamp, {}, 1, {"area_lights"}},
+      {"measured data", wall("brdf measured " + Data + "") + Lamp, {}, 1, {"area_lights", "measured_data"}},
+      {"measured data out of view",
+       wall(diffuse) + test::quad("brdf measured " + Data + "", OutOfView) + Lamp,
+       depth(1),
+       1,
+       {"area_lights"}},
+      {"irradiance", upright("irad (1,1,1) "), with_irradiance(), 1, {"irradiance"}},
+      {"irradiance that is not there", wall(diffuse) + Lamp, with_irradiance(), 1, {"area_lights"}},
+      {"irradiance that is not asked for", upright("irad (1,1,1) ") + Lamp, {}, 1, {"area_lights"}},
+      {"instances",
+       "def ball = " + Sphere + "begin use ball transform translation (0.3,0,0) begin use ball end end " +
+           Lamp,
+       with_instances(),
+       5,
+       {"area_lights", interreflects, "instances"}},
+      {"a cube", cube(diffuse) + Lamp, {}, 1, {"area_lights"}},
+      {"a cube that is turned", rotated(cube(diffuse)) + Lamp, {}, 1, {"area_lights"}},
+      {"inside a cube", cube(diffuse), inside(), 5, {interreflects}},
+      {"a sphere of flat faces", rotated(Sphere) + Lamp, {}, 1, {"area_lights"}},
+      {"a cube on a floor",
+       cube(diffuse) + test::quad(diffuse, Floor) + Lamp,
+       {},
+       5,
+       {"area_lights", interreflects}},
+      {"what is behind the wall and out of view",
+       wall("brdf ward") + test::quad(diffuse, "(-1,-9,-1)(1,-9,-1)(1,-9,-3)(-1,-9,-3)") + Lamp,
+       {},
+       1,
+       {"area_lights"}},
+      {"nothing in view", test::quad(diffuse, BehindEye), under_background(), 0, {"background"}},
+  };
+}
+
+TEST(Plan, NeedsWhatCanMatter) {
+  for (const Case& one : cases()) {
+    const PlannedScene scene(one.text, one.look);
+    EXPECT_EQ(scene.plan().depth, one.depth) << one.name << ": " << scene.plan().why_depth;
+    EXPECT_EQ(scene.needed(), one.needed) << one.name;
+    for (const transport::PlannedEffect& effect : scene.plan().effects) {
+      EXPECT_FALSE(effect.why.empty()) << one.name << " " << name_of(effect.effect);
+    }
+  }
+}
+
+TEST(Plan, FramesTheSceneAsCompilingDoes) {
+  for (const Case& one : cases()) {
+    if (one.text.find(".png") != std::string::npos || one.text.find("CMakeLists") != std::string::npos)
+      continue;
+    PlannedScene scene(one.text, one.look);
+    EXPECT_EQ(scene.bounds(), scene.compiled().bounds()) << one.name;
+  }
+}
+
+// A face that is not to be met may name a file that is not there.
+TEST(Plan, LoadsNoFileThatNoPathNeeds) {
+  for (const std::string& attributes : {std::string("texture \"missing.png\""), "brdf measured " + Data}) {
+    const std::string text = wall("brdf diffuse") + test::quad(attributes, OutOfView) + Lamp;
+    EXPECT_EQ(PlannedScene(text, depth(1)).compiled().texture_count(), 0U);
+    EXPECT_THROW(PlannedScene(text, depth(2)).compiled(), std::runtime_error);
+    EXPECT_THROW(PlannedScene(text, test::full(depth(1))).compiled(), std::runtime_error);
+  }
+  const std::string text = wall("brdf diffuse") + test::quad("texture \"missing.png\"", OutOfView) + Lamp;
+  const PlannedScene scene(text, depth(1));
+  ASSERT_EQ(scene.plan().textures.size(), 1U);
+  EXPECT_FALSE(scene.plan().textures[0].is_needed);
+  EXPECT_EQ(
+      scene.plan().textures[0].why,
+      "only on 1 face that no path meets: outside the view, and the depth of 1 makes no path go further");
+}
+
+TEST(Plan, BuildsTablesOfPairsThatPathsMeetAlone) {
+  const std::string text = "def unused = brdf ward sx=0.9 begin " + wall("brdf ward pdf cascadecdf") +
+                           test::quad("brdf blinn pdf cascadecdf", OutOfView) + Lamp + " end";
+  PlannedScene scene(text, depth(1));
+  ASSERT_EQ(scene.plan().tables.size(), 2U);
+  EXPECT_TRUE(scene.plan().tables[0].is_needed);
+  EXPECT_FALSE(scene.plan().tables[1].is_needed);
+  EXPECT_FALSE(scene.plan().tables[1].why.empty());
+  const auto built = scene.compiled().tables();
+  ASSERT_EQ(built.size(), 1U);
+  EXPECT_EQ(built[0].brdf, scene.plan().tables[0].brdf);
+  EXPECT_EQ(PlannedScene(text, test::full(depth(1))).compiled().tables().size(), 2U);
+}
+
+/// Walls and cubes anywhere about the middle, few enough that some see nothing of each other.
+std::string random_scene(std::mt19937& random) {
+  std::uniform_real_distribution<float> number(-1, 1);
+  const std::array attributes = {"brdf diffuse kd=0.7",     "brdf ward",
+                                 "brdf specular",           "rgb (0,0,0)",
+                                 "brdf ward sx=0.1 sy=0.4", "brdf diffuse kd=0.5 light rgb (1,2,1)"};
+  const auto vector = [&](float size) {
+    return transport::Vec3f(number(random), number(random), number(random)) * size;
+  };
+  std::string text;
+  const int count = 1 + static_cast<int>(random() % 4);
+  for (int i = 0; i < count; ++i) {
+    const transport::Vec3f centre = vector(random() % 4 == 0 ? 8 : 1.5F);
+    const transport::Vec3f a = vector(1);
+    const transport::Vec3f b = vector(1);
+    std::string corners;
+    for (const transport::Vec3f& p : {centre - a - b, centre + a - b, centre + a + b, centre - a + b}) {
+      corners += fmt::format("({},{},{})", p.x, p.y, p.z);
+    }
+    text += test::quad(attributes[random() % attributes.size()], corners);
+    if (random() % 3 != 0) continue;
+    const transport::Vec3f turn = vector(3);
+    const transport::Vec3f place = vector(2);
+    text += fmt::format("transform rotation ({},{},{}) translation ({},{},{}) begin {} end ", turn.x, turn.y,
+                        turn.z, place.x, place.y, place.z, cube(attributes[random() % attributes.size()]));
+  }
+  const transport::Vec3f corner = vector(3);
+  return text + fmt::format("light begin rgb (2,3,4) ({},{},{}) (1,0,0) (0,0.3,1) end ", corner.x, corner.y,
+                            corner.z);
+}
+
+// What a plan leaves out would have added nothing: the image is the same, bit for bit.
+TEST(Plan, GivesTheImageOfTheFullRender) {
+  int shorter = 0;
+  int blacker = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    const std::string text = random_scene(random);
+    PlannedLook look;
+    look.width = look.height = 12;
+    look.samples = 4;
+    look.depth = 1 + static_cast<int>(random() % 5);
+    look.background = seed % 2 == 0 ? 0.5F : 0.0F;
+    look.seed = seed;
+    look.threads = 1;
+    PlannedScene planned(text, look);
+    PlannedScene whole(text, test::full(look));
+    shorter += planned.plan().depth < look.depth ? 1 : 0;
+    for (const auto& [mesh, surfaces] : *planned.plan().reflecting) blacker += surfaces[0] ? 0 : 1;
+    ASSERT_EQ(planned.image().pixels, whole.image().pixels) << seed << "\n" << text;
+  }
+  EXPECT_GT(shorter, 50);
+  EXPECT_GT(blacker, 50);
+}
+
+TEST(Plan, GivesTheFullImageOfItsCases) {
+  for (const Case& one : cases()) {
+    if (one.text.find(".png") != std::string::npos || one.text.find("CMakeLists") != std::string::npos)
+      continue;
+    PlannedLook look = one.look;
+    look.width = look.height = 12;
+    look.samples = 8;
+    const Image planned = PlannedScene(one.text, look).image();
+    const Image whole = PlannedScene(one.text, test::full(look)).image();
+    // Without normals that do not bend, and without lights that nobody sees, other digits are drawn or
+    // rounded.
+    const double most = std::string(one.name).starts_with("normals") ? 1e-4 : 0;
+    for (std::size_t i = 0; i < planned.pixels.size(); ++i) {
+      ASSERT_LE((planned.pixels[i] - whole.pixels[i]).length(), most) << one.name << " " << i;
+    }
+  }
+}
+
+double largest_difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    largest = std::max<double>(largest, (a.pixels[i] - b.pixels[i]).length());
+  }
+  return largest;
+}
+
+struct Switch {
+  Effect effect;
+  std::string text;
+  PlannedLook look;
+};
+
+// Each name does something, and what it does goes one way: what is switched off is not needed.
+TEST(Plan, LeavesOutWhatIsSwitchedOff) {
+  const std::string diffuse = "brdf diffuse kd=0.8";
+  const std::string room = wall(diffuse) + test::quad(diffuse, Floor) + Lamp;
+  const std::vector<Switch> switches = {
+      {Effect::AreaLights, wall(diffuse) + Lamp, {}},
+      {Effect::Environment, wall(diffuse), under_environment()},
+      {Effect::Background, wall(diffuse), under_background()},
+      {Effect::DiffuseInterreflection, room, {}},
+      {Effect::GlossyInterreflection, wall("brdf ward") + test::quad("brdf ward", Floor) + Lamp, {}},
+      {Effect::MirrorReflection, wall("brdf specular"), under_background()},
+      {Effect::Anisotropy, rotated(cube("brdf ward sx=0.05 sy=0.5 ks=0.9")) + Lamp, {}},
+      {Effect::VertexColours, upright("rgb (1,0,0) ") + Lamp, {}},
+      {Effect::InterpolatedNormals, Smooth + Lamp, {}},
+      {Effect::Irradiance, upright("irad (1,1,1) ") + Lamp, with_irradiance()}};
+  for (const Switch& one : switches) {
+    PlannedLook look = one.look;
+    look.samples = 64;
+    PlannedScene with(one.text, look);
+    PlannedScene without(one.text, test::without(look, one.effect));
+    EXPECT_TRUE(with.plan()[one.effect].is_needed) << name_of(one.effect);
+    EXPECT_FALSE(without.plan()[one.effect].is_needed) << name_of(one.effect);
+    EXPECT_GT(largest_difference(with.image(), without.image()), 0.02) << name_of(one.effect);
+  }
+}
+
+TEST(Plan, HasCopiesInPlaceOfInstances) {
+  const std::string text = "def ball = " + Sphere +
+                           "begin use ball transform translation (0.3,0,0) begin use ball end end " + Lamp;
+  PlannedScene with(text, with_instances());
+  PlannedScene without(text, test::without(with_instances(), Effect::Instances));
+  EXPECT_EQ(with.compiled().instance_count(), 2U);
+  EXPECT_EQ(without.compiled().instance_count(), 0U);
+  EXPECT_LT(largest_difference(with.image(), without.image()), 0.2);
+}
+
+TEST(Plan, TakesDirectLightAloneAsDepthOne) {
+  const std::string room = wall("brdf diffuse kd=0.8") + test::quad("brdf ward", Floor) + Lamp;
+  PlannedLook direct;
+  direct.effects = transport::effects_named(std::vector<std::string_view>{"direct"});
+  EXPECT_EQ(PlannedScene(room, direct).plan().depth, 1);
+  EXPECT_EQ(PlannedScene(room, direct).image().pixels, PlannedScene(room, depth(1)).image().pixels);
+}
+
+}  // namespace
