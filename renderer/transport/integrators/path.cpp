@@ -98,12 +98,9 @@ Rgb Path<Has>::radiance_from_outside() const {
   if constexpr (Has.environment) {
     if (!settings_.environment) return settings_.background;
     if (has_environment_) return Rgb(0);
-    float weight = 1;
-    if (density_ > 0 && environment_share_ > 0) {
-      const float density = environment_share_ * settings_.environment->density(from_normal_, ray_.direction);
-      weight = power_heuristic(density_, density);
-    }
-    return settings_.environment->radiance(ray_.direction) * weight;
+    if (!(density_ > 0 && environment_share_ > 0)) return settings_.environment->radiance(ray_.direction);
+    const EnvironmentMap::Seen seen = settings_.environment->seen(from_normal_, ray_.direction);
+    return seen.radiance * power_heuristic(density_, environment_share_ * seen.density);
   }
   return settings_.background;
 }
