@@ -23,14 +23,20 @@ float power_heuristic(float density, float other) {
   return 1 / (1 + ratio * ratio);
 }
 
+/// How many ways a path goes on from its first hit. What comes by way of other surfaces varies more than what
+/// comes from lights directly, and costs no camera ray again: with 2, the error at equal cost is 1/2 as large
+/// where a glossy sphere throws a caustic, 4/5 in a Cornell box, and the same under an environment map. 3 are
+/// as good, and make the map's scene worse.
+constexpr int Branches = 2;
+
 const Diffuse& matte_of(const Reflector& reflector) { return *std::get_if<Diffuse>(&reflector.brdf()); }
 
 /// The path so far.
 template <PathEffects Has>
 class Path {
  public:
-  Path(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray, PathNumbers& numbers,
-       RayCounter& counter)
+  Path(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
+       const PathNumbers& numbers, RayCounter& counter)
       : scene_(scene), settings_(settings), numbers_(numbers), counter_(counter), ray_(ray) {
     if constexpr (Has.environment) {
       resamples_ = settings.resampling && settings.environment && !settings.environment->is_black();
@@ -58,10 +64,11 @@ class Path {
   bool scatter(const Scattering& scattering, const Uniform4& xi);
   bool has_irradiance(const SurfacePoint& point, const Reflector& reflector) const;
   bool survives(float xi);
+  Rgb split(const Scattering& scattering, int events);
 
   const CompiledScene& scene_;
   const IntegratorSettings& settings_;
-  PathNumbers& numbers_;
+  PathNumbers numbers_;
   RayCounter& counter_;
   Ray ray_;
   Rgb throughput_ = Rgb(1);
@@ -78,6 +85,7 @@ class Path {
   bool has_environment_ = false;
   /// So far the path has met mirrors alone, and irradiance serves where the scene has it.
   bool takes_irradiance_ = settings_.uses_irradiance;
+  bool may_split_ = true;             ///< no hit yet that does more than mirror
   Vec3f light_direction_ = Vec3f(0);  ///< to the last point of a light that could be reflected
 };
 
@@ -247,6 +255,7 @@ bool Path<Has>::has_irradiance(const SurfacePoint& point, const Reflector& refle
 
 template <PathEffects Has>
 Gathered Path<Has>::gather(const Scattering& scattering) {
+  may_split_ = false;
   const TwoPoints xi = numbers_.next_two();
   add_direct_light(scattering, xi.first);
   Gathered gathered{{light_direction_, std::exchange(radiance_, Rgb(0))}, {}};
@@ -255,6 +264,22 @@ Gathered Path<Has>::gather(const Scattering& scattering) {
     gathered.scattered.radiance = run(std::nullopt, 1);
   }
   return gathered;
+}
+
+/// The mean of some ways on from a hit, which share what led to it and the light that was sampled there.
+template <PathEffects Has>
+Rgb Path<Has>::split(const Scattering& scattering, int events) {
+  may_split_ = false;
+  const PointSet points = numbers_.next_set(Branches);
+  Rgb sum(0);
+  for (int i = 0; i < Branches; ++i) {
+    Path branch(*this);
+    branch.radiance_ = Rgb(0);
+    branch.numbers_ = numbers_.branch(i, Branches);
+    const Uniform4 xi = points[i];
+    if (branch.scatter(scattering, xi) && branch.survives(xi.w)) sum += branch.run(std::nullopt, events);
+  }
+  return sum / static_cast<float>(Branches);
 }
 
 template <PathEffects Has>
@@ -279,6 +304,10 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
       // A mirror's candidates would all be the same one.
       has_environment_ = resamples_ && reflector->has_density();
       if (has_environment_) add_resampled_light(scattering);
+    }
+    // Where only lights may be met yet, the one direction is enough.
+    if (may_split_ && reflector->has_density() && events + 1 < settings_.depth) {
+      return radiance_ + split(scattering, events + 1);
     }
     if (!scatter(scattering, xi.second) || !survives(xi.second.w)) return radiance_;
   }
