@@ -107,6 +107,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.view.up = render_options.up;
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
+  settings.integrator.branches = render_options.branches;
   settings.integrator.uses_irradiance = render_options.uses_irradiance;
   settings.integrator.measures_sampling = render_options.writes_sampling_time;
   settings.integrator.integrator = integrator_of(render_options);

@@ -75,6 +75,9 @@ std::vector<OptionInfo> estimator_options() {
        "estimator, secondary rays by the scheme alone and no light sampling"},
       {"BPT_Depth", "--depth", NumberOption<int>{&Options::depth, 0, LargestInt}, "int", "5",
        "the most scattering events on a path: 0 emission only, 1 direct light only"},
+      {"BPT_Branches", "--branches", NumberOption<int>{&Options::branches, 1, 1024}, "int", "2",
+       "directions in which a path goes on from its first hit that does more than mirror, for path; 1: paths "
+       "do not split"},
       {"BPT_Samples", "--samples", NumberOption<int, std::optional<int>>{&Options::samples, 1, LargestInt},
        "int", "Pixel_SampleRes product x NSecRaysRoot^2", "samples a pixel, for path"},
       {"BPT_Pixel_SampleRes", "", PairOption<IntegerPair>{&Options::pixel_samples, 1, 4096}, "int int", "1 1",

@@ -81,6 +81,7 @@ struct RenderOptions : SchemeOptions {
   std::optional<IntegerPair> resampling;  ///< M and N
   std::string integrator = "path";        ///< naive or path
   int depth = 5;
+  int branches = 2;
   std::optional<int> samples;  ///< a pixel; see `samples_a_pixel`
   bool pixel_radial = false;
   bool pixel_random = true;

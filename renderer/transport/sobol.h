@@ -61,6 +61,14 @@ class PathNumbers {
   /// The same as two calls of `next`, in less time.
   TwoPoints next_two();
 
+  /// Those of one of `count` ways on from here, `index` from 0. The points of all ways of all samples
+  /// together are the points of the same sequences.
+  PathNumbers branch(int index, int count) const {
+    constexpr std::uint32_t Apart = 0x80000000U;  // from the seeds of points
+    return {hash(seed_, Apart + group_),
+            sample_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(index), points_};
+  }
+
   /// As many points for one purpose. Those of all samples together are the points of one sequence, if each
   /// sample asks for as many; or independent, as the points of paths are.
   PointSet next_set(int count) {

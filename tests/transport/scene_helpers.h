@@ -66,6 +66,7 @@ struct Look {
   int height = 32;
   int samples = 16;
   int depth = 5;
+  int branches = 2;
   float background = 0;
   std::uint32_t seed = 0;
   int threads = 0;
@@ -81,6 +82,7 @@ inline transport::RenderSettings settings_of(const Look& look) {
   settings.view.field_of_view = look.field_of_view;
   settings.integrator.background = transport::Rgb(look.background);
   settings.integrator.depth = look.depth;
+  settings.integrator.branches = look.branches;
   settings.samples = look.samples;
   settings.seed = look.seed;
   settings.threads = look.threads;

@@ -103,6 +103,22 @@ TEST(IndependentPoints, AreNoNet) {
   EXPECT_NEAR(static_cast<double>(of_a_set.size()), expected, 50);
 }
 
+// What splits goes on with as good a spread as more samples would have, in numbers that nothing before has.
+TEST(Sobol, BranchesOfAllSamplesAreANet) {
+  constexpr int Branches = 2;
+  std::set<std::pair<int, int>> cells;
+  for (std::uint32_t sample = 0; sample < 32; ++sample) {
+    transport::PathNumbers numbers(17, sample);
+    const Uniform4 before = numbers.next();
+    for (int i = 0; i < Branches; ++i) {
+      const Uniform4 p = numbers.branch(i, Branches).next();
+      EXPECT_NE(as_array(p), as_array(before));
+      cells.emplace(static_cast<int>(p.x * 8), static_cast<int>(p.y * 8));
+    }
+  }
+  EXPECT_EQ(cells.size(), 64U);
+}
+
 TEST(Sobol, StaysUnderOne) {
   for (std::uint32_t i = 0; i < 100000; ++i) {
     for (const float x : as_array(sobol_point(i, i * 7919))) {

@@ -29,8 +29,8 @@ const Diffuse& matte_of(const Reflector& reflector) { return *std::get_if<Diffus
 template <PathEffects Has>
 class Path {
  public:
-  Path(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray, PathNumbers& numbers,
-       RayCounter& counter)
+  Path(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
+       const PathNumbers& numbers, RayCounter& counter)
       : scene_(scene), settings_(settings), numbers_(numbers), counter_(counter), ray_(ray) {
     if constexpr (Has.environment) {
       resamples_ = settings.resampling && settings.environment && !settings.environment->is_black();
@@ -58,16 +58,17 @@ class Path {
   bool scatter(const Scattering& scattering, const Uniform4& xi);
   bool has_irradiance(const SurfacePoint& point, const Reflector& reflector) const;
   bool survives(float xi);
+  Rgb split(const Scattering& scattering, int events);
 
   const CompiledScene& scene_;
   const IntegratorSettings& settings_;
-  PathNumbers& numbers_;
+  PathNumbers numbers_;
   RayCounter& counter_;
   Ray ray_;
   Rgb throughput_ = Rgb(1);
   Rgb radiance_ = Rgb(0);
-  /// The solid-angle density with which the ray was drawn, where a light could have been sampled instead;
-  /// 0 for camera rays and mirror directions.
+  /// The solid-angle density with which the ray was drawn, of all ways on together, where a light could have
+  /// been sampled instead; 0 for camera rays and mirror directions.
   float density_ = 0;
   /// The point that the ray was scattered from, with its shading normal.
   Vec3f from_, from_normal_;
@@ -79,6 +80,8 @@ class Path {
   /// So far the path has met mirrors alone, and irradiance serves where the scene has it.
   bool takes_irradiance_ = settings_.uses_irradiance;
   bool was_scattered_ = false;        ///< other than by mirrors
+  bool may_split_ = true;             ///< no hit yet that does more than mirror
+  int ways_ = 1;                      ///< in which the path goes on from the present hit
   Vec3f light_direction_ = Vec3f(0);  ///< to the last point of a light that could be reflected
 };
 
@@ -99,12 +102,9 @@ Rgb Path<Has>::radiance_from_outside() const {
   if constexpr (Has.environment) {
     if (!settings_.environment) return settings_.background;
     if (has_environment_) return Rgb(0);
-    float weight = 1;
-    if (density_ > 0 && environment_share_ > 0) {
-      const float density = environment_share_ * settings_.environment->density(from_normal_, ray_.direction);
-      weight = power_heuristic(density_, density);
-    }
-    return settings_.environment->radiance(ray_.direction) * weight;
+    if (!(density_ > 0 && environment_share_ > 0)) return settings_.environment->radiance(ray_.direction);
+    const EnvironmentMap::Seen seen = settings_.environment->seen(from_normal_, ray_.direction);
+    return seen.radiance * power_heuristic(density_, environment_share_ * seen.density);
   }
   return settings_.background;
 }
@@ -134,7 +134,7 @@ std::optional<Rgb> Path<Has>::lit_from(const Scattering& scattering, const Vec3f
   const Reflection reflection = reflect(scattering, v);
   if (reflectance::is_black(reflection.value)) return std::nullopt;
   light_direction_ = direction;
-  const float weight = power_heuristic(light_density, reflection.density);
+  const float weight = power_heuristic(light_density, static_cast<float>(ways_) * reflection.density);
   return throughput_ * scattering.point.colour * reflection.value * (v.z * weight / light_density);
 }
 
@@ -218,7 +218,7 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   if (!scattering.is_above(direction)) return false;
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
-  density_ = drawn->is_mirror ? 0 : drawn->density;
+  density_ = drawn->is_mirror ? 0 : static_cast<float>(ways_) * drawn->density;
   from_ = scattering.point.position;
   from_normal_ = scattering.frame.z;
   const auto ray = scattering.ray_towards(scene_, direction);
@@ -254,6 +254,7 @@ bool Path<Has>::has_irradiance(const SurfacePoint& point, const Reflector& refle
 
 template <PathEffects Has>
 Gathered Path<Has>::gather(const Scattering& scattering) {
+  may_split_ = false;
   const TwoPoints xi = numbers_.next_two();
   add_direct_light(scattering, xi.first);
   Gathered gathered{{light_direction_, std::exchange(radiance_, Rgb(0))}, {}};
@@ -262,6 +263,22 @@ Gathered Path<Has>::gather(const Scattering& scattering) {
     gathered.scattered.radiance = run(std::nullopt, 1);
   }
   return gathered;
+}
+
+/// The mean of some ways on from a hit, which share what led to it and the light that was sampled there.
+template <PathEffects Has>
+Rgb Path<Has>::split(const Scattering& scattering, int events) {
+  may_split_ = false;
+  const PointSet points = numbers_.next_set(ways_);
+  Rgb sum(0);
+  for (int i = 0; i < ways_; ++i) {
+    Path branch(*this);
+    branch.radiance_ = Rgb(0);
+    branch.numbers_ = numbers_.branch(i, ways_);
+    const Uniform4 xi = points[i];
+    if (branch.scatter(scattering, xi) && branch.survives(xi.w)) sum += branch.run(std::nullopt, events);
+  }
+  return sum / static_cast<float>(ways_);
 }
 
 template <PathEffects Has>
@@ -281,6 +298,9 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
       const Rgb value = reflector->evaluate(scattering.u, Vec3f(0, 0, 1));
       return radiance_ + throughput_ * point->colour * value * *point->irradiance;
     }
+    // Where only lights may be met yet, one direction is enough.
+    const bool splits = may_split_ && reflector->has_density() && events + 1 < settings_.depth;
+    ways_ = splits ? settings_.branches : 1;
     const TwoPoints xi = numbers_.next_two();
     add_direct_light(scattering, xi.first);
     if constexpr (Has.resampling) {
@@ -288,6 +308,7 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
       has_environment_ = resamples_ && reflector->has_density();
       if (has_environment_) add_resampled_light(scattering);
     }
+    if (splits) return radiance_ + split(scattering, events + 1);
     if (!scatter(scattering, xi.second) || !survives(xi.second.w)) return radiance_;
   }
 }

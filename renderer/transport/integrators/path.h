@@ -17,8 +17,9 @@ struct PathEffects {
 /// An unbiased estimate of the radiance that arrives along a ray: a path that at each surface samples a light
 /// and the BRDF, and combines the two by multiple importance sampling (Veach and Guibas 1995, power
 /// heuristic). The light is the environment map with a probability of its share of the power, else one of the
-/// emitters by the light tree. Russian roulette ends paths that carry little. All kernels give
-/// the same image where they serve, bit for bit.
+/// emitters by the light tree. At the first surface that does more than mirror the path splits in two, and
+/// Russian roulette ends paths that carry little. All kernels give the same image where they serve, bit for
+/// bit.
 ///
 /// The one that serves these effects and does least besides.
 Kernel path_kernel(const PathEffects& effects);

@@ -1,13 +1,15 @@
 #include "renderer/transport/lights/environment_map.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "renderer/reflectance/glsl_functions.h"
 
 namespace transport {
 namespace {
@@ -33,32 +35,19 @@ double accumulate(std::span<const double> weights, float* shares) {
   return total;
 }
 
-struct Chosen {
-  std::size_t index = 0;
-  float place = 0;  ///< within it, 0..1
-};
-
-/// Entries for about every 16 shares, as a power of 2: then a product with a float is exact.
-std::size_t guide_size(std::size_t count) { return std::bit_ceil(std::max<std::size_t>(count / 16, 1)); }
-
-/// For each k in 0..size: the first share over k / size. It keeps the search for a share to a cache line or
-/// two (Chen and Asau 1974, "On generating random variates from an empirical distribution").
-void guide(const float* shares, std::size_t count, std::uint32_t* guides) {
-  const std::size_t size = guide_size(count);
-  std::size_t i = 0;
-  for (std::size_t k = 0; k <= size; ++k) {
-    while (i < count && shares[i] <= static_cast<float>(k) / static_cast<float>(size)) ++i;
-    guides[k] = static_cast<std::uint32_t>(i);
+/// What std::upper_bound finds, without branches on what a random number decides.
+std::size_t first_over(const float* shares, std::size_t count, float xi) {
+  const float* from = shares;
+  while (count > 1) {
+    const std::size_t half = count / 2;
+    from += from[half - 1] <= xi ? half : 0;
+    count -= half;
   }
+  return static_cast<std::size_t>(from - shares) + (count == 1 && *from <= xi ? 1 : 0);
 }
 
-/// The first whose cumulative share is over xi: its own share is not 0, since the one before is at most xi.
-Chosen choose(const float* shares, std::size_t count, const std::uint32_t* guides, float xi) {
-  const auto k = static_cast<std::size_t>(xi * static_cast<float>(guide_size(count)));
-  const float* above = std::upper_bound(shares + guides[k], shares + guides[k + 1], xi);
-  const float before = above == shares ? 0.0F : *(above - 1);
-  return {static_cast<std::size_t>(above - shares), (xi - before) / (*above - before)};
-}
+/// Where xi is between a share and the one before, 0..1.
+float place_between(float before, float above, float xi) { return (xi - before) / (above - before); }
 
 }  // namespace
 
@@ -86,27 +75,32 @@ void EnvironmentMap::build() {
     cosines_.push_back(std::cos(std::numbers::pi * double(row) / double(height)));
   }
   rows_.resize(height);
-  row_guide_.resize(guide_size(height) + 1);
-  column_guides_.resize((guide_size(width) + 1) * height);
-  columns_.resize(width * height);
-  std::vector<double> luminances(width);
+  lines_across_ = (width + Line::Size - 1) / Line::Size;
+  columns_.resize(lines_across_ * height);
+  line_ends_.resize(columns_.size());
+  std::vector<double> luminances(lines_across_ * Line::Size);
+  std::vector<float> shares(luminances.size());
   std::vector<double> row_sums(height);
   for (std::size_t row = 0; row < height; ++row) {
     const double solid_angle = 2 * std::numbers::pi / double(width) * (cosines_[row] - cosines_[row + 1]);
     for (std::size_t x = 0; x < width; ++x) luminances[x] = luminance(image_.pixels[row * width + x]);
-    row_sums[row] = accumulate(luminances, &columns_[row * width]) * solid_angle;
-    guide(&columns_[row * width], width, &column_guides_[row * (guide_size(width) + 1)]);
+    row_sums[row] = accumulate(luminances, shares.data()) * solid_angle;
+    for (std::size_t i = 0; i < lines_across_; ++i) {
+      Line& line = columns_[row * lines_across_ + i];
+      std::copy_n(shares.begin() + static_cast<std::ptrdiff_t>(i * Line::Size), Line::Size,
+                  line.shares.begin());
+      line_ends_[row * lines_across_ + i] = line.shares.back();
+    }
   }
   total_ = accumulate(row_sums, rows_.data());
-  guide(rows_.data(), height, row_guide_.data());
   if (!is_black()) warps_ = CosineWarps([this](const Vec2f& xi) { return sample(xi)->direction; });
 }
 
 EnvironmentMap::Place EnvironmentMap::place_of(const Vec3f& direction) const {
   // By the arc tangent and not the arc cosine, which has few digits at the poles.
   const float theta =
-      std::atan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
-  const float phi = std::atan2(direction.x, -direction.z);
+      reflectance::glsl::atan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
+  const float phi = reflectance::glsl::atan2(direction.x, -direction.z);
   const double y = double(theta) / std::numbers::pi * image_.height;
   const double x = (0.5 + double(phi) / (2 * std::numbers::pi)) * image_.width;
   const auto index_of = [](double place, int count) {
@@ -128,12 +122,16 @@ std::size_t EnvironmentMap::texel_at(const Vec3f& direction) const {
 
 /// The pair of numbers from which `sample` makes a place.
 Vec2f EnvironmentMap::pair_of(const Place& place) const {
-  const float* columns = &columns_[place.row * static_cast<std::size_t>(image_.width)];
-  const auto between = [](const float* shares, std::size_t index, float inside) {
-    const float before = index == 0 ? 0 : shares[index - 1];
-    return std::clamp(before + (shares[index] - before) * inside, 0.0F, 0x1.fffffep-1F);
+  const Line* lines = &columns_[place.row * lines_across_];
+  const auto column_share = [&](std::size_t column) {
+    return lines[column / Line::Size].shares[column % Line::Size];
   };
-  return {between(columns, place.column, place.inside.x), between(rows_.data(), place.row, place.inside.y)};
+  const auto row_share = [&](std::size_t row) { return rows_[row]; };
+  const auto between = [](const auto& share, std::size_t index, float inside) {
+    const float before = index == 0 ? 0 : share(index - 1);
+    return std::clamp(before + (share(index) - before) * inside, 0.0F, 0x1.fffffep-1F);
+  };
+  return {between(column_share, place.column, place.inside.x), between(row_share, place.row, place.inside.y)};
 }
 
 Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Vec2f& place) const {
@@ -145,30 +143,48 @@ Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Ve
             static_cast<float>(-sine * std::cos(phi))};
   }
   const auto rounded = static_cast<float>(phi);
-  return {static_cast<float>(sine) * std::sin(rounded), static_cast<float>(cosine),
-          static_cast<float>(-sine) * std::cos(rounded)};
+  return {static_cast<float>(sine) * reflectance::glsl::sin(rounded), static_cast<float>(cosine),
+          static_cast<float>(-sine) * reflectance::glsl::cos(rounded)};
 }
 
 /// True unless a direction at this place in a texel is surely found there again. The angles of a direction in
-/// float are off by less than 1e-6.
+/// float are off by less than 2e-6.
 bool EnvironmentMap::is_near_border(std::size_t row, const Vec2f& place) const {
-  const double across = 1e-6 * image_.width / (2 * std::numbers::pi);
-  const double down = 1e-6 / (cosines_[row] - cosines_[row + 1]);
+  const double across = 2e-6 * image_.width / (2 * std::numbers::pi);
+  const double down = 2e-6 / (cosines_[row] - cosines_[row + 1]);
   return std::abs(double(place.x) - 0.5) > 0.5 - across || std::abs(double(place.y) - 0.5) > 0.5 - down;
 }
 
+/// Has the texels of a line fetched while it is chosen among them.
+void EnvironmentMap::prefetch(std::size_t row, std::size_t line) const {
+  const auto width = static_cast<std::size_t>(image_.width);
+  constexpr std::size_t Step = 5;  // texels of a cache line
+  const std::size_t end = std::min((line + 1) * Line::Size, width);
+  for (std::size_t x = line * Line::Size; x < end; x += Step) {
+    __builtin_prefetch(&image_.pixels[row * width + x]);
+  }
+}
+
+// Of each distribution, the first whose cumulative share is over xi: its own share is not 0, since the one
+// before is at most xi.
 std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   if (is_black()) return std::nullopt;
-  const auto width = static_cast<std::size_t>(image_.width);
-  const Chosen row = choose(rows_.data(), rows_.size(), row_guide_.data(), xi.y);
-  const Chosen column =
-      choose(&columns_[row.index * width], width, &column_guides_[row.index * (guide_size(width) + 1)], xi.x);
-  Vec3f direction = direction_in(row.index, column.index, {column.place, row.place});
-  const std::size_t texel = row.index * width + column.index;
+  const std::size_t row = first_over(rows_.data(), rows_.size(), xi.y);
+  const float* ends = &line_ends_[row * lines_across_];
+  const std::size_t line = first_over(ends, lines_across_, xi.x);
+  prefetch(row, line);
+  const auto& shares = columns_[row * lines_across_ + line].shares;
+  const std::size_t in_line = first_over(shares.data(), shares.size(), xi.x);
+  const float before = in_line > 0 ? shares[in_line - 1] : line > 0 ? ends[line - 1] : 0;
+  const Vec2f place(place_between(before, shares[in_line], xi.x),
+                    place_between(row > 0 ? rows_[row - 1] : 0, rows_[row], xi.y));
+  const std::size_t column = line * Line::Size + in_line;
+  Vec3f direction = direction_in(row, column, place);
+  const std::size_t texel = row * static_cast<std::size_t>(image_.width) + column;
   // Rounding may put a direction at the border across it. That one counts as from the middle, so that light
   // beside black is not lost and what is said of a direction is what `radiance` and `density` say.
-  if (is_near_border(row.index, {column.place, row.place}) && texel_at(direction) != texel) {
-    direction = direction_in(row.index, column.index, Vec2f(0.5F));
+  if (is_near_border(row, place) && texel_at(direction) != texel) {
+    direction = direction_in(row, column, Vec2f(0.5F));
   }
   const Rgb& radiance = image_.pixels[texel];
   return EnvironmentSample{direction, radiance, static_cast<float>(luminance(radiance) / total_)};
@@ -186,11 +202,12 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec3f& normal, con
   return drawn;
 }
 
-float EnvironmentMap::density(const Vec3f& normal, const Vec3f& direction) const {
-  if (is_black()) return 0;
+EnvironmentMap::Seen EnvironmentMap::seen(const Vec3f& normal, const Vec3f& direction) const {
   const Place place = place_of(direction);
   const Rgb& radiance = image_.pixels[place.row * static_cast<std::size_t>(image_.width) + place.column];
-  return static_cast<float>(luminance(radiance) / total_) * warps_.density(normal, pair_of(place));
+  if (is_black()) return {radiance, 0};
+  return {radiance,
+          static_cast<float>(luminance(radiance) / total_) * warps_.density(normal, pair_of(place))};
 }
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,

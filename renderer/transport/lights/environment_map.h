@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,7 +42,16 @@ class EnvironmentMap {
 
   /// The same for a surface with this unit normal: nearly in proportion to the cosine with it too.
   std::optional<EnvironmentSample> sample(const grf::Vec3f& normal, const grf::Vec2f& xi) const;
-  float density(const grf::Vec3f& normal, const grf::Vec3f& direction) const;
+  float density(const grf::Vec3f& normal, const grf::Vec3f& direction) const {
+    return seen(normal, direction).density;
+  }
+
+  struct Seen {
+    reflectance::Rgb radiance;
+    float density = 0;
+  };
+  /// `radiance` and `density` in one, for what they share.
+  Seen seen(const grf::Vec3f& normal, const grf::Vec3f& direction) const;
 
   /// Luminance integrated over all directions.
   double total() const { return total_; }
@@ -53,6 +63,13 @@ class EnvironmentMap {
   std::size_t wrong_texels() const { return wrong_texels_; }
 
  private:
+  /// A line of the processor's cache. Which one has a share is found among their ends, which stay in a nearer
+  /// cache than the lines do.
+  struct alignas(64) Line {
+    static constexpr std::size_t Size = 16;
+    std::array<float, Size> shares;
+  };
+
   /// A place on the image: a texel, and where in it, 0..1, from the upper left corner.
   struct Place {
     std::size_t row = 0;
@@ -66,14 +83,16 @@ class EnvironmentMap {
   bool is_near_border(std::size_t row, const grf::Vec2f& place) const;
   void repair();
   void build();
+  void prefetch(std::size_t row, std::size_t line) const;
 
   Image image_;
   std::size_t wrong_texels_ = 0;
-  double total_ = 0;            ///< luminance over the whole sphere
-  std::vector<float> rows_;     ///< cumulative share of rows, up to and including each
-  std::vector<float> columns_;  ///< of columns within their row, row after row; all 1 in a black one
-  /// Where to look for a share, see `guide`: of rows, and of columns row after row.
-  std::vector<std::uint32_t> row_guide_, column_guides_;
+  double total_ = 0;         ///< luminance over the whole sphere
+  std::vector<float> rows_;  ///< cumulative share of rows, up to and including each
+  /// Of columns within their row, row after row; all 1 in a black one, and behind a row's last.
+  std::vector<Line> columns_;
+  std::vector<float> line_ends_;  ///< the last share of each line
+  std::size_t lines_across_ = 0;
   CosineWarps warps_;
   std::vector<double> cosines_;  ///< of the angles from the y axis between rows, one more than rows
 };
