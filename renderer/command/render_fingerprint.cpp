@@ -9,14 +9,13 @@
 namespace command {
 namespace {
 
-/// These change nothing of what a sample is, or are looked at otherwise. Files count by what they hold,
-/// wherever they lie.
-constexpr std::array<std::string_view, 18> Indifferent = {
-    "BPT_Scene",           "BPT_Output_Image",   "BPT_EM_Background", "BPT_Pdf_Factors_File",
-    "BPT_Samples",         "BPT_TargetError",    "BPT_Adaptive",      "BPT_MaxTime",
-    "BPT_Checkpoint",      "BPT_DisplayWindow",  "BPT_DisplayServer", "BPT_Layers",
-    "BPT_Threads",         "BPT_Exposure",       "BPT_Pdf_memstat",   "BPT_Chrono_Rendering",
-    "BPT_Chrono_Sampling", "BPT_Chrono_Prebuild"};
+/// These change nothing of what a sample is. Files count by what they hold, wherever they lie.
+constexpr std::array<std::string_view, 17> Indifferent = {
+    "BPT_Scene",          "BPT_Output_Image",  "BPT_EM_Background",    "BPT_Pdf_Factors_File",
+    "BPT_Samples",        "BPT_TargetError",   "BPT_MaxTime",          "BPT_Checkpoint",
+    "BPT_DisplayWindow",  "BPT_DisplayServer", "BPT_Layers",           "BPT_Threads",
+    "BPT_Exposure",       "BPT_Pdf_memstat",   "BPT_Chrono_Rendering", "BPT_Chrono_Sampling",
+    "BPT_Chrono_Prebuild"};
 
 std::uint32_t sum_of_file(std::uint32_t before, const std::string& path) {
   grf::Diagnostics unheard;  // the file was read a moment ago
@@ -38,8 +37,6 @@ transport::Fingerprint fingerprint_of(const options::RenderOptions& render_optio
     for (const std::string& word : options::option_words(render_options, option)) line += " " + word;
     fingerprint.options = transport::check_sum(fingerprint.options, line + "\n");
   }
-  fingerprint.options =
-      transport::check_sum(fingerprint.options, render_options.is_adaptive() ? "adaptive" : "uniform");
   // A first render makes these and a second one reads them.
   if (!render_options.factors_file.empty()) {
     for (const char* ending : {".txt", "_cdf.txt"}) files.insert(render_options.factors_file + ending);

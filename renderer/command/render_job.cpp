@@ -122,7 +122,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.integrator.secondary_rays =
       render_options.secondary_rays_root * render_options.secondary_rays_root;
   place_samples(render_options, settings);
-  settings.adaptive = render_options.is_adaptive();
+  settings.adaptive = render_options.adaptive;
   settings.target_error = render_options.target_error;
   settings.max_seconds = render_options.max_seconds;
   settings.seed = render_options.seed;

@@ -88,7 +88,7 @@ struct RenderOptions : SchemeOptions {
   bool ray_casting = false;
   bool uses_irradiance = false;
   std::optional<float> target_error;  ///< sqrt(relMSE) of the image
-  std::optional<bool> adaptive;       ///< see `is_adaptive`
+  bool adaptive = false;              ///< more samples where the error is
   std::optional<float> max_seconds;
   std::string checkpoint;  ///< path; empty: none
   std::uint32_t seed = 0;
@@ -104,10 +104,6 @@ struct RenderOptions : SchemeOptions {
   /// Of the integrator path. Where BPT_Samples is not given, as many as the thesis' estimator would take, so
   /// that an old OP file costs about what it did.
   int samples_a_pixel() const;
-
-  /// Whether samples are placed where the error is. If nothing is said, they are where there is a target
-  /// error: who asks for an error wants it soon, and who asks for a number of samples that many a pixel.
-  bool is_adaptive() const { return adaptive.value_or(target_error.has_value()); }
 
   bool operator==(const RenderOptions&) const = default;
 };
