@@ -1,6 +1,7 @@
 #include "renderer/command/render_command.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -51,7 +52,7 @@ nlohmann::json whole_if_exact(double number) {
 nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
                           const std::string& output, double setup_seconds, const transport::Plan& plan) {
   const double seconds = render.seconds();
-  const auto error = render.film().estimated_error();
+  const auto estimate = render.film().error_estimate();
   nlohmann::json summary;
   summary["output"] = output;
   summary["width"] = render_options.size.width;
@@ -61,7 +62,12 @@ nlohmann::json summary_of(const transport::Render& render, const RenderOptions& 
   summary["render_seconds"] = seconds;
   summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
   summary["rays_per_second"] = static_cast<double>(render.ray_count()) / seconds;
-  summary["estimated_error"] = error ? nlohmann::json(*error) : nlohmann::json(nullptr);
+  summary["estimated_error"] = nullptr;
+  summary["estimated_error_interval"] = nullptr;
+  if (estimate) {
+    summary["estimated_error"] = estimate->error;
+    summary["estimated_error_interval"] = {estimate->low, estimate->high};
+  }
   summary["peak_memory_bytes"] = peak_memory_bytes();
   add_plan(plan, summary);
   return summary;
@@ -78,7 +84,9 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
              duration_text(number("setup_seconds")), duration_text(number("render_seconds")),
              number("paths_per_second") / 1e6, number("rays_per_second") / 1e6);
   if (!summary["estimated_error"].is_null()) {
-    fmt::print("  estimated error {:.2f} %\n", 100 * number("estimated_error"));
+    const auto [low, high] = summary["estimated_error_interval"].get<std::array<double, 2>>();
+    fmt::print("  estimated error {:.3g} %, with 95 % confidence {:.3g} to {:.3g} %\n",
+               100 * number("estimated_error"), 100 * low, 100 * high);
   }
   fmt::print("  peak memory {:.0f} MB, effects: {}\n", number("peak_memory_bytes") / 1e6,
              fmt::join(summary["effects"].get<std::vector<std::string>>(), ", "));
@@ -86,6 +94,17 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
 }
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
+
+/// What was not finite, on which BRDF and where in the world.
+std::string cause_text(const transport::NotFinite& cause, const CompiledScene& scene) {
+  if (cause.term.empty()) return "a product of finite terms is too large for a float";
+  std::string text = fmt::format("the {} is not finite", cause.term);
+  if (!cause.where) return text;
+  const std::uint32_t reflector = cause.where->surface->reflector;
+  if (reflector != transport::None) text += fmt::format(", on `{}`", scene.tables()[reflector].brdf);
+  const grf::Vec3d place = grf::Vec3d(cause.where->position) + scene.origin();
+  return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", place.x, place.y, place.z);
+}
 
 /// Keeps the image and what else is to be kept, and says what went wrong.
 bool keep(const transport::Render& render, const CompiledScene& scene, const transport::View& view,
@@ -96,8 +115,9 @@ bool keep(const transport::Render& render, const CompiledScene& scene, const tra
     const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
         {}, fmt::format("{} samples were not finite and count as black; the first pixel that "
-                        "has one is ({}, {})",
-                        totals.rejected, totals.first_rejected % width, totals.first_rejected / width));
+                        "has one is ({}, {}): {}",
+                        totals.rejected, totals.first_rejected % width, totals.first_rejected / width,
+                        cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
   const transport::ImageFile file = image_file_of(render, scene, view, render_options);
   const std::vector<std::string> fallbacks = transport::fallback_folders();

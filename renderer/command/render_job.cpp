@@ -115,6 +115,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
       render_options.secondary_rays_root * render_options.secondary_rays_root;
   settings.integrator.uses_full_kernel = render_options.kernel == "full";
   place_samples(render_options, settings);
+  settings.adaptive = render_options.adaptive;
   settings.target_error = render_options.target_error;
   settings.max_seconds = render_options.max_seconds;
   if (render_options.points == "independent") settings.points = transport::Points::Independent;

@@ -125,6 +125,8 @@ std::vector<OptionInfo> running_options() {
       {"BPT_TargetError", "--target-error", Limit{&Options::target_error, 0, 1000, true}, "float", "none",
        "stop once the estimated error, sqrt(relMSE) of the image, is no more than this: 0.02 is 2 %; without "
        "BPT_Samples, after as many samples as that takes"},
+      {"BPT_Adaptive", "--adaptive", BooleanOption<bool>{&Options::adaptive}, "bool", "false",
+       "more samples where the error is, without bias: BPT_Samples is then the mean over pixels"},
       {"BPT_MaxTime", "--time", Limit{&Options::max_seconds, 0, 1e9F, true}, "float", "none",
        "stop after so many seconds of rendering, with what there is; without BPT_Samples, not before"},
       {"BPT_Checkpoint", "--checkpoint", PathOption{&Options::checkpoint, true}, "path", "none",

@@ -95,6 +95,7 @@ struct RenderOptions : SchemeOptions {
   std::vector<std::string> only = all_effects(), without;
   std::string kernel = "auto";        ///< auto or full
   std::optional<float> target_error;  ///< sqrt(relMSE) of the image
+  bool adaptive = false;              ///< more samples where the error is
   std::optional<float> max_seconds;
   std::string checkpoint;  ///< path; empty: none
   std::uint32_t seed = 0;

@@ -25,10 +25,6 @@ std::int64_t next_check(std::int64_t samples) {
   return samples + std::max<std::int64_t>(2, (samples / 5 + 1) / 2 * 2);
 }
 
-bool is_finite(const Rgb& rgb) {
-  return std::isfinite(rgb.x) && std::isfinite(rgb.y) && std::isfinite(rgb.z);
-}
-
 IntegratorSettings for_gathering(IntegratorSettings settings) {
   settings.integrator = Integrator::Path;
   settings.resampling.reset();

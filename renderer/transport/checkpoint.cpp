@@ -8,9 +8,10 @@
 namespace transport {
 namespace {
 
-constexpr CheckpointKind Kind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '2'}, "render"};
+constexpr CheckpointKind Kind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '3'}, "render"};
 
-/// The contents of the file start with this; each tile's counts and sums follow, in the order of the film.
+/// The contents of the file start with this; each tile's counts, spreads and sums follow, in the order of the
+/// film.
 struct Header {
   std::uint32_t tile_size = Film::TileSize;
   std::uint32_t width = 0;
@@ -27,6 +28,8 @@ std::string_view bytes_of(const std::vector<FilmTile::PixelSums>& sums) {
 
 constexpr std::size_t PixelBytes = sizeof(FilmTile::PixelSums);
 static_assert(PixelBytes == 48);
+/// Besides its pixels.
+constexpr std::size_t TileBytes = sizeof(FilmTile::Counts) + sizeof(FilmTile::spreads);
 
 /// As a checkpoint of this render starts.
 Header header_of(const Render& render) {
@@ -39,20 +42,24 @@ Header header_of(const Render& render) {
 
 std::size_t size_of_contents(const Film& film) {
   const std::size_t pixels = static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(film.height());
-  const std::size_t counts = static_cast<std::size_t>(film.tile_count()) * sizeof(FilmTile::Counts);
-  return sizeof(Header) + counts + pixels * PixelBytes;
+  return sizeof(Header) + static_cast<std::size_t>(film.tile_count()) * TileBytes + pixels * PixelBytes;
 }
 
-/// The most samples that a pixel has.
-std::uint32_t most_samples(std::string_view tiles, const Film& film) {
+/// The most samples that a pixel has; the mean, if the render is adaptive.
+std::uint32_t samples_of(std::string_view tiles, const Render& render) {
+  const Film& film = render.film();
   std::uint32_t most = 0;
+  double sum = 0;
   for (int i = 0; i < film.tile_count(); ++i) {
     FilmTile::Counts counts;
     take(tiles, counts.data(), counts.size());
+    const std::size_t pixels = film.bounds_of(i).pixel_count();
     most = std::max(most, counts[0] + counts[1]);
-    tiles.remove_prefix(film.bounds_of(i).pixel_count() * PixelBytes);
+    sum += (static_cast<double>(counts[0]) + counts[1]) * static_cast<double>(pixels);
+    tiles.remove_prefix(TileBytes - sizeof(counts) + pixels * PixelBytes);
   }
-  return most;
+  const double mean = sum / (static_cast<double>(film.width()) * film.height());
+  return render.settings().adaptive ? static_cast<std::uint32_t>(mean) : most;
 }
 
 /// Gives back how many paths that was.
@@ -63,9 +70,10 @@ std::uint64_t restore_tiles(std::string_view tiles, Render& render) {
     tile.bounds = render.film().bounds_of(i);
     tile.pixels.resize(tile.bounds.pixel_count());
     take(tiles, tile.counts.data(), tile.counts.size());
+    take(tiles, tile.spreads.data(), tile.spreads.size());
     take(tiles, tile.pixels.data(), tile.pixels.size());
     render.restore_tile(i, tile);
-    paths += tile.sample_count() * tile.bounds.pixel_count();
+    paths += render.sample_count_of(i) * tile.bounds.pixel_count();
   }
   return paths;
 }
@@ -79,7 +87,8 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
     FilmTile tile;
     for (int i = 0; i < render.film().tile_count(); ++i) {
       render.copy_tile(i, tile);
-      if (!write(bytes_of(tile.counts)) || !write(bytes_of(tile.pixels))) return false;
+      if (!write(bytes_of(tile.counts)) || !write(bytes_of(tile.spreads)) || !write(bytes_of(tile.pixels)))
+        return false;
     }
     return true;
   };
@@ -107,7 +116,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   if (contents->bytes.size() != size_of_contents(render.film())) {
     return refuse("it is broken (its size is wrong)");
   }
-  const std::uint32_t samples = most_samples(rest, render.film());
+  const std::uint32_t samples = samples_of(rest, render);
   if (samples > static_cast<std::uint32_t>(render.settings().samples)) {
     return refuse(fmt::format("it has {} samples a pixel, more than the {} that are asked for", samples,
                               render.settings().samples));

@@ -24,6 +24,35 @@ struct TileBounds {
   }
 };
 
+/// What the pixels of an image say about its error, to be added up over parts of the image.
+struct ErrorSums {
+  double values = 0;  ///< pixels times channels
+  /// Of the estimated squared relative error of each value.
+  double errors = 0;
+  /// Of the square of what the channels of a pixel have of it together: how uneven it is.
+  double squares = 0;
+
+  ErrorSums& operator+=(const ErrorSums& other);
+  ErrorSums operator-(const ErrorSums& other) const;
+};
+
+/// How far an image is from the truth, as far as its own samples tell: sqrt(relMSE) with
+/// relMSE = mean((image - truth)^2 / (truth^2 + 0.01)) over pixels and channels.
+struct ErrorEstimate {
+  double error = 0;
+  double low = 0;  ///< 95 % of images are between these
+  double high = 0;
+};
+
+/// Nothing without values.
+///
+/// With a and b the means of a pixel's halves, x = (a + b) / 2 its value and t the truth, (a - b) / 2 has the
+/// distribution of x - t. More than that, ((a - b) / 2)^2 differs from (x - t)^2 by -(a - t)(b - t) alone.
+/// That has mean 0 because the halves are independent, and variance 4 var(x)^2, however heavy the tails of a
+/// and b are. So the logarithm of the error has about the standard deviation 1 / sqrt(N), where N = (sum of
+/// var)^2 / sum of var^2 is how many pixels the error is spread over.
+std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
+
 /// The sums of one tile, which a worker takes out of the film, adds samples to, and puts back. All pixels of
 /// a tile have as many samples.
 class FilmTile {
@@ -37,6 +66,8 @@ class FilmTile {
   TileBounds bounds;
   Counts counts = {};
   std::vector<PixelSums> pixels;  ///< rows from the top
+  /// Of each half, how noisy it is: `spread_since` of its pilot; see SamplePlacement.
+  std::array<double, Scramblings> spreads = {};
 
   std::uint32_t sample_count() const { return counts[0] + counts[1]; }
 
@@ -44,14 +75,22 @@ class FilmTile {
   /// and is reported: returns false. The counts are not touched, because they are of all pixels.
   bool add(int x, int y, int scrambling, const Rgb& radiance);
 
-  /// The mean of all samples; black without any.
+  /// The mean of all samples; black without any. If the halves' counts differ by more than one sample, each
+  /// half weighs the same: a weight that followed from counts which samples decided would favour some values.
   Rgb mean(std::size_t pixel) const;
   /// The variance of that mean, from the two halves; 0 while there is but one.
   Rgb variance(std::size_t pixel) const;
-  /// The sum of variance / (mean^2 + 0.01) over pixels and channels; nothing while there is but one half.
-  std::optional<double> error_sum() const;
+  /// Zeros while there is but one half. Each pixel's variance is over its mean^2 + 0.01, with a mean between
+  /// the second lowest and the second highest of its neighbours': a rare bright sample must not excuse
+  /// itself.
+  ErrorSums error_sums() const;
+  /// The sum over pixels and channels of the relative variance of one sample of a half, as far as the samples
+  /// before and after a moment tell: `before` is the tile as it was then. Both must be of at least one
+  /// sample.
+  double spread_since(const FilmTile& before, int scrambling) const;
 
  private:
+  bool is_even() const;
   Imath::V3d exact_mean(const PixelSums& sums) const;
   Imath::V3d exact_variance(const PixelSums& sums) const;
 };
@@ -79,8 +118,8 @@ class Film {
   TileBounds bounds_of(int tile) const;
   const FilmTile::Counts& counts_of(int tile) const { return tiles_[index(tile)].counts; }
   std::uint32_t sample_count_of(int tile) const { return counts_of(tile)[0] + counts_of(tile)[1]; }
-  /// FilmTile::error_sum of a tile; 0 where that is nothing.
-  double error_sum_of(int tile) const { return tiles_[index(tile)].error_sum; }
+  const std::array<double, Scramblings>& spreads_of(int tile) const { return tiles_[index(tile)].spreads; }
+  const ErrorSums& error_sums_of(int tile) const { return tiles_[index(tile)].error_sums; }
 
   /// Copies a tile; what the copy held is overwritten.
   void copy_tile(int tile, FilmTile& copy) const;
@@ -95,14 +134,15 @@ class Film {
   /// The variance of each pixel's mean, from its two halves; 0 for a pixel that has but one.
   Image variance() const;
 
-  /// The estimated error of the image, sqrt(relMSE) with relMSE = mean(variance / (mean^2 + 0.01)) over
-  /// pixels and channels; nothing while no pixel has both halves.
+  /// Of the image; nothing while no pixel has both halves. A tile that has but one does not count.
+  std::optional<ErrorEstimate> error_estimate() const;
   std::optional<double> estimated_error() const;
 
  private:
   struct TileState {
     FilmTile::Counts counts = {};
-    double error_sum = 0;
+    std::array<double, Scramblings> spreads = {};
+    ErrorSums error_sums;
   };
 
   static std::size_t index(int tile) { return static_cast<std::size_t>(tile); }

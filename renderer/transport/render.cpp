@@ -16,17 +16,18 @@ namespace {
 
 static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called from signal handlers");
 
+constexpr int Pilot = SamplePlacement::PilotSamples;
+
 /// The first number of samples that is not less, at which the error is looked at.
 int check_from(int samples) {
   std::int64_t check = 16;
-  while (check < samples) check += std::max<std::int64_t>(2, (check / 5 + 1) / 2 * 2);
+  while (check < samples) check += std::max<std::int64_t>(4, (check / 5 + 1) / 2 * 2);
   return static_cast<int>(std::min<std::int64_t>(check, RenderSettings::Unlimited));
 }
 
-FilmTile::Counts counts_after(int samples) {
-  const auto count = static_cast<std::uint32_t>(samples);
-  static_assert(Film::Scramblings == 2);
-  return {count - count / 2, count / 2};
+/// What is to be no more than the target: the error, and its upper bound less the margin.
+double error_against_target(const ErrorEstimate& estimate) {
+  return std::max(estimate.error, estimate.high / RenderSettings::ErrorMargin);
 }
 
 }  // namespace
@@ -46,11 +47,12 @@ void Render::restore(const RenderTotals& totals) {
 }
 
 void Render::restore_tile(int tile, const FilmTile& sums) {
+  // Where a pilot is half done, nobody knows its first half any more.
+  const auto samples = static_cast<int>(sums.sample_count());
+  const bool is_half_done = samples > Pilot / 2 && samples < Pilot && settings_.samples >= Pilot;
+  if (is_adaptive() && is_half_done) return;
   film_.put_back(tile, sums);
-  if (const auto error = sums.error_sum()) {
-    error_sum_ += *error;
-    error_values_ += 3 * static_cast<double>(sums.bounds.pixel_count());
-  }
+  error_sums_ += film_.error_sums_of(tile);
 }
 
 void Render::run() {
@@ -63,22 +65,56 @@ void Render::run() {
 }
 
 RenderEnd Render::run_stages() {
-  std::uint32_t present = 0;
-  for (int tile = 0; tile < film_.tile_count(); ++tile) {
-    present = std::max(present, film_.sample_count_of(tile));
-  }
-  for (int samples = static_cast<int>(present);; ++samples) {
-    samples = settings_.target_error ? std::min(check_from(samples), settings_.samples) : settings_.samples;
+  for (int samples = 0;; ++samples) {
+    if (is_adaptive() && !placement_ && has_pilot()) placement_.emplace(film_);
+    samples = stage_from(samples);
+    if (samples < settings_.samples && exceeds(samples)) continue;  // an earlier run was there
     if (!run_stage(samples)) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
     if (settings_.target_error && reaches_target(samples)) return RenderEnd::TargetError;
     if (samples == settings_.samples) return RenderEnd::Samples;
   }
 }
 
-/// Gives all pixels so many samples; false if that came to an early end.
+/// Where the next stage ends, that is not before so many samples.
+int Render::stage_from(int samples) const {
+  int end = settings_.samples;
+  if (is_adaptive() && samples <= Pilot) {
+    end = samples <= Pilot / 2 ? Pilot / 2 : Pilot;
+  } else if (settings_.target_error || (is_adaptive() && settings_.samples == RenderSettings::Unlimited)) {
+    end = check_from(samples);
+  }
+  return std::min(end, settings_.samples);
+}
+
+bool Render::has_pilot() const {
+  for (int tile = 0; tile < film_.tile_count(); ++tile) {
+    if (film_.sample_count_of(tile) < static_cast<std::uint32_t>(Pilot)) return false;
+  }
+  return true;
+}
+
+/// Of each tile, for a mean of so many samples a pixel.
+std::vector<FilmTile::Counts> Render::counts_at(int samples) const {
+  if (placement_ && samples > Pilot) return placement_->counts(samples);
+  return std::vector<FilmTile::Counts>(static_cast<std::size_t>(film_.tile_count()), uniform_counts(samples));
+}
+
+/// Whether some tile has more than it is to have at so many samples a pixel.
+bool Render::exceeds(int samples) const {
+  const std::vector<FilmTile::Counts> wanted = counts_at(samples);
+  for (int tile = 0; tile < film_.tile_count(); ++tile) {
+    const FilmTile::Counts& present = film_.counts_of(tile);
+    const FilmTile::Counts& most = wanted[static_cast<std::size_t>(tile)];
+    if (present[0] > most[0] || present[1] > most[1]) return true;
+  }
+  return false;
+}
+
+/// Gives pixels the samples of so many in the mean; false if that came to an early end.
 bool Render::run_stage(int samples) {
   const int threads = tbb::this_task_arena::max_concurrency();
-  TileQueue queue(film_, samples, threads);
+  const auto pieces = is_adaptive() && samples == Pilot ? TileQueue::Pieces::Whole : TileQueue::Pieces::Short;
+  TileQueue queue(film_, counts_at(samples), threads, pieces);
   publish();
   tbb::parallel_for(
       tbb::blocked_range<int>(0, threads, 1),
@@ -93,11 +129,12 @@ bool Render::run_stage(int samples) {
 }
 
 bool Render::reaches_target(int samples) {
-  const auto error = film_.estimated_error();
-  if (!error) return false;
+  const auto estimate = film_.error_estimate();
+  if (!estimate) return false;
+  const double error = error_against_target(*estimate);
   const std::lock_guard lock(totals_lock_);
-  checks_.push_back({static_cast<double>(samples), *error});
-  return *error <= *settings_.target_error;
+  checks_.push_back({static_cast<double>(samples), error});
+  return error <= *settings_.target_error;
 }
 
 void Render::work(TileQueue& queue) try {
@@ -116,33 +153,48 @@ void Render::work(TileQueue& queue) try {
 /// it was, so that its pixels always have as many samples.
 bool Render::render_tile(const TileWork& work, FilmTile& tile) {
   film_.copy_tile(work.tile, tile);
+  const bool ends_pilot = is_adaptive() && tile.sample_count() == Pilot / 2 &&
+                          work.last[0] + work.last[1] == static_cast<std::uint32_t>(Pilot);
+  std::optional<FilmTile> before;
+  if (ends_pilot) before = tile;
   RenderTotals done;
   RayCounter counter;
   for (int y = 0; y < tile.bounds.height; ++y) {
     if (ends_early()) return false;
-    for (int x = 0; x < tile.bounds.width; ++x) {
-      for (int number = work.first; number < work.last; ++number) {
-        const int image_x = tile.bounds.x + x;
-        const int image_y = tile.bounds.y + y;
-        if (tile.add(x, y, number % Film::Scramblings, sample(image_x, image_y, number, counter))) continue;
-        assert(false && "a sample is not finite");
-        ++done.rejected;
-        const auto index = static_cast<std::uint64_t>(image_y) * settings_.width + image_x;
-        done.first_rejected = std::min(done.first_rejected, index);
-      }
-    }
+    for (int x = 0; x < tile.bounds.width; ++x) render_pixel(work, x, y, tile, done, counter);
   }
-  tile.counts = counts_after(work.last);
-  done.paths = tile.bounds.pixel_count() * static_cast<std::uint64_t>(work.last - work.first);
+  tile.counts = work.last;
+  for (int half = 0; ends_pilot && half < Film::Scramblings; ++half) {
+    tile.spreads[static_cast<std::size_t>(half)] = tile.spread_since(*before, half);
+  }
+  const std::uint32_t samples = work.last[0] + work.last[1] - work.first[0] - work.first[1];
+  done.paths = tile.bounds.pixel_count() * samples;
   done.rays = counter.rays;
   keep_tile(work, tile, done, counter.sampling_ticks);
   return true;
 }
 
+/// By its place within the tile.
+void Render::render_pixel(const TileWork& work, int x, int y, FilmTile& tile, RenderTotals& done,
+                          RayCounter& counter) const {
+  const int image_x = tile.bounds.x + x;
+  const int image_y = tile.bounds.y + y;
+  for (std::size_t half = 0; half < work.first.size(); ++half) {
+    const int scrambling = static_cast<int>(half);
+    for (std::uint32_t number = work.first[half]; number < work.last[half]; ++number) {
+      const Rgb radiance = sample(kernel_, image_x, image_y, scrambling, number, counter);
+      if (tile.add(x, y, scrambling, radiance)) continue;
+      assert(false && "a sample is not finite");
+      ++done.rejected;
+      const auto index = static_cast<std::uint64_t>(image_y) * settings_.width + image_x;
+      done.first_rejected = std::min(done.first_rejected, index);
+    }
+  }
+}
+
 void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderTotals& done,
                        std::uint64_t sampling_ticks) {
-  const bool had_error = film_.counts_of(work.tile)[1] > 0;
-  const double error_before = film_.error_sum_of(work.tile);
+  const ErrorSums before = film_.error_sums_of(work.tile);
   {
     const std::lock_guard lock(lock_of(work.tile));
     film_.put_back(work.tile, tile);
@@ -153,21 +205,40 @@ void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderT
   totals_.rejected += done.rejected;
   totals_.first_rejected = std::min(totals_.first_rejected, done.first_rejected);
   sampling_ticks_ += sampling_ticks;
-  error_sum_ += film_.error_sum_of(work.tile) - error_before;
-  if (!had_error && tile.counts[1] > 0) error_values_ += 3 * static_cast<double>(tile.bounds.pixel_count());
+  error_sums_ += film_.error_sums_of(work.tile) - before;
 }
 
-// Samples alternate between the scramblings, each of which takes the points of its own sequence in order.
-Rgb Render::sample(int x, int y, int number, RayCounter& counter) const {
+// Each scrambling takes the points of its own sequence in order.
+Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number,
+                   RayCounter& counter) const {
   const std::uint32_t pixel_seed =
       hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
-  PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(number % Film::Scramblings)),
-                      static_cast<std::uint32_t>(number / Film::Scramblings), settings_.points);
-  const grf::Vec2f place = place_in_pixel(number, numbers);
+  PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)), number, settings_.points);
+  const grf::Vec2f place = place_in_pixel(static_cast<int>(number) * Film::Scramblings + scrambling, numbers);
   const float image_x = static_cast<float>(x) + place.x;
   const float image_y = static_cast<float>(y) + place.y;
-  return kernel_(scene_, settings_.integrator, camera_.ray(image_x, image_y), behind(image_x, image_y),
-                 numbers, counter);
+  return kernel(scene_, settings_.integrator, camera_.ray(image_x, image_y), behind(image_x, image_y),
+                numbers, counter);
+}
+
+std::optional<NotFinite> Render::cause_of_rejection() const {
+  const RenderTotals all = totals();
+  if (all.rejected == 0) return std::nullopt;
+  const auto width = static_cast<std::uint64_t>(settings_.width);
+  const int x = static_cast<int>(all.first_rejected % width);
+  const int y = static_cast<int>(all.first_rejected / width);
+  const Kernel kernel = searching_kernel_of(scene_, settings_.integrator);
+  const FilmTile::Counts& counts =
+      film_.counts_of(y / Film::TileSize * film_.tiles_across() + x / Film::TileSize);
+  for (int scrambling = 0; scrambling < Film::Scramblings; ++scrambling) {
+    for (std::uint32_t number = 0; number < counts[static_cast<std::size_t>(scrambling)]; ++number) {
+      NotFinite found;
+      RayCounter counter;
+      counter.not_finite = &found;
+      if (!is_finite(sample(kernel, x, y, scrambling, number, counter))) return found;
+    }
+  }
+  return NotFinite();
 }
 
 grf::Vec2f Render::place_in_pixel(int sample, PathNumbers& numbers) const {
@@ -234,9 +305,9 @@ double Render::convergence() const {
 }
 
 /// To the target or the last sample, whichever comes first.
-double Render::samples_needed(double samples, std::optional<double> error) const {
-  if (!settings_.target_error || !error) return settings_.samples;
-  const double ratio = std::max(1.0, *error / *settings_.target_error);
+double Render::samples_needed(double samples, const std::optional<ErrorEstimate>& estimate) const {
+  if (!settings_.target_error || !estimate) return settings_.samples;
+  const double ratio = std::max(1.0, error_against_target(*estimate) / *settings_.target_error);
   return std::min<double>(settings_.samples, samples * std::pow(ratio, 1 / convergence()));
 }
 
@@ -245,11 +316,13 @@ RenderProgress Render::progress() const {
   RenderProgress progress;
   progress.seconds = totals.seconds;
   double restored = 0;
+  std::optional<ErrorEstimate> estimate;
   {
     const std::lock_guard lock(totals_lock_);
     restored = static_cast<double>(restored_paths_) / pixel_count();
-    if (error_values_ > 0) progress.estimated_error = std::sqrt(std::max(0.0, error_sum_) / error_values_);
+    estimate = error_estimate_of(error_sums_);
   }
+  if (estimate) progress.estimated_error = estimate->error;
   const RenderEnd end = end_;
   if (end != RenderEnd::NotYet && end != RenderEnd::Stopped) {
     progress.done = 1;
@@ -257,7 +330,7 @@ RenderProgress Render::progress() const {
     return progress;
   }
   const double samples = static_cast<double>(totals.paths) / pixel_count();
-  const double needed = samples_needed(samples, progress.estimated_error);
+  const double needed = samples_needed(samples, estimate);
   progress.done = std::min(1.0, samples / needed);
   if (samples > restored && needed < RenderSettings::Unlimited) {
     progress.seconds_left = (needed - samples) * elapsed() / (samples - restored);

@@ -12,6 +12,7 @@
 #include "renderer/transport/camera.h"
 #include "renderer/transport/film.h"
 #include "renderer/transport/integrators/kernel.h"
+#include "renderer/transport/sample_placement.h"
 #include "renderer/transport/tile_queue.h"
 
 namespace transport {
@@ -26,15 +27,21 @@ enum class PixelPlacing {
 struct RenderSettings {
   /// Of samples a pixel, where time or error say when to stop.
   static constexpr int Unlimited = std::numeric_limits<int>::max();
+  /// That the true error may be above the target, in no more than 1 of 40 renders.
+  static constexpr double ErrorMargin = 1.15;
 
   int width = 500;
   int height = 400;
   View view;
   IntegratorSettings integrator;
   std::shared_ptr<const Image> backplate;  ///< seen behind the scene, fitted to the image; null: none
-  int samples = 100;                       ///< a pixel, at most
-  std::optional<double> target_error;      ///< stops once Film::estimated_error is no more than this
-  std::optional<double> max_seconds;       ///< stops after so long, with what there is
+  int samples = 100;                       ///< a pixel, at most; the mean over pixels if adaptive
+  /// More samples where the error is; see SamplePlacement. Has no effect unless placing is Sobol.
+  bool adaptive = false;
+  /// Stops once the estimated error is no more than this, and its upper bound no more than `ErrorMargin`
+  /// times this.
+  std::optional<double> target_error;
+  std::optional<double> max_seconds;  ///< stops after so long, with what there is
   PixelPlacing placing = PixelPlacing::Sobol;
   int grid_columns = 1;  ///< of a regular placing; its rows follow from the samples
   Points points = Points::Sobol;
@@ -87,8 +94,9 @@ class Render {
   /// on the settings alone, whatever the number of threads, and whether or not it was resumed; unless time or
   /// `stop` ended it, when tiles may differ by some samples.
   ///
-  /// The error is looked at when all pixels have the same even number of samples, and these numbers grow by a
-  /// fifth each time: looking at an uncertain number often would find it low too early.
+  /// The error is looked at when pixels have as many samples as are meant for them at some mean number, and
+  /// these numbers grow by a fifth each time: looking at an uncertain number often would find it low too
+  /// early.
   void run();
 
   /// Makes `run` return soon, with the image as it is. Safe to call from a signal handler.
@@ -104,6 +112,10 @@ class Render {
   std::uint64_t path_count() const { return totals().paths; }
   double sampling_seconds() const { return totals().sampling_seconds; }
   std::uint64_t rejected_samples() const { return totals().rejected; }
+  /// Why the first pixel that has samples which were not finite has them: its samples are drawn once more, up
+  /// to the first such one. A term without a name: each was finite, and their product was not. Once `run` has
+  /// returned; nothing if there are no such samples.
+  std::optional<NotFinite> cause_of_rejection() const;
   /// The mean over pixels.
   double samples_per_pixel() const;
 
@@ -120,20 +132,27 @@ class Render {
 
  private:
   RenderEnd run_stages();
+  bool is_adaptive() const { return settings_.adaptive && settings_.placing == PixelPlacing::Sobol; }
+  int stage_from(int samples) const;
+  std::vector<FilmTile::Counts> counts_at(int samples) const;
+  bool exceeds(int samples) const;
+  bool has_pilot() const;
   bool run_stage(int samples);
   bool reaches_target(int samples);
   void work(TileQueue& queue);
   bool render_tile(const TileWork& work, FilmTile& tile);
+  void render_pixel(const TileWork& work, int x, int y, FilmTile& tile, RenderTotals& done,
+                    RayCounter& counter) const;
   void keep_tile(const TileWork& work, const FilmTile& tile, const RenderTotals& done,
                  std::uint64_t sampling_ticks);
-  Rgb sample(int x, int y, int number, RayCounter& counter) const;
+  Rgb sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number, RayCounter& counter) const;
   grf::Vec2f place_in_pixel(int sample, PathNumbers& numbers) const;
   std::optional<Rgb> behind(float x, float y) const;
   bool ends_early();
   double elapsed() const;
   double pixel_count() const;
   double convergence() const;
-  double samples_needed(double samples, std::optional<double> error) const;
+  double samples_needed(double samples, const std::optional<ErrorEstimate>& estimate) const;
 
   /// What a check of the error found.
   struct Check {
@@ -150,6 +169,7 @@ class Render {
   Kernel kernel_;
   Camera camera_;
   Film film_;
+  std::optional<SamplePlacement> placement_;  ///< once the pilot is done
   /// Held while a tile of the film is copied or put back: for about a microsecond, each some milliseconds.
   mutable std::array<std::mutex, 64> tile_locks_;
   const std::chrono::steady_clock::time_point start_;
@@ -162,8 +182,7 @@ class Render {
   RenderTotals totals_;             ///< seconds are those of earlier runs
   std::uint64_t restored_paths_ = 0;
   std::uint64_t sampling_ticks_ = 0;
-  double error_sum_ = 0;  ///< about Film's, in the order in which tiles were done
-  double error_values_ = 0;
+  ErrorSums error_sums_;  ///< about Film's, in the order in which tiles were done
   std::vector<Check> checks_;
 };
 

@@ -13,6 +13,24 @@ constexpr int LongestPass = 16;
 /// Work left when pieces start to get shorter, for each thread, in pieces.
 constexpr int PiecesAtTheEnd = 4;
 
+std::int64_t sum(const FilmTile::Counts& counts) { return std::int64_t{counts[0]} + counts[1]; }
+
+/// What a tile has once it has what is wanted: never less than there is.
+FilmTile::Counts after(const FilmTile::Counts& present, const FilmTile::Counts& wanted) {
+  return {std::max(present[0], wanted[0]), std::max(present[1], wanted[1])};
+}
+
+/// So many samples between two states of a tile, in both halves about as far; of halves that are even at the
+/// end, the first has the odd sample.
+FilmTile::Counts part_of_the_way(const FilmTile::Counts& from, const FilmTile::Counts& to,
+                                 std::int64_t samples) {
+  const std::int64_t all = sum(to);
+  const std::int64_t even = (2 * samples * to[0] + all) / (2 * all);
+  const std::int64_t first = std::clamp<std::int64_t>(even, std::max<std::int64_t>(from[0], samples - to[1]),
+                                                      std::min<std::int64_t>(to[0], samples - from[1]));
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(samples - first)};
+}
+
 }  // namespace
 
 std::vector<int> tiles_from_the_centre(const Film& film) {
@@ -37,23 +55,28 @@ std::vector<int> tiles_from_the_centre(const Film& film) {
   return tiles;
 }
 
-TileQueue::TileQueue(const Film& film, int samples, int threads)
-    : samples_(samples),
+TileQueue::TileQueue(const Film& film, std::vector<FilmTile::Counts> wanted, int threads, Pieces pieces)
+    : wanted_(std::move(wanted)),
       threads_(threads),
+      pieces_(pieces),
       tile_of_rank_(tiles_from_the_centre(film)),
       rank_of_tile_(tile_of_rank_.size()) {
-  std::vector<Waiting> waiting;
-  waiting.reserve(tile_of_rank_.size());
   for (int rank = 0; rank < film.tile_count(); ++rank) {
     const int tile = tile_of_rank_[static_cast<std::size_t>(rank)];
     rank_of_tile_[static_cast<std::size_t>(tile)] = rank;
-    const int present = static_cast<int>(film.sample_count_of(tile));
-    if (present >= samples) continue;
-    waiting.push_back({present, rank});
-    remaining_ += samples - present;
+    if (push(film.counts_of(tile), tile)) ++unfinished_;
   }
-  unfinished_ = waiting.size();
-  waiting_ = decltype(waiting_)({}, std::move(waiting));
+}
+
+/// Puts a tile in its place, unless it has all its samples.
+bool TileQueue::push(const FilmTile::Counts& present, int tile) {
+  const auto index = static_cast<std::size_t>(tile);
+  const std::int64_t missing = sum(after(present, wanted_[index])) - sum(present);
+  if (missing == 0) return false;
+  const double done = static_cast<double>(sum(present)) / static_cast<double>(sum(wanted_[index]));
+  waiting_.push({done, rank_of_tile_[index], present});
+  remaining_ += missing;
+  return true;
 }
 
 bool TileQueue::is_finished() {
@@ -62,11 +85,11 @@ bool TileQueue::is_finished() {
 }
 
 // Even lengths keep the two scramblings of a pixel even.
-int TileQueue::length_of_next(int samples) const {
-  const int growing = samples < 2 ? 2 : std::min(samples, LongestPass);
+std::int64_t TileQueue::length_of_next(std::int64_t present, std::int64_t wanted) const {
+  if (pieces_ == Pieces::Whole) return wanted - present;
+  const std::int64_t growing = present < 2 ? 2 : std::min<std::int64_t>(present, LongestPass);
   const std::int64_t share = remaining_ / (PiecesAtTheEnd * threads_);
-  const int length = static_cast<int>(std::clamp<std::int64_t>(share, 1, growing));
-  return std::min(length, samples_ - samples);
+  return std::min(std::clamp<std::int64_t>(share, 1, growing), wanted - present);
 }
 
 std::optional<TileWork> TileQueue::take() {
@@ -74,19 +97,16 @@ std::optional<TileWork> TileQueue::take() {
   if (waiting_.empty()) return std::nullopt;
   const Waiting next = waiting_.top();
   waiting_.pop();
-  const int length = length_of_next(next.samples);
-  remaining_ -= samples_ - next.samples;
-  return TileWork{tile_of_rank_[static_cast<std::size_t>(next.rank)], next.samples, next.samples + length};
+  const int tile = tile_of_rank_[static_cast<std::size_t>(next.rank)];
+  const FilmTile::Counts end = after(next.present, wanted_[static_cast<std::size_t>(tile)]);
+  const std::int64_t length = length_of_next(sum(next.present), sum(end));
+  remaining_ -= sum(end) - sum(next.present);
+  return TileWork{tile, next.present, part_of_the_way(next.present, end, sum(next.present) + length)};
 }
 
 void TileQueue::done(const TileWork& work) {
   const std::lock_guard lock(mutex_);
-  if (work.last >= samples_) {
-    --unfinished_;
-    return;
-  }
-  waiting_.push({work.last, rank_of_tile_[static_cast<std::size_t>(work.tile)]});
-  remaining_ += samples_ - work.last;
+  if (!push(work.last, work.tile)) --unfinished_;
 }
 
 }  // namespace transport

@@ -12,21 +12,28 @@
 
 namespace transport {
 
-/// Some samples of a tile: those from `first` on, before `last`.
+/// Some samples of a tile: of each half those from `first` on, before `last`.
 struct TileWork {
   int tile = 0;
-  int first = 0;
-  int last = 0;
+  FilmTile::Counts first = {};
+  FilmTile::Counts last = {};
 };
 
-/// What the workers do next, until all tiles have so many samples. The tile that has the fewest comes first,
-/// and of those the nearest to the image's centre; there is no end of a pass to wait for. The first passes
-/// over the image are short, so that there is soon something to look at, and so are the last pieces of work,
-/// so that all workers end at about the same time. How the work is cut does not show in the image.
+/// What the workers do next, until all tiles have the samples that are wanted of them. The tile that has the
+/// smallest part of its own comes first, and of those the nearest to the image's centre; there is no end of a
+/// pass to wait for. The first passes over the image are short, so that there is soon something to look at,
+/// and so are the last pieces of work, so that all workers end at about the same time. How the work is cut
+/// does not show in the image.
 class TileQueue {
  public:
-  /// The film says what there is already.
-  TileQueue(const Film& film, int samples, int threads);
+  enum class Pieces {
+    Short,
+    Whole,  ///< a tile is one piece of work
+  };
+
+  /// The film says what there is already; `wanted` is for each of its tiles.
+  TileQueue(const Film& film, std::vector<FilmTile::Counts> wanted, int threads,
+            Pieces pieces = Pieces::Short);
 
   /// A tile that no other worker has; nothing once there is none. Whoever took it says when it is done.
   std::optional<TileWork> take();
@@ -36,18 +43,21 @@ class TileQueue {
   bool is_finished();
 
  private:
-  int length_of_next(int samples) const;
-
   struct Waiting {
-    int samples = 0;
-    int rank = 0;  ///< in the order from the centre outwards
+    double done = 0;  ///< the part of what is wanted that there is
+    int rank = 0;     ///< in the order from the centre outwards
+    FilmTile::Counts present = {};
     bool operator>(const Waiting& other) const {
-      return std::pair(samples, rank) > std::pair(other.samples, other.rank);
+      return std::pair(done, rank) > std::pair(other.done, other.rank);
     }
   };
 
-  const int samples_;
+  bool push(const FilmTile::Counts& present, int tile);
+  std::int64_t length_of_next(std::int64_t present, std::int64_t wanted) const;
+
+  const std::vector<FilmTile::Counts> wanted_;
   const int threads_;
+  const Pieces pieces_;
   std::vector<int> tile_of_rank_;
   std::vector<int> rank_of_tile_;
   std::mutex mutex_;            ///< of what follows

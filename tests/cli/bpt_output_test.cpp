@@ -101,6 +101,8 @@ TEST_F(BptOutput, SaysInExrHowItWasMade) {
   EXPECT_EQ(number("samplesPerPixel"), 8);
   EXPECT_GT(number("renderSeconds"), 0);
   EXPECT_GT(number("estimatedError"), 0);
+  EXPECT_LT(number("estimatedErrorLow"), number("estimatedError"));
+  EXPECT_GT(number("estimatedErrorHigh"), number("estimatedError"));
   ASSERT_TRUE(Imf::hasWorldToCamera(header) && Imf::hasWorldToNDC(header));
   const Imath::V3f origin = Imath::V3f(0) * Imf::worldToNDC(header);
   EXPECT_NEAR(origin.x, 0.5F, 1e-5F) << "it is looked at";

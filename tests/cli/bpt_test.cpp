@@ -40,6 +40,10 @@ TEST_F(Bpt, SummarisesAsJson) {
                             "estimated_error", "peak_memory_bytes"}) {
     EXPECT_GT(summary[field].get<double>(), 0) << field;
   }
+  const auto interval = summary["estimated_error_interval"].get<std::vector<double>>();
+  ASSERT_EQ(interval.size(), 2U);
+  EXPECT_LT(interval[0], summary["estimated_error"].get<double>());
+  EXPECT_GT(interval[1], summary["estimated_error"].get<double>());
   EXPECT_EQ(summary["effects"], (std::vector<std::string>{"area_lights"}));
   EXPECT_TRUE(std::filesystem::exists(path("a.png")) && std::filesystem::exists(path("b.exr")));
 }

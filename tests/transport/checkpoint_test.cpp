@@ -133,6 +133,51 @@ TEST_F(Checkpoint, LeadsToTheSameSampleAtATargetError) {
   EXPECT_EQ(render.path_count(), uninterrupted.path_count());
 }
 
+// In the middle of the pilot's halves and of what follows, and with more samples afterwards.
+TEST_F(Checkpoint, OfAnAdaptiveRenderGoesOn) {
+  RenderSettings adaptive = settings(100);
+  adaptive.adaptive = true;
+  const Image expected = whole(scene_, adaptive);
+  EXPECT_NE(expected.pixels, whole(scene_, settings(100)).pixels);
+  const auto finished = [&](const RenderSettings& asked) {
+    Render render(scene_, asked);
+    grf::Diagnostics diagnostics;
+    EXPECT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
+    render.run();
+    EXPECT_TRUE(write_checkpoint(path_, Ours, render, diagnostics));
+    return render.film().mean();
+  };
+  for (const int first : {8, 20, 27, 60}) {
+    std::filesystem::remove(path_);
+    for (const int samples : {first, 30}) {
+      render_part(scene_, adaptive, static_cast<std::uint64_t>(samples) * 45 * 33);
+    }
+    EXPECT_EQ(finished(adaptive).pixels, expected.pixels) << first;
+  }
+  std::filesystem::remove(path_);
+  for (const int samples : {20, 50, 77}) {
+    RenderSettings fewer = adaptive;
+    fewer.samples = samples;
+    EXPECT_EQ(finished(fewer).pixels, whole(scene_, fewer).pixels) << samples;
+  }
+  EXPECT_EQ(finished(adaptive).pixels, expected.pixels);
+}
+
+TEST_F(Checkpoint, OfAnAdaptiveRenderLeadsToTheSameEndAtATargetError) {
+  RenderSettings until = settings(RenderSettings::Unlimited);
+  until.target_error = 0.02;
+  until.adaptive = true;
+  Render uninterrupted(scene_, until);
+  uninterrupted.run();
+  render_part(scene_, until, 45 * 33 * 40);
+  Render render(scene_, until);
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
+  render.run();
+  EXPECT_EQ(render.film().mean().pixels, uninterrupted.film().mean().pixels);
+  EXPECT_EQ(render.path_count(), uninterrupted.path_count());
+}
+
 TEST_F(Checkpoint, KeepsWhatWasDoneInAllRuns) {
   render_part(scene_, settings(100), 20000);
   Render render(scene_, settings(100));

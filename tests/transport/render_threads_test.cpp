@@ -111,6 +111,71 @@ TEST(TargetError, IsNoReasonToExceedTheSamples) {
   EXPECT_EQ(render.samples_per_pixel(), 21);
 }
 
+// A mirror throws light on the floor, which paths find by chance.
+const transport::CompiledScene& uneven_scene() {
+  static const auto scene =
+      test::scene_of(Light + Floor + test::quad("brdf specular", "(-3,0,-3) (3,0,-3) (3,3,-3) (-3,3,-3)"));
+  return scene;
+}
+
+TEST(AdaptiveSampling, GivesTheSameImageForAnyNumberOfThreads) {
+  RenderSettings adaptive = settings(100);
+  adaptive.adaptive = true;
+  std::vector<transport::Image> images;
+  for (const int threads : {1, 2, 7}) {
+    adaptive.threads = threads;
+    Render render(uneven_scene(), adaptive);
+    render.run();
+    EXPECT_EQ(render.end(), RenderEnd::Samples);
+    EXPECT_LE(render.samples_per_pixel(), 100);
+    EXPECT_GE(render.samples_per_pixel(), 96);
+    std::set<std::uint32_t> counts;
+    for (int tile = 0; tile < render.film().tile_count(); ++tile) {
+      counts.insert(render.film().sample_count_of(tile));
+    }
+    EXPECT_GT(counts.size(), 3U);
+    EXPECT_GE(*counts.begin(), 32U);
+    images.push_back(render.film().mean());
+    EXPECT_EQ(images.back().pixels, images.front().pixels) << threads;
+  }
+}
+
+TEST(AdaptiveSampling, IsUniformForFewSamples) {
+  RenderSettings few = settings(21);
+  Render uniform(uneven_scene(), few);
+  uniform.run();
+  few.adaptive = true;
+  Render adaptive(uneven_scene(), few);
+  adaptive.run();
+  EXPECT_EQ(adaptive.film().mean().pixels, uniform.film().mean().pixels);
+}
+
+TEST(AdaptiveSampling, ReachesATargetWithFewerSamples) {
+  // Most of the image is black.
+  const auto scene = test::scene_of(Light + Floor);
+  RenderSettings until = settings(RenderSettings::Unlimited);
+  until.target_error = 0.002;
+  Render uniform(scene, until);
+  uniform.run();
+  until.adaptive = true;
+  Render adaptive(scene, until);
+  adaptive.run();
+  EXPECT_EQ(adaptive.end(), RenderEnd::TargetError);
+  EXPECT_LE(*adaptive.film().estimated_error(), 0.002);
+  EXPECT_LT(adaptive.samples_per_pixel(), uniform.samples_per_pixel());
+}
+
+TEST(AdaptiveSampling, StopsInTimeWithAValidImage) {
+  RenderSettings until = settings(RenderSettings::Unlimited);
+  until.adaptive = true;
+  until.max_seconds = 0.3;
+  Render render(uneven_scene(), until);
+  render.run();
+  EXPECT_EQ(render.end(), RenderEnd::Time);
+  EXPECT_LT(render.seconds(), 3);
+  for (const auto& pixel : render.film().mean().pixels) ASSERT_TRUE(std::isfinite(pixel.x));
+}
+
 TEST(MaxTime, StopsWithWhatThereIs) {
   const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(RenderSettings::Unlimited);
@@ -164,17 +229,72 @@ TEST(RejectedSamples, AreCountedWithTheFirstPixel) {
 #endif
 }
 
+/// Why the first sample that is not finite is not.
+transport::NotFinite cause(const transport::CompiledScene& scene, const RenderSettings& broken) {
+  Render render(scene, broken);
+#ifdef NDEBUG
+  render.run();
+  EXPECT_GT(render.rejected_samples(), 0U);
+  for (const auto& pixel : render.film().mean().pixels) EXPECT_TRUE(std::isfinite(pixel.x));
+  return render.cause_of_rejection().value_or(transport::NotFinite());
+#else
+  EXPECT_DEATH(render.run(), "a sample is not finite");
+  return {};
+#endif
+}
+
+void expect_cause(const transport::NotFinite& found, std::string_view term, bool is_somewhere) {
+#ifdef NDEBUG
+  EXPECT_EQ(found.term, term);
+  EXPECT_EQ(found.where.has_value(), is_somewhere);
+#else
+  EXPECT_TRUE(found.term.empty()) << term << is_somewhere;
+#endif
+}
+
+TEST(RejectedSamples, HaveACause) {
+#ifndef NDEBUG
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+#endif
+  const float infinity = std::numeric_limits<float>::infinity();
+  const auto scene = test::scene_of(Light + Floor);
+  RenderSettings broken = settings(4);
+  broken.integrator.background = transport::Rgb(infinity);
+  expect_cause(cause(scene, broken), "background", false);
+  broken.backplate = std::make_shared<transport::Image>(
+      transport::Image{1, 1, {transport::Rgb(std::numeric_limits<float>::quiet_NaN())}});
+  broken.integrator.background = transport::Rgb(0);
+  expect_cause(cause(scene, broken), "backplate", false);
+  broken.integrator.integrator = transport::Integrator::Naive;
+  broken.integrator.secondary_rays = 4;
+  expect_cause(cause(scene, broken), "backplate", false);
+  // Each of the light's and the floor's numbers is finite, but what they make is not.
+  const auto bright =
+      test::scene_of("light begin rgb (3e38,3e38,3e38) (-1,3,-1) (2,0,0) (0,0,2) end\n" +
+                     test::quad("rgb (99,99,99) brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)"));
+  expect_cause(cause(bright, settings(4)), "", false);
+}
+
+TEST(RejectedSamples, HaveNoCauseIfThereAreNone) {
+  const auto scene = test::scene_of(Light + Floor);
+  Render render(scene, settings(4));
+  render.run();
+  EXPECT_FALSE(render.cause_of_rejection());
+}
+
 TEST(TileQueue, CutsAllWorkIntoPiecesOfWhichNoneIsGivenTwice) {
   transport::Film film(100, 70);
   for (const int threads : {1, 5, 64}) {
-    transport::TileQueue queue(film, 45, threads);
     std::vector<int> samples(static_cast<std::size_t>(film.tile_count()));
+    transport::TileQueue queue(film, std::vector(samples.size(), transport::uniform_counts(45)), threads);
     int spread = 0;
     while (const auto work = queue.take()) {
       int& present = samples[static_cast<std::size_t>(work->tile)];
-      ASSERT_EQ(work->first, present);
-      ASSERT_GT(work->last, work->first);
-      present = work->last;
+      ASSERT_EQ(work->first, transport::uniform_counts(present));
+      const int last = static_cast<int>(work->last[0] + work->last[1]);
+      ASSERT_GT(last, present);
+      present = last;
+      ASSERT_EQ(work->last, transport::uniform_counts(present));
       const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
       spread = std::max(spread, *most - *least);
       ASSERT_FALSE(queue.is_finished());

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "renderer/reflectance/resampling.h"
 #include "renderer/transport/lights/environment_map.h"
@@ -40,10 +42,20 @@ struct IntegratorSettings {
   bool measures_sampling = false;  ///< fills in RayCounter::sampling_ticks
 };
 
+/// The first term of a path that is not finite.
+struct NotFinite {
+  std::string_view term;              ///< `BRDF's value`; empty: none is
+  std::optional<SurfacePoint> where;  ///< nothing for what comes from outside the scene
+};
+
 /// What was done for some paths.
 struct RayCounter {
   std::uint64_t rays = 0;
   std::uint64_t sampling_ticks = 0;  ///< of `processor_ticks`, spent in sampling schemes to draw directions
+  NotFinite* not_finite = nullptr;   ///< where a kernel that looks for such a term notes it
+
+  template <class Value>
+  void note_unless_finite(std::string_view term, const Value& value, const SurfacePoint* where) const;
 };
 
 /// Estimates the radiance that arrives along a ray. `behind` is what the ray itself sees if it meets nothing,
@@ -53,6 +65,9 @@ using Kernel = Rgb (*)(const CompiledScene& scene, const IntegratorSettings& set
 
 /// The kernel of the integrator that does least besides what the scene's effects call for.
 Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
+
+/// The kernel that gives the same and looks for terms that are not finite, in more time.
+Kernel searching_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
 
 /// What arrives from a direction, unit, in the coordinates of the compiled scene; (0,0,0) with nothing.
 struct Arrival {
@@ -74,5 +89,18 @@ using GatherKernel = Gathered (*)(const CompiledScene& scene, const IntegratorSe
 
 /// That of the integrator `path` that does least besides what the scene's effects call for.
 GatherKernel gather_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
+
+inline bool is_finite(float value) { return std::isfinite(value); }
+inline bool is_finite(const Rgb& value) {
+  return is_finite(value.x) && is_finite(value.y) && is_finite(value.z);
+}
+
+template <class Value>
+void RayCounter::note_unless_finite(std::string_view term, const Value& value,
+                                    const SurfacePoint* where) const {
+  if (not_finite == nullptr || !not_finite->term.empty() || is_finite(value)) return;
+  not_finite->term = term;
+  if (where != nullptr) not_finite->where = *where;
+}
 
 }  // namespace transport

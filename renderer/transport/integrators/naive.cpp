@@ -47,11 +47,15 @@ std::optional<SurfacePoint> NaivePaths::intersect(const Ray& ray) {
 
 Rgb NaivePaths::emission(const SurfacePoint& point, const Ray& ray) const {
   const bool from_behind = ray.direction.dot(point.geometric_normal) >= 0;
+  counter_.note_unless_finite("emission", point.surface->emission, &point);
   return from_behind ? Rgb(0) : point.surface->emission;
 }
 
 Rgb NaivePaths::radiance_from_outside(const Ray& ray) const {
-  return settings_.environment ? settings_.environment->radiance(ray.direction) : settings_.background;
+  const Rgb radiance =
+      settings_.environment ? settings_.environment->radiance(ray.direction) : settings_.background;
+  counter_.note_unless_finite(settings_.environment ? "environment map" : "background", radiance, nullptr);
+  return radiance;
 }
 
 const PointSet& NaivePaths::points_of(int events) {
@@ -81,6 +85,8 @@ std::optional<ScatterSample> NaivePaths::draw(const Scattering& scattering, cons
 
 /// The ray that goes on; nothing if that is through the surface.
 std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const ScatterSample& drawn) const {
+  counter_.note_unless_finite("colour", scattering.point.colour, &scattering.point);
+  counter_.note_unless_finite("weight of a direction that was drawn", drawn.weight, &scattering.point);
   const Vec3f direction = scattering.frame.to_world(drawn.direction);
   if (!scattering.is_above(direction)) return std::nullopt;
   if (drawn.is_mirror && !settings_.reflects_mirrors) return std::nullopt;
@@ -113,6 +119,7 @@ Rgb NaivePaths::follow(Ray ray, int path, bool was_scattered) {
 
 Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& behind) {
   const auto point = intersect(ray);
+  if (!point && behind) counter_.note_unless_finite("backplate", *behind, nullptr);
   if (!point) return behind ? *behind : radiance_from_outside(ray);
   const Rgb own = emission(*point, ray);
   const Reflector* reflector = scene_.reflector(*point->surface);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -46,6 +47,8 @@ class Path {
   Gathered gather(const Scattering& scattering);
 
  private:
+  template <class Value>
+  const Value& seen(std::string_view term, const Value& value, const SurfacePoint* where) const;
   Rgb radiance_from_outside() const;
   void add_emission(const SurfacePoint& point);
   void add_direct_light(const Scattering& scattering, const Uniform4& xi);
@@ -85,14 +88,23 @@ class Path {
   Vec3f light_direction_ = Vec3f(0);  ///< to the last point of a light that could be reflected
 };
 
+/// The value; a kernel that searches notes it if it is the first that is not finite.
+template <PathEffects Has>
+template <class Value>
+const Value& Path<Has>::seen(std::string_view term, const Value& value, const SurfacePoint* where) const {
+  if constexpr (Has.search) counter_.note_unless_finite(term, value, where);
+  return value;
+}
+
 template <PathEffects Has>
 void Path<Has>::add_emission(const SurfacePoint& point) {
-  const Rgb& emission = point.surface->emission;
+  const Rgb& emission = seen("emission", point.surface->emission, &point);
   if (reflectance::is_black(emission) || ray_.direction.dot(point.geometric_normal) >= 0) return;
   float weight = 1;
   if (density_ > 0 && point.emitter != None) {
     const float light_density = scene_.lights().density(from_, from_normal_, point.emitter, ray_.direction);
     weight = power_heuristic(density_, (1 - environment_share_) * light_density);
+    seen("emission's weight", weight, &point);
   }
   radiance_ += throughput_ * emission * weight;
 }
@@ -100,13 +112,18 @@ void Path<Has>::add_emission(const SurfacePoint& point) {
 template <PathEffects Has>
 Rgb Path<Has>::radiance_from_outside() const {
   if constexpr (Has.environment) {
-    if (!settings_.environment) return settings_.background;
+    if (!settings_.environment) return seen("background", settings_.background, nullptr);
     if (has_environment_) return Rgb(0);
-    if (!(density_ > 0 && environment_share_ > 0)) return settings_.environment->radiance(ray_.direction);
-    const EnvironmentMap::Seen seen = settings_.environment->seen(from_normal_, ray_.direction);
-    return seen.radiance * power_heuristic(density_, environment_share_ * seen.density);
+    const EnvironmentMap& map = *settings_.environment;
+    if (!(density_ > 0 && environment_share_ > 0)) {
+      return seen("environment map", map.radiance(ray_.direction), nullptr);
+    }
+    const EnvironmentMap::Seen there = map.seen(from_normal_, ray_.direction);
+    const float weight = power_heuristic(density_, environment_share_ * there.density);
+    seen("environment map's weight", weight, nullptr);
+    return seen("environment map", there.radiance, nullptr) * weight;
   }
-  return settings_.background;
+  return seen("background", settings_.background, nullptr);
 }
 
 template <PathEffects Has>
@@ -132,9 +149,11 @@ std::optional<Rgb> Path<Has>::lit_from(const Scattering& scattering, const Vec3f
   const Vec3f v = scattering.frame.to_local(direction);
   if (v.z <= 0 || !(light_density > 0) || !std::isfinite(light_density)) return std::nullopt;
   const Reflection reflection = reflect(scattering, v);
+  seen("BRDF's value", reflection.value, &scattering.point);
   if (reflectance::is_black(reflection.value)) return std::nullopt;
   light_direction_ = direction;
   const float weight = power_heuristic(light_density, static_cast<float>(ways_) * reflection.density);
+  seen("light's weight", weight, &scattering.point);
   return throughput_ * scattering.point.colour * reflection.value * (v.z * weight / light_density);
 }
 
@@ -159,6 +178,7 @@ void Path<Has>::add_area_light(const Scattering& scattering, float choice, const
   const auto ray = scattering.ray_to(scene_, end, light->direction);
   if (!ray) return;
   ++counter_.rays;
+  seen("radiance of a light", light->radiance, &scattering.point);
   if (!scene_.is_occluded(*ray, light->emitter)) radiance_ += *lit * light->radiance;
 }
 
@@ -191,6 +211,7 @@ void Path<Has>::add_resampled_light(const Scattering& scattering) {
     if (!ray) return;
     ++counter_.rays;
     if (!scene_.escapes(*ray)) return;
+    seen("resampled light", estimate, &scattering.point);
     radiance_ += throughput_ * scattering.point.colour * estimate;
   };
   reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
@@ -216,6 +237,7 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   if (!drawn || (drawn->is_mirror && !settings_.reflects_mirrors)) return false;
   const Vec3f direction = scattering.frame.to_world(drawn->direction);
   if (!scattering.is_above(direction)) return false;
+  seen("weight of a direction that was drawn", drawn->weight, &scattering.point);
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
   density_ = drawn->is_mirror ? 0 : static_cast<float>(ways_) * drawn->density;
@@ -287,15 +309,19 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
     ++counter_.rays;
     const auto point = scene_.intersect(ray_);
     if (!point) {
-      return radiance_ + throughput_ * (behind && events == 0 ? *behind : radiance_from_outside());
+      return radiance_ + throughput_ * (behind && events == 0 ? seen("backplate", *behind, nullptr)
+                                                              : radiance_from_outside());
     }
     add_emission(*point);
+    seen("colour", point->colour, &*point);
     const Reflector* reflector = scene_.reflector(*point->surface);
     if (reflector == nullptr || events >= settings_.depth) return radiance_;
     if (was_scattered_ && !point->surface->interreflects) return radiance_;
     const Scattering scattering(*point, *reflector, -ray_.direction);
     if (has_irradiance(*point, *reflector)) {
       const Rgb value = reflector->evaluate(scattering.u, Vec3f(0, 0, 1));
+      seen("BRDF's value", value, &*point);
+      seen("irradiance", *point->irradiance, &*point);
       return radiance_ + throughput_ * point->colour * value * *point->irradiance;
     }
     // Where only lights may be met yet, one direction is enough.
@@ -351,6 +377,8 @@ bool covers(const PathEffects& kernel, const PathEffects& wanted) {
          kernel.resampling >= wanted.resampling && kernel.other_than_matte >= wanted.other_than_matte;
 }
 
+constexpr PathEffects Searching = {.search = true};
+
 const PathKernel& kernel_for(const PathEffects& effects) {
   for (const PathKernel& candidate : Kernels) {
     if (covers(candidate.effects, effects)) return candidate;
@@ -361,6 +389,8 @@ const PathKernel& kernel_for(const PathEffects& effects) {
 }  // namespace
 
 Kernel path_kernel(const PathEffects& effects) { return kernel_for(effects).kernel; }
+
+Kernel searching_path_kernel() { return &path_radiance<Searching>; }
 
 GatherKernel gather_kernel(const PathEffects& effects) { return kernel_for(effects).gather_kernel; }
 

@@ -10,6 +10,7 @@ struct PathEffects {
   bool environment = true;
   bool resampling = true;
   bool other_than_matte = true;  ///< BRDFs besides `diffuse`, or schemes besides its own
+  bool search = false;           ///< for terms that are not finite
 
   bool operator==(const PathEffects&) const = default;
 };
@@ -23,6 +24,9 @@ struct PathEffects {
 ///
 /// The one that serves these effects and does least besides.
 Kernel path_kernel(const PathEffects& effects);
+
+/// The one that serves all effects and notes the first term that is not finite.
+Kernel searching_path_kernel();
 
 /// The same, for light that arrives at a point.
 GatherKernel gather_kernel(const PathEffects& effects);

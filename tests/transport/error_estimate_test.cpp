@@ -1,0 +1,41 @@
+// A few seeds of what error_statistics_test does with many.
+#include <gtest/gtest.h>
+
+#include "tests/transport/error_study.h"
+
+namespace {
+
+// Of 96 renders, whose intervals miss 5 in the mean, 12 or more miss in one case of 300.
+TEST(ErrorEstimate, HoldsOnFourScenes) {
+  test::ErrorStudy study;
+  for (const test::SampleScene& scene : test::error_scenes()) test::study_errors(scene, 24, 32, study);
+  EXPECT_GE(study.inside, study.runs - 12);
+  EXPECT_GT(study.stated_over_true(), 0.87);
+  EXPECT_LT(study.stated_over_true(), 1.3);
+  EXPECT_LE(study.missed, 12);
+}
+
+// 72 blocks: one of them is off by 4.4 standard deviations in one case of 1,000.
+TEST(AdaptiveSampling, HasTheMeanOfUniformSampling) {
+  EXPECT_LT(test::largest_difference(test::sun_scene(), 64, 60), 4.4);
+}
+
+TEST(AdaptiveSampling, PaysWhereTheNoiseIsUneven) {
+  test::SampleScene scene = test::sun_scene();
+  scene.settings.width = 192;
+  scene.settings.height = 128;
+  scene.settings.samples = 256;
+  double squared_errors[2] = {};
+  for (const bool adaptive : {false, true}) {
+    scene.settings.adaptive = adaptive;
+    transport::Render render(scene.scene, scene.settings);
+    render.run();
+    EXPECT_NEAR(render.samples_per_pixel(), 256, 4);
+    const double error = *render.film().estimated_error();
+    squared_errors[adaptive ? 1 : 0] = error * error;
+  }
+  RecordProperty("gain", std::to_string(squared_errors[0] / squared_errors[1]));
+  EXPECT_GT(squared_errors[0], 1.2 * squared_errors[1]);
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "renderer/transport/image/image_error.h"
+#include "tests/transport/error_scenes.h"
+
+namespace test {
+
+/// How estimated and true errors of some renders compare.
+struct ErrorStudy {
+  int runs = 0;
+  int inside = 0;                ///< true errors that were in their interval
+  double stated = 0, true_ = 0;  ///< sums of squared errors, each as a part of its scene's mean one
+  int stopped = 0;               ///< renders with a target
+  int missed = 0;                ///< of which the true error was above the target by more than the margin
+
+  ErrorStudy& operator+=(const ErrorStudy& other) {
+    runs += other.runs;
+    inside += other.inside;
+    stated += other.stated;
+    true_ += other.true_;
+    stopped += other.stopped;
+    missed += other.missed;
+    return *this;
+  }
+  double coverage() const { return static_cast<double>(inside) / runs; }
+  double stated_over_true() const { return std::sqrt(stated / true_); }
+  double missed_share() const { return static_cast<double>(missed) / stopped; }
+};
+
+/// Images of other seeds, of which all but one are the truth for that one.
+class SeedImages {
+ public:
+  explicit SeedImages(const transport::Image& first)
+      : sum_(first.pixels.size(), Imath::V3d(0)), size_(first) {}
+
+  void add(const transport::Image& image) {
+    for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += Imath::V3d(image.pixels[i]);
+    ++count_;
+  }
+
+  /// The squared error of an image against the mean of the others. The expected squared error of that mean,
+  /// the `share`-th part of the image's own, is taken off.
+  double relmse(const transport::Image& image, bool is_one_of_them, double share) const {
+    transport::Image truth = size_;
+    const double others = count_ - (is_one_of_them ? 1 : 0);
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+      const Imath::V3d own = is_one_of_them ? Imath::V3d(image.pixels[i]) : Imath::V3d(0);
+      truth.pixels[i] = transport::Rgb((sum_[i] - own) / others);
+    }
+    return transport::error_of(image, truth).relmse / (1 + share / others);
+  }
+
+ private:
+  std::vector<Imath::V3d> sum_;
+  transport::Image size_;
+  int count_ = 0;
+};
+
+/// One scene, with so many seeds: renders of `samples` a pixel whose error is estimated, and as many that
+/// stop at a target of two thirds of the mean error that those have.
+inline void study_errors(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
+  transport::RenderSettings settings = scene.settings;
+  settings.samples = samples;
+  std::vector<transport::Image> images;
+  std::vector<transport::ErrorEstimate> estimates;
+  for (int seed = 0; seed < seeds; ++seed) {
+    settings.seed = static_cast<std::uint32_t>(seed);
+    transport::Render render(scene.scene, settings);
+    render.run();
+    images.push_back(render.film().mean());
+    estimates.push_back(*render.film().error_estimate());
+  }
+  SeedImages all(images.front());
+  for (const transport::Image& image : images) all.add(image);
+  double stated = 0;
+  double mean = 0;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const double squared = all.relmse(images[i], true, 1);
+    study.inside += std::sqrt(squared) >= estimates[i].low && std::sqrt(squared) <= estimates[i].high ? 1 : 0;
+    mean += squared / seeds;
+    stated += estimates[i].error * estimates[i].error;
+  }
+  study.runs += seeds;
+  study.stated += stated / mean;
+  study.true_ += seeds;
+
+  settings.samples = transport::RenderSettings::Unlimited;
+  settings.target_error = std::sqrt(mean) * 2 / 3;
+  settings.adaptive = true;
+  for (int seed = 0; seed < seeds; ++seed) {
+    settings.seed = static_cast<std::uint32_t>(1'000'000 + seed);
+    transport::Render render(scene.scene, settings);
+    render.run();
+    const double share = render.samples_per_pixel() / samples;
+    const double error = std::sqrt(all.relmse(render.film().mean(), false, share));
+    ++study.stopped;
+    study.missed += error > transport::RenderSettings::ErrorMargin * *settings.target_error ? 1 : 0;
+  }
+}
+
+/// Means of blocks of pixels over renders of other seeds, and their variances.
+struct BlockMeans {
+  static constexpr int Side = 8;
+  std::vector<double> means;
+  std::vector<double> variances;  ///< of the means
+};
+
+inline BlockMeans block_means(const SampleScene& scene, const transport::RenderSettings& base, int renders) {
+  transport::RenderSettings settings = base;
+  const int across = settings.width / BlockMeans::Side;
+  const int down = settings.height / BlockMeans::Side;
+  const auto blocks = static_cast<std::size_t>(3 * across * down);
+  std::vector<double> sums(blocks);
+  std::vector<double> squares(blocks);
+  for (int i = 0; i < renders; ++i, ++settings.seed) {
+    transport::Render render(scene.scene, settings);
+    render.run();
+    const transport::Image image = render.film().mean();
+    std::vector<double> values(blocks);
+    for (int y = 0; y < down * BlockMeans::Side; ++y) {
+      for (int x = 0; x < across * BlockMeans::Side; ++x) {
+        const int block = y / BlockMeans::Side * across + x / BlockMeans::Side;
+        for (int k = 0; k < 3; ++k) values[static_cast<std::size_t>(3 * block + k)] += image.at(x, y)[k];
+      }
+    }
+    for (std::size_t b = 0; b < blocks; ++b) {
+      sums[b] += values[b];
+      squares[b] += values[b] * values[b];
+    }
+  }
+  BlockMeans result;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const double mean = sums[b] / renders;
+    result.means.push_back(mean);
+    result.variances.push_back(std::max(0.0, squares[b] / renders - mean * mean) / (renders - 1));
+  }
+  return result;
+}
+
+/// How many standard deviations the block lies off that does so most: of adaptive renders against uniform
+/// ones.
+inline double largest_difference(const SampleScene& scene, int samples, int renders) {
+  transport::RenderSettings settings = scene.settings;
+  settings.samples = samples;
+  const BlockMeans uniform = block_means(scene, settings, renders);
+  settings.seed = 1'000'000;
+  settings.adaptive = true;
+  const BlockMeans adaptive = block_means(scene, settings, renders);
+  double largest = 0;
+  for (std::size_t b = 0; b < uniform.means.size(); ++b) {
+    const double deviation = std::sqrt(uniform.variances[b] + adaptive.variances[b]);
+    if (!(deviation > 0)) continue;
+    largest = std::max(largest, std::abs(uniform.means[b] - adaptive.means[b]) / deviation);
+  }
+  return largest;
+}
+
+}  // namespace test
