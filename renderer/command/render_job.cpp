@@ -60,6 +60,8 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
   return settings;
 }
 
+namespace {
+
 /// Reads the image around or behind the scene; false after an error.
 bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
                        Diagnostics& diagnostics) {
