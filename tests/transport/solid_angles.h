@@ -53,7 +53,7 @@ inline double lambert_irradiance(const std::vector<Vec3l>& corners, const Vec3l&
     const Vec3l& b = corners[(i + 1) % corners.size()];
     const long double height_a = a.dot(normal);
     const long double height_b = b.dot(normal);
-    if (height_a > 0) above.push_back(a);
+    if (height_a >= 0) above.push_back(a);
     if (height_a * height_b < 0) above.push_back(a + (b - a) * (height_a / (height_a - height_b)));
   }
   long double sum = 0;
