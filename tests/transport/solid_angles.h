@@ -29,7 +29,7 @@ inline double solid_angle_by_sides(const Vec3l& p, const Vec3l& q, const Vec3l& 
 
 /// For thin and tiny ones too, of corner, corner + edge1 and corner + edge2.
 inline double solid_angle_of_triangle(const Vec3l& corner, const Vec3l& edge1, const Vec3l& edge2) {
-  const Vec3l p = corner;
+  const Vec3l& p = corner;
   const Vec3l q = corner + edge1;
   const Vec3l r = corner + edge2;
   const long double a = std::sqrt(p.dot(p));
