@@ -16,7 +16,7 @@ void expect_generated(const std::string& document, const std::string& program, c
   const std::string path = GRANADA_SOURCE_DIR "/" + document;
   const std::string text = bytes_of(path);
   const std::size_t begin = text.find(mark);
-  const std::size_t end = text.find(End);
+  const std::size_t end = begin == std::string::npos ? begin : text.find(End, begin);
   ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << document << " has no marks";
   const std::size_t first = begin + mark.size();
   if (std::getenv("GRANADA_UPDATE_DOCUMENTS") != nullptr) {

@@ -10,17 +10,12 @@
 
 namespace {
 
+using test::box;
+using test::placed;
 using transport::CompiledScene;
 using transport::CompileSettings;
 using transport::Ray;
 using transport::Vec3f;
-
-std::string box(const std::string& attributes) {
-  return "begin mesh " + attributes +
-         " begin vertexs (-1,-1,-1) (1,-1,-1) (1,1,-1) (-1,1,-1) (-1,-1,1) (1,-1,1) (1,1,1) (-1,1,1) "
-         "end vertexs begin faces (0,1,2,3) (4,7,6,5) (0,4,5,1) (2,6,7,3) (0,3,7,4) (1,5,6,2) "
-         "end faces end mesh ";
-}
 
 CompiledScene compiled(const std::string& text, std::size_t most_copied_triangles) {
   grf::Diagnostics diagnostics;
@@ -91,12 +86,6 @@ Leaks leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
 grf::Matrix44d map_of(const Vec3f& scale, const Vec3f& angles, const Vec3f& offset) {
   using Kind = grf::TransformStep::Kind;
   return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
-}
-
-std::string placed(const std::string& what, const Vec3f& scale, const Vec3f& angles, const Vec3f& offset) {
-  return fmt::format("transform scale ({},{},{}) rotation ({},{},{}) translation ({},{},{}) begin {} end ",
-                     scale.x, scale.y, scale.z, angles.x, angles.y, angles.z, offset.x, offset.y, offset.z,
-                     what);
 }
 
 /// How many of eight rays about this one, which pass its end at so many roundings of its length, get out.

@@ -29,6 +29,22 @@ inline std::string quad(const std::string& attributes, const std::string& corner
          " end vertexs begin faces (0,1,2,3) end faces end mesh\n";
 }
 
+/// From -1 to 1 along each axis, its fronts inside.
+inline std::string box(const std::string& attributes) {
+  return "begin mesh " + attributes +
+         " begin vertexs (-1,-1,-1) (1,-1,-1) (1,1,-1) (-1,1,-1) (-1,-1,1) (1,-1,1) (1,1,1) (-1,1,1) "
+         "end vertexs begin faces (0,1,2,3) (4,7,6,5) (0,4,5,1) (2,6,7,3) (0,3,7,4) (1,5,6,2) "
+         "end faces end mesh ";
+}
+
+/// First scaled, then turned about the axes by these angles, then moved.
+inline std::string placed(const std::string& what, const transport::Vec3f& scale,
+                          const transport::Vec3f& angles, const transport::Vec3f& offset) {
+  return fmt::format("transform scale ({},{},{}) rotation ({},{},{}) translation ({},{},{}) begin {} end ",
+                     scale.x, scale.y, scale.z, angles.x, angles.y, angles.z, offset.x, offset.y, offset.z,
+                     what);
+}
+
 /// A sphere of radius 1 about the origin, of quads and triangles with outward fronts.
 inline std::string sphere(const std::string& attributes, int rows, bool normals) {
   const int columns = 2 * rows;

@@ -29,7 +29,7 @@ inline double solid_angle_by_sides(const Vec3l& p, const Vec3l& q, const Vec3l& 
 
 /// For thin and tiny ones too, of corner, corner + edge1 and corner + edge2.
 inline double solid_angle_of_triangle(const Vec3l& corner, const Vec3l& edge1, const Vec3l& edge2) {
-  const Vec3l p = corner;
+  const Vec3l& p = corner;
   const Vec3l q = corner + edge1;
   const Vec3l r = corner + edge2;
   const long double a = std::sqrt(p.dot(p));
@@ -53,7 +53,7 @@ inline double lambert_irradiance(const std::vector<Vec3l>& corners, const Vec3l&
     const Vec3l& b = corners[(i + 1) % corners.size()];
     const long double height_a = a.dot(normal);
     const long double height_b = b.dot(normal);
-    if (height_a > 0) above.push_back(a);
+    if (height_a >= 0) above.push_back(a);
     if (height_a * height_b < 0) above.push_back(a + (b - a) * (height_a / (height_a - height_b)));
   }
   long double sum = 0;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "renderer/transport/integrators/power_heuristic.h"
 #include "renderer/transport/integrators/scattering.h"
 #include "renderer/transport/lights/environment_share.h"
 #include "renderer/transport/processor_clock.h"
@@ -17,12 +18,6 @@ using reflectance::Diffuse;
 using reflectance::Reflection;
 using reflectance::Reflector;
 using reflectance::ScatterSample;
-
-float power_heuristic(float density, float other) {
-  // In terms of the ratio, which overflows to a right answer where squares would not.
-  const float ratio = other / density;
-  return 1 / (1 + ratio * ratio);
-}
 
 const Diffuse& matte_of(const Reflector& reflector) { return *std::get_if<Diffuse>(&reflector.brdf()); }
 

@@ -52,10 +52,11 @@ SurfacePoint CompiledScene::front_point(const TriangleId& id, const Vec2f& weigh
   return point;
 }
 
-std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point) const {
-  // Less than that is no way up from the triangle.
+std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point,
+                                                    const Vec3f& geometric_side) const {
+  // Less than that is no way up from the triangle; normals that point away from it may lead down.
   const float least = 4 * absolute(point.geometric_normal).dot(point.error);
-  if (point.rise.length2() <= least * least) return std::nullopt;
+  if (!(point.rise.dot(geometric_side) > least)) return std::nullopt;
   const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, point.rise);
   const Vec3f raised = point.position + point.rise;
   if (caster_.is_occluded({foot, raised - foot, point.id})) return std::nullopt;

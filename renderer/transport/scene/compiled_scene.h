@@ -31,11 +31,11 @@ class CompiledScene {
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
 
   /// Where a ray starts that leaves a surface in a direction above it, on the side of this normal. Under it
-  /// only if `rise` leads up, and nothing is on that way: light does not get through a wall.
+  /// only if `rise` leads up to that side, and nothing is on that way: light does not get through a wall.
   std::optional<RayStart> start_of(const SurfacePoint& point, const Vec3f& direction,
                                    const Vec3f& geometric_side) const {
     if (direction.dot(geometric_side) > 0) return RayStart{point.origin_towards(direction), point.id};
-    return raised_start(point);
+    return raised_start(point, geometric_side);
   }
   /// A point of a triangle as a ray would meet it from the front, with the weights of the second and the
   /// third corner; without colour, texture and tangent.
@@ -70,7 +70,7 @@ class CompiledScene {
   double table_seconds() const { return reflectors_.seconds; }
 
  private:
-  std::optional<RayStart> raised_start(const SurfacePoint& point) const;
+  std::optional<RayStart> raised_start(const SurfacePoint& point, const Vec3f& geometric_side) const;
 
   std::unique_ptr<const Geometry> geometry_;  ///< its arrays stay where they are, for the caster
   std::vector<CompiledSurface> surfaces_;

@@ -14,14 +14,28 @@ double cross(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Puts the corners into the plane in which the polygon is largest, counter-clockwise: the axis along which
-/// its normal is longest is left out.
-void flatten(std::span<const grf::Vec3f> corners, std::span<Point> points) {
+grf::Vec3d area_normal(std::span<const grf::Vec3f> corners) {
   grf::Vec3d normal(0);
   const grf::Vec3d origin(corners[0]);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     normal += (grf::Vec3d(corners[i]) - origin).cross(grf::Vec3d(corners[i + 1]) - origin);
   }
+  return normal;
+}
+
+/// But for the rounding of float. The normal is the area's.
+bool is_planar(std::span<const grf::Vec3f> corners, const grf::Vec3d& normal) {
+  const grf::Vec3d origin(corners[0]);
+  return std::all_of(corners.begin(), corners.end(), [&](const grf::Vec3f& corner) {
+    const double volume = (grf::Vec3d(corner) - origin).dot(normal);
+    return volume * volume <= 1e-10 * std::pow(normal.length2(), 1.5);
+  });
+}
+
+/// Puts the corners into the plane of an axis in which the polygon is largest, counter-clockwise. That rounds
+/// nothing, so that corners on a line stay there.
+void flatten_along_axis(std::span<const grf::Vec3f> corners, const grf::Vec3d& normal,
+                        std::span<Point> points) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
@@ -31,6 +45,21 @@ void flatten(std::span<const grf::Vec3f> corners, std::span<Point> points) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const double along_x = corners[i][x];
     points[i] = {normal[axis] < 0 ? -along_x : along_x, double(corners[i][y])};
+  }
+}
+
+/// Puts the corners into the plane of the polygon's own normal, counter-clockwise: seen along an axis, a
+/// polygon that is not planar can cross itself.
+void flatten(std::span<const grf::Vec3f> corners, std::span<Point> points) {
+  const grf::Vec3d normal = area_normal(corners);
+  if (is_planar(corners, normal)) return flatten_along_axis(corners, normal, points);
+  const grf::Vec3d z = normal.normalized();
+  const grf::Vec3d axis = std::abs(z.x) < 0.5 ? grf::Vec3d(1, 0, 0) : grf::Vec3d(0, 1, 0);
+  const grf::Vec3d x = axis.cross(z).normalized();
+  const grf::Vec3d y = z.cross(x);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const grf::Vec3d from_first = grf::Vec3d(corners[i]) - grf::Vec3d(corners[0]);
+    points[i] = {from_first.dot(x), from_first.dot(y)};
   }
 }
 

@@ -1,0 +1,131 @@
+// A million samples of a pixel, and what must not get into an image.
+#include <limits>
+
+#include <half.h>
+
+#include "renderer/transport/film.h"
+#include "renderer/transport/image/image_file.h"
+#include "tests/stability/hard_case.h"
+#include "tests/support/temporary_folder.h"
+
+namespace test {
+namespace {
+
+using transport::FilmTile;
+using transport::Image;
+using transport::Rgb;
+
+constexpr int Million = 1'000'000;
+
+/// A tile of one pixel.
+FilmTile one_pixel() {
+  FilmTile tile;
+  tile.bounds = {0, 0, 1, 1};
+  tile.pixels.resize(1);
+  return tile;
+}
+
+/// Adds a sample to each of the scramblings in turn; true if it was taken.
+bool add(FilmTile& tile, int sample, const Rgb& radiance) {
+  const int scrambling = sample % FilmTile::Scramblings;
+  ++tile.counts[static_cast<std::size_t>(scrambling)];
+  return tile.add(0, 0, scrambling, radiance);
+}
+
+/// Samples within `spread` of the mean.
+template <class Use>
+void for_each_sample(float mean, float spread, Use use) {
+  Random random;
+  for (int i = 0; i < Million; ++i) use(i, mean + spread * random.uniform(-1, 1));
+}
+
+Errors mean_of_a_million() {
+  FilmTile tile = one_pixel();
+  long double exact = 0;
+  float naive = 0;
+  for_each_sample(0.1F, 0.1F, [&](int i, float value) {
+    add(tile, i, Rgb(value));
+    exact += value;
+    naive += value;
+  });
+  exact /= Million;
+  return {relative_error(tile.mean(0).x, double(exact)), relative_error(naive / Million, double(exact))};
+}
+
+/// Of a pixel of 1000 whose samples are within 1 of that.
+Errors variance_of_a_million() {
+  FilmTile tile = one_pixel();
+  std::array<long double, 2> halves = {};
+  double about_1000 = 0;
+  double squares_about_1000 = 0;
+  float sum = 0;
+  float squares = 0;
+  for_each_sample(1000, 1, [&](int i, float value) {
+    add(tile, i, Rgb(value));
+    halves[static_cast<std::size_t>(i % 2)] += value;
+    about_1000 += double(value) - 1000;
+    squares_about_1000 += (double(value) - 1000) * (double(value) - 1000);
+    sum += value;
+    squares += value * value;
+  });
+  const long double difference = (halves[0] - halves[1]) / (Million / 2);
+  const double between_halves = static_cast<double>(difference * difference / 4);
+  const double shift = about_1000 / Million;
+  const double of_samples = squares_about_1000 / Million - shift * shift;
+  const float mean = sum / Million;
+  return {relative_error(tile.variance(0).x, between_halves),
+          relative_error(squares / Million - mean * mean, of_samples)};
+}
+
+/// One sample in a thousand is none: counted, and out of the image.
+Errors samples_that_are_no_numbers() {
+  const std::array<Rgb, 3> wrong = {Rgb(NAN), Rgb(0, std::numeric_limits<float>::infinity(), 0),
+                                    Rgb(0, 0, -std::numeric_limits<float>::infinity())};
+  FilmTile tile = one_pixel();
+  int rejected = 0;
+  double naive = 0;
+  for (int i = 0; i < Million; ++i) {
+    const Rgb sample = i % 1000 == 7 ? wrong[static_cast<std::size_t>(i / 1000 % 3)] : Rgb(1);
+    if (!add(tile, i, sample)) ++rejected;
+    naive += double(sample.x + sample.y + sample.z) / (3.0 * Million);
+  }
+  if (rejected != Million / 1000) return {INFINITY, naive};
+  const Rgb mean = tile.mean(0);
+  return {std::max({relative_error(mean.x, 1), relative_error(mean.y, 1), relative_error(mean.z, 1)}),
+          relative_error(naive, 1)};
+}
+
+/// A sun of 1e6 and a dark one of 1e-9, in one file.
+Errors range_of_a_file() {
+  Image image{64, 1, {}};
+  for (const float value : numbers(1e-9F, 1e6F, 64)) image.pixels.emplace_back(value);
+  const TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  if (!transport::write_image({image}, folder.path("range.exr"), diagnostics)) return {INFINITY, 0};
+  const auto read = transport::read_image(folder.path("range.exr"), diagnostics);
+  if (!read) return {INFINITY, 0};
+  Errors errors;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double exact = image.pixels[i].x;
+    errors.include(
+        {relative_error(read->pixels[i].x, exact), relative_error(half(image.pixels[i].x), exact)});
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<HardCase> image_cases() {
+  return {
+      {"Mean of 1e6 samples of a pixel", "a sum in float", "a sum in double", 9e-5, 1e-6, 7e-10,
+       mean_of_a_million},
+      {"Variance of 1e6 samples of a pixel that is 1000", "the mean square less the squared mean, in float",
+       "the squared difference of two halves, of sums in double", 7e4, 1e-6, 8e-9, variance_of_a_million},
+      {"One sample in 1000 is NaN or infinite", "it is added up", "it counts as black, and is counted",
+       INFINITY, 2e-3, 1e-3, samples_that_are_no_numbers},
+      {"Radiance from 1e-9 to 1e6 in an EXR file", "half floats, of 16 bits", "floats, of 32", INFINITY, 0, 0,
+       range_of_a_file},
+  };
+}
+
+}  // namespace test

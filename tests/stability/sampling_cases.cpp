@@ -1,0 +1,196 @@
+// Random numbers, weights and paths at their ends, and the eye of far scenes.
+#include <numbers>
+
+#include "renderer/transport/integrators/power_heuristic.h"
+#include "renderer/transport/lights/lights.h"
+#include "tests/stability/hard_case.h"
+#include "tests/transport/scene_helpers.h"
+#include "tests/transport/solid_angles.h"
+
+namespace test {
+namespace {
+
+using grf::Vec3d;
+using transport::Vec3f;
+
+Errors numbers_below_one() {
+  constexpr std::uint32_t Points = 1U << 24U;
+  std::uint64_t ours = 0;
+  std::uint64_t naive = 0;
+  for (std::uint32_t i = 0; i < Points; ++i) {
+    const auto point = transport::sobol_point(i, 1);
+    for (const float number : {point.x, point.y, point.z, point.w}) ours += number >= 1 ? 1U : 0U;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const float number = static_cast<float>(transport::hash(i, k)) * 0x1p-32F;
+      naive += number >= 1 ? 1U : 0U;
+    }
+  }
+  return {static_cast<double>(ours) / (4.0 * Points), static_cast<double>(naive) / (4.0 * Points)};
+}
+
+/// Of weights over 1e-6.
+Errors weights_of_large_densities() {
+  Random random;
+  Errors errors;
+  for (int i = 0; i < 10000; ++i) {
+    const float a = random.log_uniform(1e-30F, 1e30F);
+    const float b = a * random.log_uniform(1e-3F, 1e3F);
+    const double exact = double(a) * a / (double(a) * a + double(b) * b);
+    errors.include({relative_error(transport::power_heuristic(a, b), exact),
+                    relative_error(a * a / (a * a + b * b), exact)});
+  }
+  return errors;
+}
+
+/// The relative error of the radiance that all pixels see.
+double worst_of_seeds(const transport::CompiledScene& scene, Look look, double exact) {
+  double worst = 0;
+  for (look.seed = 0; look.seed < 4; ++look.seed) {
+    worst = std::max(worst, relative_error(mean_radiance(render(scene, look)).mean, exact));
+  }
+  return worst;
+}
+
+/// A lamp in the polish of a floor: beside the matte part's light, the mirror's. Naive code weighs a mirror's
+/// direction as one that was drawn with density 1.
+Errors lamp_in_a_mirror() {
+  const std::string brdf = "coupled Rm=1 R0=0.05";
+  const Vec3f u = reflectance::from_angles(0.6F, 0.8F, 0);
+  const Vec3f middle = reflectance::mirrored(u) * 4;
+  const reflectance::Frame frame(-middle.normalized());
+  const Vec3f edge1 = frame.x * 0.1F;
+  const Vec3f edge2 = frame.y * 0.1F;
+  const Vec3f corner = middle - (edge1 + edge2) / 2;
+  const auto text = [](const Vec3f& v) { return fmt::format("({},{},{}) ", v.x, v.y, v.z); };
+  const auto scene = scene_of("light begin rgb (1,1,1) " + text(corner) + text(edge1) + text(edge2) + "end " +
+                              quad("brdf " + brdf, "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)"));
+  Look look;
+  look.eye = u * 4;
+  look.field_of_view = 0.001F;
+  look.width = look.height = 4;
+  look.samples = 512;
+  look.depth = 1;
+  const auto point = scene.intersect({look.eye, -u}).value();
+  const auto& reflector = *scene.reflector(*point.surface);
+  const reflectance::Frame floor(point.shading_normal);
+  const Vec3f local = floor.to_local(u);
+  const Vec3l a(corner);
+  const double received =
+      lambert_irradiance({a, a + Vec3l(edge1), a + Vec3l(edge1) + Vec3l(edge2), a + Vec3l(edge2)}, {0, 0, 1});
+  const double matte = received * double(reflector.evaluate(local, reflectance::mirrored(local)).x);
+  const double mirror = double(reflectance::mirror(reflector.brdf(), local).x);
+  const float density = scene.lights().density(Vec3f(0), Vec3f(0, 0, 1), 0, middle.normalized());
+  const double naive = matte + mirror * double(transport::power_heuristic(1, density));
+  return {worst_of_seeds(scene, look, matte + mirror), relative_error(naive, matte + mirror)};
+}
+
+/// In a closed white box that shines, each of the places that a path of depth 1000 meets adds 1.
+Errors depth_of_thousand() {
+  constexpr int Depth = 1000;
+  Look look;
+  look.eye = Vec3f(0.1F, 0.2F, 0.3F);
+  look.target = Vec3f(1, 0.3F, 0.4F);
+  look.width = look.height = 8;
+  look.samples = 1;
+  look.depth = Depth;
+  const auto scene = scene_of(box("brdf diffuse kd=1 light rgb (1,1,1)"));
+  const int paths = look.width * look.height * look.samples;
+  Random random;
+  double naive = 0;
+  for (int i = 0; i < paths; ++i) {
+    float throughput = 1;
+    for (int events = 0; events <= Depth; ++events) {
+      naive += static_cast<double>(throughput) / paths;
+      if (events < 3) continue;
+      if (random.uniform(0, 1) < 0.5F) break;
+      throughput /= 0.5F;
+    }
+  }
+  return {worst_of_seeds(scene, look, Depth + 1), relative_error(naive, Depth + 1)};
+}
+
+constexpr int Pixels = 500;
+
+/// Where a pinhole sees the plane through the target that faces along z.
+template <class Real>
+Vec3d seen_place(const transport::View& view, Real x, Real y) {
+  using Vec = Imath::Vec3<Real>;
+  const Vec eye(view.eye);
+  const Vec target(view.target);
+  const Vec forward = (target - eye).normalized();
+  const Vec right = forward.cross(Vec(view.up)).normalized();
+  const Vec up = right.cross(forward);
+  const Real half = std::tan(Real(view.field_of_view) * std::numbers::pi_v<Real> / 360);
+  const Vec direction = forward + right * (half * (2 * x / Pixels - 1)) + up * (half * (1 - 2 * y / Pixels));
+  return Vec3d(eye + direction * ((target.z - eye.z) / direction.z));
+}
+
+Errors far_camera() {
+  Random random;
+  Errors errors;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3d offset(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    transport::View view;
+    view.target = Vec3d(1e6, -1e6, 1e6) + offset;
+    view.eye = view.target + Vec3d(0.5, 1, 4);
+    const Vec3d origin(1e6, -1e6, 1e6);
+    const transport::Camera camera(transport::seen_from(origin, view), Pixels, Pixels);
+    const float x = random.uniform(0, Pixels);
+    const float y = random.uniform(0, Pixels);
+    const transport::Ray ray = camera.ray(x, y);
+    const float distance = (static_cast<float>(offset.z) - ray.origin.z) / ray.direction.z;
+    const Vec3d ours = Vec3d(ray.origin + ray.direction * distance) + origin;
+    const Vec3d exact = seen_place<double>(view, x, y);
+    const double pixel = 2 * 4 * std::tan(double(view.field_of_view) * std::numbers::pi / 360) / Pixels;
+    errors.include(
+        {(ours - exact).length() / pixel, (seen_place<float>(view, x, y) - exact).length() / pixel});
+  }
+  return errors;
+}
+
+/// Straight up and down, and nearly so: how far the image's middle and its steps are from a frame.
+Errors camera_along_up() {
+  Random random;
+  Errors errors;
+  for (int i = 0; i < 1000; ++i) {
+    transport::View view;
+    const double off = i % 2 == 0 ? 0 : double(random.log_uniform(1e-30F, 1e-12F));
+    view.target = Vec3d(off, i % 4 < 2 ? 4 : -4, 0);
+    const transport::Camera camera(view, Pixels, Pixels);
+    const Vec3f middle = camera.ray(Pixels / 2.0F, Pixels / 2.0F).direction;
+    const Vec3f right = (camera.ray(Pixels, Pixels / 2.0F).direction - middle).normalized();
+    const double exact = 1;
+    const auto error = [&](const Vec3f& across) {
+      return relative_error(double(middle.cross(across).length()), exact);
+    };
+    const Vec3f crossed = middle.cross(view.up);
+    const Vec3f naive = crossed / std::sqrt(crossed.dot(crossed));
+    errors.include({std::abs(double(middle.y)) == 1 ? error((right - middle * right.dot(middle)).normalized())
+                                                    : INFINITY,
+                    error(naive)});
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<HardCase> sampling_cases() {
+  constexpr std::string_view Radiance = "relative error of the radiance";
+  return {
+      {"2^26 random numbers in [0,1)", "32 bits times 2^-32, rounded to float", "24 bits times 2^-24", 3e-8,
+       0, 0, numbers_below_one, "share of numbers that are 1"},
+      {"Weights of densities from 1e-30 to 1e30", "a^2/(a^2 + b^2)", "1/(1 + (b/a)^2)", INFINITY, 1e-5, 2e-7,
+       weights_of_large_densities},
+      {"Lamp of 6e-4 sr in the polish of a matte floor", "a mirror's direction has density 1",
+       "only the mirror can find what it shows", 1, 0.02, 2e-3, lamp_in_a_mirror, Radiance, Kind::Noisy},
+      {"Closed white box that shines, depth 1000", "from the fourth scattering on, half of the paths survive",
+       "paths that carry a third or more go on", 1, 0.02, 8e-4, depth_of_thousand, Radiance, Kind::Noisy},
+      {"Camera 1e6 from the origin", "eye and target in float", "in double, and from the scene's middle", 12,
+       0.01, 1e-4, far_camera, "pixels off"},
+      {"View along the direction that is up", "right is the cross product, normalised",
+       "another axis where that has no digits", INFINITY, 1e-5, 0, camera_along_up,
+       "distance of the axes from unit ones"},
+  };
+}
+
+}  // namespace test
