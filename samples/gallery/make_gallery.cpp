@@ -72,46 +72,60 @@ std::vector<double> steps(int count) {
   return values;
 }
 
-/// A box of side 1 about the origin whose edges have this radius; `bulge` is by what its top
-/// and bottom swell.
-Mesh box(double radius, double bulge, int arc_steps, int flat_steps) {
-  // Along an edge: an arc of 45 degrees, the flat, and an arc again.
-  std::vector<double> places;
-  for (int i = 0; i < arc_steps; ++i) places.push_back(radius * i / arc_steps);
-  for (const double share : steps(flat_steps)) places.push_back(radius + (1 - 2 * radius) * share);
-  for (int i = arc_steps - 1; i >= 0; --i) places.push_back(1 - radius * i / arc_steps);
+/// A box of side 1 that stands on y = 0, with round edges; its top and bottom may swell.
+class Box {
+ public:
+  Box(double radius, double bulge) : radius_(radius), bulge_(bulge) {}
 
-  const double flat = 0.5 - radius;
-  const auto lean = [&](double place) {
-    const double into_arc = std::max(radius - place, radius - (1 - place)) / radius;
-    return std::copysign(std::tan(std::max(0.0, into_arc) * Pi / 4), place - 0.5);
-  };
-  const auto inner = [&](double place) { return std::clamp(place - 0.5, -flat, flat); };
-  const std::array<std::array<V3d, 3>, 6> sides = {{{V3d(1, 0, 0), V3d(0, 1, 0), V3d(0, 0, 1)},
-                                                    {V3d(-1, 0, 0), V3d(0, 1, 0), V3d(0, 0, -1)},
-                                                    {V3d(0, 0, -1), V3d(0, 1, 0), V3d(1, 0, 0)},
-                                                    {V3d(0, 0, 1), V3d(0, 1, 0), V3d(-1, 0, 0)},
-                                                    {V3d(1, 0, 0), V3d(0, 0, -1), V3d(0, 1, 0)},
-                                                    {V3d(1, 0, 0), V3d(0, 0, 1), V3d(0, -1, 0)}}};
-  Mesh mesh;
-  for (const auto& [right, up, out] : sides) {
-    const double swelling = out.y == 0 ? 0 : bulge;
-    const auto surface = [&](double s, double t) -> Vertex {
-      const V3d direction = (right * lean(s) + up * lean(t) + out).normalized();
-      const V3d core = right * inner(s) + up * inner(t) + out * flat;
-      // 1 in the middle of a flat, and 0 with its slope where the arcs begin.
-      const double wave = Pi / (2 * flat);
-      const double hill_across = std::pow(std::cos(wave * inner(s)), 2);
-      const double hill_up = std::pow(std::cos(wave * inner(t)), 2);
-      const V3d slope = right * (wave * std::sin(2 * wave * inner(s)) * hill_up) +
-                        up * (wave * std::sin(2 * wave * inner(t)) * hill_across);
-      return {core + direction * radius + out * (swelling * hill_across * hill_up) + V3d(0, 0.5, 0),
-              (direction + slope * swelling).normalized()};
-    };
-    add_grid(mesh, surface, places, places, true);
+  Mesh mesh(int arc_steps, int flat_steps) const {
+    // Along an edge: an arc of 45 degrees, the flat, and an arc again.
+    std::vector<double> places;
+    for (int i = 0; i < arc_steps; ++i) places.push_back(radius_ * i / arc_steps);
+    for (const double share : steps(flat_steps)) places.push_back(radius_ + 2 * flat_ * share);
+    for (int i = arc_steps - 1; i >= 0; --i) places.push_back(1 - radius_ * i / arc_steps);
+
+    const V3d x(1, 0, 0);
+    const V3d y(0, 1, 0);
+    const V3d z(0, 0, 1);
+    Mesh mesh;
+    for (const Side& side : {Side{x, y, z}, {-x, y, -z}, {-z, y, x}, {z, y, -x}, {x, -z, y}, {x, z, -y}}) {
+      add_grid(
+          mesh, [&](double s, double t) { return at(side, s, t); }, places, places, true);
+    }
+    return mesh;
   }
-  return mesh;
-}
+
+ private:
+  struct Side {
+    V3d right, up, out;
+  };
+
+  /// The tangent of the angle by which the surface turns away in the arc at an end.
+  double lean(double place) const {
+    const double into_arc = std::max(radius_ - place, radius_ - (1 - place)) / radius_;
+    return std::copysign(std::tan(std::max(0.0, into_arc) * Pi / 4), place - 0.5);
+  }
+
+  Vertex at(const Side& side, double s, double t) const {
+    const double x = std::clamp(s - 0.5, -flat_, flat_);
+    const double y = std::clamp(t - 0.5, -flat_, flat_);
+    const V3d direction = (side.right * lean(s) + side.up * lean(t) + side.out).normalized();
+    // 1 in the middle of a flat, and 0 with its slope where the arcs begin.
+    const double wave = Pi / (2 * flat_);
+    const double across = std::pow(std::cos(wave * x), 2);
+    const double up = std::pow(std::cos(wave * y), 2);
+    const V3d slope = side.right * (wave * std::sin(2 * wave * x) * up) +
+                      side.up * (wave * std::sin(2 * wave * y) * across);
+    const double bulge = side.out.y == 0 ? 0 : bulge_;
+    const V3d core = V3d(0, 0.5, 0) + side.right * x + side.up * y + side.out * flat_;
+    return {core + direction * radius_ + side.out * (bulge * across * up),
+            (direction + slope * bulge).normalized()};
+  }
+
+  double radius_;
+  double bulge_;
+  double flat_ = 0.5 - radius_;  ///< half of a side's flat part
+};
 
 /// Quads of a closed band around the y axis: `profile` is (radius, height) at t.
 Mesh turned(const std::function<std::array<double, 2>(double)>& profile, int around, int along) {
@@ -276,8 +290,8 @@ int main(int argc, char** argv) {
   }
   const std::string folder = argv[1];
   grf::Diagnostics diagnostics;
-  bool is_written = write_mesh(box(0.03, 0, 3, 1), folder, "block", diagnostics) &&
-                    write_mesh(box(0.32, 0.05, 5, 5), folder, "cushion", diagnostics) &&
+  bool is_written = write_mesh(Box(0.03, 0).mesh(3, 1), folder, "block", diagnostics) &&
+                    write_mesh(Box(0.32, 0.05).mesh(5, 5), folder, "cushion", diagnostics) &&
                     write_mesh(cubes(), folder, "cubes", diagnostics) &&
                     write_mesh(cove(), folder, "cove", diagnostics) &&
                     write_mesh(turned(ring_profile, 64, 32), folder, "ring", diagnostics) &&
