@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "renderer/command/bake_command.h"
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
+#include "renderer/command/cost_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/options/render_options.h"
 
@@ -168,6 +170,48 @@ void add_compare(CLI::App& app, command::CompareArguments& arguments) {
   compare->add_flag("--json", arguments.json, "print one JSON object");
 }
 
+/// Of the options for images, those that are neither swept nor say how much is rendered or written.
+void add_cost(CLI::App& app, command::CostArguments& arguments) {
+  CLI::App* cost = app.add_subcommand(
+      "cost", "What accuracy costs in time: the error of growing numbers of samples, and fitted curves");
+  cost->add_option("scene", arguments.scene, "an OP file, or a GRF scene")
+      ->required()
+      ->type_name("SCENE.op|SCENE.grf");
+  cost->add_option(
+          "--samples", arguments.samples,
+          "numbers of samples a pixel that grow (4,16,64,256); with naive, of paths: a ray from the eye "
+          "(BPT_Pixel_SampleRes, else one a pixel) has its share of them, which is NSecRaysRoot^2")
+      ->type_name("N,N,...");
+  for (const command::SweepAxis& axis : command::sweep_axes()) {
+    const std::string flag(axis.flag);
+    cost->add_option_function<std::string>(
+            flag, [&arguments, flag](const std::string& list) { arguments.sweeps[flag] = list; },
+            fmt::format("a line each: {}", axis.meaning))
+        ->type_name(std::string(axis.values));
+  }
+  cost->add_option("--reference", arguments.reference, "the right image, instead of a longer render")
+      ->type_name("FILE");
+  cost->add_option("--reference-samples", arguments.reference_samples,
+                   "samples a pixel of the render that serves as reference (16 times the most)")
+      ->type_name("N")
+      ->check(CLI::Range(2, std::numeric_limits<int>::max()));
+  cost->add_option(
+          "--rounds", arguments.rounds,
+          "how often each row is rendered, with other seeds: the least time and the mean error count (2)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  cost->add_option("-o,--output", arguments.output,
+                   "writes BASE.csv, BASE.md and BASE.svg (the scene's name with -cost)")
+      ->type_name("BASE");
+  for (const options::OptionInfo& option : options::option_table()) {
+    for (const char* flag : {"--size", "--environment", "--ris", "--seed", "--threads"}) {
+      if (option.flag == flag) add_option(*cost, option, arguments.flags);
+    }
+  }
+  add_progress(*cost, arguments.progress);
+  cost->add_flag("--json", arguments.json, "print one JSON object");
+}
+
 /// `bpt scene.op` renders, as the thesis' BPT did.
 std::vector<std::string> with_command(int argc, char** argv, CLI::App& app) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -190,6 +234,8 @@ ExitCode run(int argc, char** argv) {
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
   add_compare(app, compare_arguments);
+  command::CostArguments cost_arguments;
+  add_cost(app, cost_arguments);
   app.set_version_flag("--version", "bpt " GRANADA_VERSION);
   try {
     app.parse(with_command(argc, argv, app));
@@ -198,6 +244,7 @@ ExitCode run(int argc, char** argv) {
   }
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
+  if (app.got_subcommand("cost")) return command::cost(cost_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);
 }

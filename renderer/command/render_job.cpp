@@ -36,14 +36,14 @@ Integrator integrator_of(const RenderOptions& render_options) {
   return render_options.integrator == "naive" ? Integrator::Naive : Integrator::Path;
 }
 
-/// The scene as its author wrote it, checked.
+}  // namespace
+
 std::optional<grf::Scene> read_scene(const RenderOptions& render_options, Diagnostics& diagnostics) {
   auto scene = grf::read(render_options.scene, diagnostics);
   if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
   return scene;
 }
 
-/// What the options say of compiling; nothing after an error.
 std::optional<transport::CompileSettings> compile_settings_of(const RenderOptions& render_options,
                                                               Diagnostics& diagnostics) {
   transport::CompileSettings settings;
@@ -52,9 +52,12 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
   if (integrator_of(render_options) == Integrator::Naive) {
     settings.missed_part = reflectance::MissedPart::Missing;
   }
+  if (render_options.precision == "double") settings.precision = reflectance::Precision::Double;
   if (!override_scheme(render_options, settings, diagnostics)) return std::nullopt;
   return settings;
 }
+
+namespace {
 
 std::optional<CompiledScene> load(const RenderOptions& render_options, Diagnostics& diagnostics) {
   const auto settings = compile_settings_of(render_options, diagnostics);
@@ -124,6 +127,7 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   place_samples(render_options, settings);
   settings.target_error = render_options.target_error;
   settings.max_seconds = render_options.max_seconds;
+  if (render_options.points == "independent") settings.points = transport::Points::Independent;
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;
   return settings;
@@ -131,16 +135,24 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
 
 }  // namespace
 
-std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics) {
-  auto scene = load(render_options, diagnostics);
-  transport::RenderSettings settings;
-  if (scene) settings = settings_of(render_options, scene->bounds());
-  if (!load_surroundings(render_options, settings, diagnostics) || !scene) return std::nullopt;
-  if (settings.view.eye == settings.view.target) {
+std::optional<transport::RenderSettings> render_settings_of(const RenderOptions& render_options,
+                                                            const grf::Box3d& bounds,
+                                                            Diagnostics& diagnostics) {
+  transport::RenderSettings settings = settings_of(render_options, bounds);
+  if (!load_surroundings(render_options, settings, diagnostics)) return std::nullopt;
+  // Where there is nothing to render, that is the one thing to be told.
+  if (!bounds.isEmpty() && settings.view.eye == settings.view.target) {
     diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
     return std::nullopt;
   }
-  return RenderJob{std::move(*scene), std::move(settings)};
+  return settings;
+}
+
+std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  auto scene = load(render_options, diagnostics);
+  auto settings = render_settings_of(render_options, scene ? scene->bounds() : grf::Box3d(), diagnostics);
+  if (!scene || !settings) return std::nullopt;
+  return RenderJob{std::move(*scene), std::move(*settings)};
 }
 
 std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Diagnostics& diagnostics) {

@@ -15,6 +15,19 @@ struct RenderJob {
   transport::RenderSettings settings;
 };
 
+// The parts of which `render_job` is made; nothing after an error.
+
+/// The scene as its author wrote it, checked.
+std::optional<grf::Scene> read_scene(const options::RenderOptions& render_options,
+                                     grf::Diagnostics& diagnostics);
+/// What the options say of compiling.
+std::optional<transport::CompileSettings> compile_settings_of(const options::RenderOptions& render_options,
+                                                              grf::Diagnostics& diagnostics);
+/// All else that they say, of a scene in that box. Reads the image around or behind it.
+std::optional<transport::RenderSettings> render_settings_of(const options::RenderOptions& render_options,
+                                                            const grf::Box3d& bounds,
+                                                            grf::Diagnostics& diagnostics);
+
 /// Reads and compiles the scene that the options name, with all that they say of it; nothing after an error.
 std::optional<RenderJob> render_job(const options::RenderOptions& render_options,
                                     grf::Diagnostics& diagnostics);

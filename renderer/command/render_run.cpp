@@ -1,9 +1,7 @@
 #include "renderer/command/render_run.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <thread>
+#include <chrono>
 
 #include <fmt/format.h>
 
@@ -51,32 +49,6 @@ void say_problem(std::optional<transport::DisplayClient>& display) {
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
 }
 
-/// `watch` is called every moment.
-template <class Work, class Watch>
-void run_watched(Work& work, Interruption& interruption, const RunSettings& settings, const Watch& watch,
-                 grf::Diagnostics& diagnostics) {
-  std::atomic<bool> ended = false;
-  std::exception_ptr failure;
-  interruption.stops(work);
-  std::thread worker([&] {
-    try {
-      work.run();
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    ended = true;
-  });
-  CheckpointKeeper<Work> checkpoint(work, settings);
-  while (!ended) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    watch();
-    checkpoint.keep_if_due();
-  }
-  worker.join();
-  if (failure) std::rethrow_exception(failure);
-  checkpoint.keep(diagnostics);
-}
-
 template <class Work>
 bool resume(Work& work, const RunSettings& settings, grf::Diagnostics& diagnostics) {
   return settings.checkpoint.empty() ||
@@ -90,11 +62,14 @@ bool run(transport::Render& render, Interruption& interruption, const RunSetting
   if (!resume(render, settings, diagnostics)) return false;
   std::optional<transport::DisplayClient> display;
   if (settings.display) display.emplace(render, *settings.display, settings.title);
+  CheckpointKeeper<transport::Render> checkpoint(render, settings);
   const auto watch = [&] {
     progress.show(render.progress());
     say_problem(display);
+    checkpoint.keep_if_due();
   };
-  run_watched(render, interruption, settings, watch, diagnostics);
+  run_watched(render, interruption, watch);
+  checkpoint.keep(diagnostics);
   if (display) display->finish();
   say_problem(display);
   return true;
@@ -103,8 +78,13 @@ bool run(transport::Render& render, Interruption& interruption, const RunSetting
 bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics) {
   if (!resume(bake, settings, diagnostics)) return false;
-  const auto watch = [&] { progress.show(bake.progress()); };
-  run_watched(bake, interruption, settings, watch, diagnostics);
+  CheckpointKeeper<transport::Bake> checkpoint(bake, settings);
+  const auto watch = [&] {
+    progress.show(bake.progress());
+    checkpoint.keep_if_due();
+  };
+  run_watched(bake, interruption, watch);
+  checkpoint.keep(diagnostics);
   return true;
 }
 

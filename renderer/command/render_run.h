@@ -1,8 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "grf/diagnostics.h"
 #include "renderer/command/interruption.h"
@@ -31,5 +34,27 @@ bool run(transport::Render& render, Interruption& interruption, const RunSetting
 /// The same for a bake, which has no image.
 bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
+
+/// Runs any work, to its end or to a signal, and calls `watch` every moment meanwhile. Throws what it throws.
+template <class Work, class Watch>
+void run_watched(Work& work, Interruption& interruption, const Watch& watch) {
+  std::atomic<bool> ended = false;
+  std::exception_ptr failure;
+  interruption.stops(work);
+  std::thread worker([&] {
+    try {
+      work.run();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    ended = true;
+  });
+  while (!ended) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    watch();
+  }
+  worker.join();
+  if (failure) std::rethrow_exception(failure);
+}
 
 }  // namespace command

@@ -88,6 +88,11 @@ std::vector<OptionInfo> estimator_options() {
        "square root of the number of secondary rays for each primary hit, for naive"},
       {"BPT_RayCasting", "", BooleanOption<bool>{&Options::ray_casting}, "bool", "false",
        "one ray a pixel, its colour the normal at the nearest hit"},
+      {"BPT_Points", "--points", WordOption{&Options::points, {"sobol", "independent"}}, "word", "sobol",
+       "random numbers of a pixel's samples: sobol, well spread together, so that errors are smaller; "
+       "independent, which studies compare with"},
+      {"BPT_Precision", "--precision", WordOption{&Options::precision, {"float", "double"}}, "word", "float",
+       "of the BRDFs' formulas: double shows what float loses, which is next to nothing, and takes longer"},
       {"BPT_Seed", "--seed", NumberOption<std::uint32_t>{&Options::seed, 0, LargestSeed}, "int", "0",
        "the same seed gives the same image, bit for bit"},
   };

@@ -85,6 +85,8 @@ struct RenderOptions : SchemeOptions {
   bool pixel_random = true;
   IntegerPair pixel_samples = {1, 1};  ///< across and down a pixel
   int secondary_rays_root = 10;
+  std::string points = "sobol";     ///< or independent
+  std::string precision = "float";  ///< or double
   bool ray_casting = false;
   bool uses_irradiance = false;
   std::optional<float> target_error;  ///< sqrt(relMSE) of the image

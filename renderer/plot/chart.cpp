@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -59,6 +60,7 @@ class Scale {
     std::vector<double> values;
     if (is_logarithmic_) {
       const double step = std::max(1.0, std::ceil((high_ - low_) / 6));
+      if (step == 1 && !(is_whole(low_) && is_whole(high_))) return ticks_within_decades();
       for (double exponent = std::ceil(low_); exponent <= high_ + 1e-9; exponent += step) {
         values.push_back(std::pow(10, exponent));
       }
@@ -71,6 +73,22 @@ class Scale {
   }
 
  private:
+  static bool is_whole(double exponent) { return std::abs(exponent - std::round(exponent)) < 1e-9; }
+
+  /// At 1, 2 and 5 as far as there is place for them.
+  std::vector<double> ticks_within_decades() const {
+    std::vector<double> values;
+    for (double decade = std::floor(low_); decade <= high_; ++decade) {
+      for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor > 1 && high_ - low_ > 3) continue;
+        const double value = factor * std::pow(10, decade);
+        const double exponent = std::log10(value);
+        if (exponent >= low_ - 1e-9 && exponent <= high_ + 1e-9) values.push_back(value);
+      }
+    }
+    return values;
+  }
+
   double on_axis(double value) const { return is_logarithmic_ ? std::log10(std::max(value, 1e-300)) : value; }
 
   bool is_logarithmic_;
@@ -119,13 +137,45 @@ double legend_width(const std::vector<Series>& series) {
   return 30 + 6.8 * static_cast<double>(longest);
 }
 
+std::vector<Point> line_of(const Series& series, const Scale& x, const Scale& y) {
+  std::vector<Point> line;
+  for (const Point& point : series.points) {
+    if (x.has_place(point.x) && y.has_place(point.y)) line.emplace_back(x.place(point.x), y.place(point.y));
+  }
+  return line;
+}
+
 void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
+  constexpr double MarkRadius = 2.6;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    std::vector<Point> line;
-    for (const Point& point : chart.series[i].points) {
-      if (x.has_place(point.x) && y.has_place(point.y)) line.emplace_back(x.place(point.x), y.place(point.y));
-    }
+    const std::vector<Point> line = line_of(chart.series[i], x, y);
     svg.polyline(line, {colour_of(chart.series, i), LineWidth, chart.series[i].dashes});
+    if (chart.series[i].has_marks) svg.dots(line, MarkRadius, colour_of(chart.series, i));
+  }
+}
+
+void draw_names_at_ends(const Chart& chart, const Scale& x, const Scale& y, const Place& inside, Svg& svg) {
+  std::vector<std::size_t> named;
+  std::vector<Point> ends;
+  std::vector<double> wishes;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const std::vector<Point> line = line_of(chart.series[i], x, y);
+    if (chart.series[i].name.empty() || line.empty()) continue;
+    named.push_back(i);
+    ends.push_back(line.back());
+    wishes.push_back(line.back().y);
+  }
+  constexpr double Distance = 15;
+  const double right = inside.corner.x + inside.width;
+  const std::vector<double> heights =
+      apart(wishes, Distance, inside.corner.y + 4, inside.corner.y + inside.height - 4);
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    const Series& series = chart.series[named[k]];
+    const std::string_view colour = colour_of(chart.series, named[k]);
+    const std::array<Point, 3> way = {ends[k], Point(right + 4, heights[k]), Point(right + 10, heights[k])};
+    svg.polyline(way, {colour, 0.7, "1 2"});
+    svg.line({right + 10, heights[k]}, {right + 26, heights[k]}, {colour, LineWidth + 1, series.dashes});
+    svg.text({right + 31, heights[k] + 4}, series.name, {SmallText, "#333", Anchor::Start, 0});
   }
 }
 
@@ -156,9 +206,44 @@ std::string_view colour_of_series(std::size_t index) {
   return Colours[index % Colours.size()];
 }
 
+std::vector<double> apart(const std::vector<double>& wishes, double distance, double from, double to) {
+  std::vector<std::size_t> order(wishes.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return wishes[a] < wishes[b]; });
+  // Less a step for each before it, places may not fall. Those that would are one block, at the mean of what
+  // its members want (Kruskal 1964, "Nonmetric multidimensional scaling": isotonic regression).
+  struct Block {
+    double sum = 0;
+    double count = 0;
+
+    double mean() const { return sum / count; }
+  };
+  std::vector<Block> blocks;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    blocks.push_back({wishes[order[k]] - distance * static_cast<double>(k), 1});
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() > blocks.back().mean()) {
+      const Block last = blocks.back();
+      blocks.pop_back();
+      blocks.back().sum += last.sum;
+      blocks.back().count += last.count;
+    }
+  }
+  const double room = to - from - distance * (static_cast<double>(order.size()) - 1);
+  std::vector<double> places(wishes.size());
+  std::size_t k = 0;
+  for (const Block& block : blocks) {
+    const double place = std::clamp(block.mean(), from, from + std::max(0.0, room));
+    for (double i = 0; i < block.count; ++i, ++k) {
+      places[order[k]] = place + distance * static_cast<double>(k);
+    }
+  }
+  return places;
+}
+
 void draw(const Chart& chart, const Place& place, Svg& svg) {
   const Place inside = {{place.corner.x + 62, place.corner.y + 26},
-                        place.width - 62 - legend_width(chart.series),
+                        place.width - 62 - legend_width(chart.series) - (chart.has_names_at_ends ? 10 : 0),
                         place.height - 66};
   const Scale x(chart.x, chart.series, &Point::x, inside.corner.x, inside.corner.x + inside.width);
   const Scale y(chart.y, chart.series, &Point::y, inside.corner.y + inside.height, inside.corner.y);
@@ -167,7 +252,11 @@ void draw(const Chart& chart, const Place& place, Svg& svg) {
   svg.begin_clip(inside.corner - Point(0, 1), inside.width, inside.height + 2);
   draw_lines(chart, x, y, svg);
   svg.end_clip();
-  draw_legend(chart.series, {inside.corner.x + inside.width + 10, inside.corner.y + 8}, svg);
+  if (chart.has_names_at_ends && has_legend(chart.series)) {
+    draw_names_at_ends(chart, x, y, inside, svg);
+  } else {
+    draw_legend(chart.series, {inside.corner.x + inside.width + 10, inside.corner.y + 8}, svg);
+  }
 }
 
 namespace {

@@ -18,6 +18,7 @@ struct Series {
   std::vector<Point> points;
   std::string_view colour = {};  ///< empty: `colour_of_series` of its place
   std::string_view dashes = {};  ///< see `Stroke`
+  bool has_marks = false;        ///< a dot at each point
 };
 
 struct Axis {
@@ -38,11 +39,19 @@ struct Chart {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
+  /// Each name at the right is as high as its line's last point, as far as there is place, and a thin stroke
+  /// leads to it.
+  bool has_names_at_ends = false;
 };
 
 /// Axes with their ticks, the lines as far as they are between the ends, and their names at the right, where
-/// there are several. On a logarithmic axis 0 and less are far under its end.
+/// there are several. On a logarithmic axis 0 and less are far under its end. One whose ends were given as no
+/// powers of ten has ticks at 1, 2 and 5.
 void draw(const Chart& chart, const Place& place, Svg& svg);
+
+/// Where names can stand one under the other, `distance` apart at least and between the ends, each as near as
+/// can be to where it wants to be. In the order of the wishes.
+std::vector<double> apart(const std::vector<double>& wishes, double distance, double from, double to);
 
 /// Distances from a centre over angles from the vertical, -90 to 90 degrees.
 struct PolarChart {

@@ -21,8 +21,8 @@ float share_by_cosine(float missed) {
 
 }  // namespace
 
-Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part)
-    : brdf_(brdf), scheme_(scheme) {
+Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part, Precision precision)
+    : brdf_(brdf), scheme_(scheme), precision_(precision) {
   constexpr float LeastMissed = 1e-4F;
   build(scheme_, brdf_);
   const float missed = may_miss(scheme_) ? reflectance::missed_share(scheme_, brdf_) : 0;
@@ -32,7 +32,7 @@ Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_p
   }
   has_mirror_ = has_mirror(brdf_);
   has_density_ = reflectance::has_density(brdf_);
-  samples_own_ = is_own(scheme_) && !(cosine_share_ > 0);
+  samples_own_ = is_own(scheme_) && !(cosine_share_ > 0) && precision == Precision::Float;
 }
 
 Reflection Reflector::reflect(const Vec3f& u, const Vec3f& v) const {
@@ -58,14 +58,18 @@ std::optional<ScatterSample> Reflector::sample(const Vec3f& u, const Uniforms& x
   }
   const float share = mirror_share(u);
   if (xi.choice < share) return ScatterSample{mirrored(u), mirror(brdf_, u) / share, 0, true};
-  const auto drawn = sample_density(u, rest_of(xi, share));
+  auto drawn = sample_density(u, rest_of(xi, share));
   if (!drawn) return std::nullopt;
+  if (precision_ == Precision::Double) {
+    // Weights of closed form would do without the formula.
+    drawn->weight = evaluate_in_double(u, drawn->direction) * (drawn->direction.z / drawn->density);
+  }
   return ScatterSample{drawn->direction, drawn->weight / (1 - share), drawn->density * (1 - share), false};
 }
 
 void Reflector::sample_many(const Vec3f& u, std::span<const Uniforms> xi,
                             std::vector<ScatterSample>& out) const {
-  if (has_mirror_ || cosine_share_ > 0) {
+  if (has_mirror_ || cosine_share_ > 0 || precision_ == Precision::Double) {
     for (const Uniforms& one : xi) {
       if (const auto drawn = sample(u, one)) out.push_back(*drawn);
     }
@@ -75,6 +79,14 @@ void Reflector::sample_many(const Vec3f& u, std::span<const Uniforms> xi,
   drawn.reserve(xi.size());
   reflectance::sample_many(scheme_, brdf_, u, xi, drawn);
   for (const DirectionSample& one : drawn) out.push_back({one.direction, one.weight, one.density, false});
+}
+
+Rgb Reflector::evaluate_in_double(const Vec3f& u, const Vec3f& v) const {
+  return Rgb(std::visit(
+      [&](const auto& model) {
+        return model.evaluate(Imath::V3d(u).normalized(), Imath::V3d(v).normalized());
+      },
+      brdf_));
 }
 
 std::optional<DirectionSample> Reflector::sample_density(const Vec3f& u, const Uniforms& xi) const {

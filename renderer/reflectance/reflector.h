@@ -19,6 +19,9 @@ struct ScatterSample {
 /// What becomes of the part of a BRDF that a scheme draws never or hardly ever.
 enum class MissedPart { DrawnByCosine, Missing };
 
+/// Of a BRDF's formula: what double costs in time, and gives in accuracy, studies want to know.
+enum class Precision { Float, Double };
+
 /// A BRDF with the scheme that samples it and the scheme's tables: all that a path needs to know of a
 /// surface's reflectance. The Dirac part of a BRDF is picked with its own probability, in proportion to its
 /// share of the albedo. Where the scheme misses part of the BRDF, a share of the samples, in proportion to
@@ -26,10 +29,13 @@ enum class MissedPart { DrawnByCosine, Missing };
 class Reflector {
  public:
   /// Makes the scheme's tables. It must not refuse the BRDF.
-  Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part = MissedPart::DrawnByCosine);
+  Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part = MissedPart::DrawnByCosine,
+            Precision precision = Precision::Float);
 
   /// f(u, v) in 1/sr, without the Dirac part.
-  Rgb evaluate(const Vec3f& u, const Vec3f& v) const { return reflectance::evaluate(brdf_, u, v); }
+  Rgb evaluate(const Vec3f& u, const Vec3f& v) const {
+    return precision_ == Precision::Float ? reflectance::evaluate(brdf_, u, v) : evaluate_in_double(u, v);
+  }
 
   /// Of `sample`, for a direction that is not the mirror part's.
   float density(const Vec3f& u, const Vec3f& v) const {
@@ -82,6 +88,7 @@ class Reflector {
   }
 
   std::optional<DirectionSample> sample_density(const Vec3f& u, const Uniforms& xi) const;
+  Rgb evaluate_in_double(const Vec3f& u, const Vec3f& v) const;
 
   Brdf brdf_;
   Scheme scheme_;
@@ -90,7 +97,8 @@ class Reflector {
   // What paths ask at every hit, found once.
   bool has_mirror_ = false;
   bool has_density_ = false;
-  bool samples_own_ = false;  ///< the scheme is the BRDF's own sampler, nothing mixed in
+  bool samples_own_ = false;  ///< the scheme is the BRDF's own sampler, nothing mixed in, and all in float
+  Precision precision_ = Precision::Float;
 };
 
 }  // namespace reflectance

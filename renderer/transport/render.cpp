@@ -162,7 +162,7 @@ Rgb Render::sample(int x, int y, int number, RayCounter& counter) const {
   const std::uint32_t pixel_seed =
       hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
   PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(number % Film::Scramblings)),
-                      static_cast<std::uint32_t>(number / Film::Scramblings));
+                      static_cast<std::uint32_t>(number / Film::Scramblings), settings_.points);
   const grf::Vec2f place = place_in_pixel(number, numbers);
   const float image_x = static_cast<float>(x) + place.x;
   const float image_y = static_cast<float>(y) + place.y;

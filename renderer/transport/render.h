@@ -37,6 +37,7 @@ struct RenderSettings {
   std::optional<double> max_seconds;       ///< stops after so long, with what there is
   PixelPlacing placing = PixelPlacing::Sobol;
   int grid_columns = 1;  ///< of a regular placing; its rows follow from the samples
+  Points points = Points::Sobol;
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: as many as the machine has
 };

@@ -152,8 +152,13 @@ std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
 
 Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed) { return point_of(reverse_bits(index), seed); }
 
-PathNumbers::PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample)
-    : seed_(sequence_seed), sample_(sample), reversed_sample_(reverse_bits(sample)) {}
+// The first points of sequences that are scrambled by seeds of their own are independent: paths take the same
+// steps with either kind of points.
+PathNumbers::PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample, Points points)
+    : seed_(points == Points::Sobol ? sequence_seed : hash(sequence_seed, sample)),
+      sample_(points == Points::Sobol ? sample : 0),
+      reversed_sample_(reverse_bits(sample_)),
+      points_(points) {}
 
 Uniform4 PathNumbers::next() { return point_of(reversed_sample_, hash(seed_, group_++)); }
 

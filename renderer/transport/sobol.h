@@ -23,18 +23,27 @@ struct Uniform4 {
 /// (Burley 2020, "Practical hash-based Owen scrambling", section 5).
 Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed);
 
-/// Some points for one purpose, that are well spread together.
+/// How the random numbers of different samples have to do with each other.
+enum class Points {
+  Sobol,        ///< they are points of one sequence, well spread together
+  Independent,  ///< not at all
+};
+
+/// Some points for one purpose, that are well spread together, or independent.
 class PointSet {
  public:
-  PointSet(std::uint32_t first, std::uint32_t seed) : first_(first), seed_(seed) {}
+  PointSet(std::uint32_t first, std::uint32_t seed, Points points)
+      : first_(first), seed_(seed), points_(points) {}
 
   Uniform4 operator[](int index) const {
-    return sobol_point(first_ + static_cast<std::uint32_t>(index), seed_);
+    const std::uint32_t number = first_ + static_cast<std::uint32_t>(index);
+    return points_ == Points::Sobol ? sobol_point(number, seed_) : sobol_point(0, hash(seed_, number));
   }
 
  private:
   std::uint32_t first_;
   std::uint32_t seed_;
+  Points points_;
 };
 
 struct TwoPoints {
@@ -45,7 +54,7 @@ struct TwoPoints {
 /// sample, and how many points of it were taken.
 class PathNumbers {
  public:
-  PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample);
+  PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample, Points points = Points::Sobol);
 
   Uniform4 next();
 
@@ -53,9 +62,9 @@ class PathNumbers {
   TwoPoints next_two();
 
   /// As many points for one purpose. Those of all samples together are the points of one sequence, if each
-  /// sample asks for as many.
+  /// sample asks for as many; or independent, as the points of paths are.
   PointSet next_set(int count) {
-    return {sample_ * static_cast<std::uint32_t>(count), hash(seed_, group_++)};
+    return {sample_ * static_cast<std::uint32_t>(count), hash(seed_, group_++), points_};
   }
 
  private:
@@ -63,6 +72,7 @@ class PathNumbers {
   std::uint32_t sample_;
   std::uint32_t reversed_sample_;
   std::uint32_t group_ = 0;
+  Points points_;
 };
 
 }  // namespace transport

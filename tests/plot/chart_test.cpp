@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -73,6 +74,14 @@ TEST(Ticks, OfALogarithmicAxisAreItsPowersOfTen) {
   EXPECT_THAT(between(1e-12, 1e12), IsSupersetOf({"1e-12", "1", "1e12"}));
 }
 
+TEST(Ticks, OfALogarithmicAxisWithOtherEndsAreAtOneTwoAndFive) {
+  const auto between = [](double low, double high) {
+    return ticks_of_y({"", true, low, high, 0}, {{0, low}, {1, high}});
+  };
+  EXPECT_EQ(between(2, 50), (Words{"2", "5", "10", "20", "50"}));
+  EXPECT_EQ(between(0.5, 1000), (Words{"1", "10", "100", "1000"})) << "as far as there is place";
+}
+
 TEST(Chart, HasPlaceForWhatIsNotThere) {
   EXPECT_TRUE(test::lines(drawn(chart_of({}, {"f", true, {}, {}, 0}, {}))).at(0).empty());
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -112,6 +121,31 @@ TEST(Chart, NamesItsLinesWhereThereAreSeveral) {
   EXPECT_THAT(test::texts(drawn(chart)), Not(Contains("one"))) << "a nameless line does not count";
   chart.series.push_back({"two", {{0, 1}, {1, 1}}, {}, {}});
   EXPECT_THAT(test::texts(drawn(chart)), IsSupersetOf({"one", "two"}));
+}
+
+TEST(Apart, LeavesWhatHasPlaceAndSpreadsTheRest) {
+  EXPECT_EQ(plot::apart({50, 10, 90}, 15, 0, 100), (std::vector<double>{50, 10, 90}));
+  EXPECT_EQ(plot::apart({50, 50}, 10, 0, 100), (std::vector<double>{45, 55})) << "on both sides";
+  EXPECT_EQ(plot::apart({99, 98, 97}, 10, 0, 100), (std::vector<double>{100, 90, 80})) << "not over the end";
+  EXPECT_EQ(plot::apart({-5, 3}, 10, 0, 100), (std::vector<double>{0, 10}));
+  EXPECT_EQ(plot::apart({5, 5, 5}, 10, 0, 15), (std::vector<double>{0, 10, 20})) << "rather out than over";
+  EXPECT_TRUE(plot::apart({}, 10, 0, 100).empty());
+}
+
+TEST(Chart, PutsNamesBesideTheEndsOfTheirLines) {
+  Chart chart = chart_of({"", false, 0, 1, 0}, {"", false, 0, 1, 0}, {{0, 0}, {1, 0.9}});
+  chart.has_names_at_ends = true;
+  chart.series[0].name = "high";
+  chart.series.push_back({"low", {{0, 1}, {1, 0.301}}, {}, {}});
+  chart.series.push_back({"lower", {{0, 1}, {0.5, 0.3}}, {}, {}});
+  std::map<std::string, double> heights;
+  for (const test::Element& text : test::elements(drawn(chart), "text")) {
+    heights[text.data()] = text.get<double>("<xmlattr>.y");
+  }
+  EXPECT_LT(heights.at("high"), heights.at("0.8"));
+  EXPECT_GT(heights.at("high"), heights.at("1"));
+  EXPECT_LT(heights.at("high"), heights.at("low"));
+  EXPECT_GE(heights.at("lower") - heights.at("low"), 14.9);
 }
 
 TEST(PolarChart, HasRingsAtRoundDistances) {

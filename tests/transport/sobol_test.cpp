@@ -1,6 +1,7 @@
 #include "renderer/transport/sobol.h"
 
 #include <array>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -51,6 +52,55 @@ TEST(Sobol, TwoPointsAreThoseOfTwoCalls) {
     EXPECT_EQ(as_array(two.first), as_array(first));
     EXPECT_EQ(as_array(two.second), as_array(second));
   }
+}
+
+// Samples follow each other as rolls of dice do: each number is uniform, and no two, of a path or of paths
+// one after the other, have to do with each other.
+TEST(IndependentPoints, AreUniformAndUncorrelated) {
+  constexpr std::size_t Numbers = 12;
+  constexpr std::uint32_t Samples = 40000;
+  std::array<std::array<double, Numbers>, Numbers> products = {};
+  std::array<double, Numbers> sums = {};
+  std::array<double, Numbers> before = {};
+  std::array<double, Numbers> with_before = {};
+  for (std::uint32_t sample = 0; sample < Samples; ++sample) {
+    transport::PathNumbers numbers(7, sample, transport::Points::Independent);
+    const auto two = numbers.next_two();
+    const auto set = numbers.next_set(100);
+    std::array<double, Numbers> all;
+    std::size_t at = 0;
+    for (const Uniform4& p : {two.first, two.second, set[99]}) {
+      for (const float x : as_array(p)) all[at++] = x - 0.5;
+    }
+    for (std::size_t i = 0; i < Numbers; ++i) {
+      sums[i] += all[i];
+      with_before[i] += all[i] * before[i];
+      for (std::size_t k = 0; k < i; ++k) products[i][k] += all[i] * all[k];
+    }
+    before = all;
+  }
+  const double bound = 4.5 * (1.0 / 12) * std::sqrt(Samples);  // of 90 sums, 4.5 deviations each
+  for (std::size_t i = 0; i < Numbers; ++i) {
+    EXPECT_NEAR(sums[i], 0, 4.5 * std::sqrt(Samples / 12.0));
+    EXPECT_NEAR(with_before[i], 0, bound);
+    for (std::size_t k = 0; k < i; ++k) EXPECT_NEAR(products[i][k], 0, bound) << i << " " << k;
+  }
+}
+
+// So many cells are empty as chance has it, where a net has one point in each.
+TEST(IndependentPoints, AreNoNet) {
+  constexpr std::uint32_t Samples = 1024;
+  std::set<int> of_samples;
+  std::set<int> of_a_set;
+  const auto set = transport::PathNumbers(3, 0, transport::Points::Independent).next_set(Samples);
+  for (std::uint32_t i = 0; i < Samples; ++i) {
+    of_samples.insert(
+        static_cast<int>(transport::PathNumbers(3, i, transport::Points::Independent).next().x * Samples));
+    of_a_set.insert(static_cast<int>(set[static_cast<int>(i)].x * Samples));
+  }
+  const double expected = Samples * (1 - std::exp(-1));
+  EXPECT_NEAR(static_cast<double>(of_samples.size()), expected, 50);
+  EXPECT_NEAR(static_cast<double>(of_a_set.size()), expected, 50);
 }
 
 TEST(Sobol, StaysUnderOne) {

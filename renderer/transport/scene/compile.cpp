@@ -48,7 +48,7 @@ class Compiler {
       : settings_(settings),
         diagnostics_(diagnostics),
         survey_(scene, settings.most_copied_triangles),
-        reflectors_(settings.scheme, settings.missed_part, diagnostics),
+        reflectors_(settings.scheme, settings.missed_part, settings.precision, diagnostics),
         textures_(diagnostics),
         surfaces_(reflectors_, textures_) {
     geometry_.origin = survey_.origin;

@@ -96,6 +96,7 @@ class CompiledScene {
 struct CompileSettings {
   std::optional<SchemeOverride> scheme;  ///< checked against the catalogue too
   reflectance::MissedPart missed_part = reflectance::MissedPart::DrawnByCosine;
+  reflectance::Precision precision = reflectance::Precision::Float;
   int threads = 0;              ///< that make tables and read textures; 0: as many as the machine has
   bool has_irradiance = false;  ///< keeps the irradiance of vertices
   /// A mesh that is placed more than once is copied if all its copies together have no more triangles than

@@ -80,7 +80,7 @@ ReflectorSet ReflectorSetBuilder::build(int threads) {
     publish();
     tbb::parallel_for(std::size_t(0), pairs_.size(), [&](std::size_t i) {
       see();
-      made[i].emplace(pairs_[i].brdf, pairs_[i].scheme, missed_part_);
+      made[i].emplace(pairs_[i].brdf, pairs_[i].scheme, missed_part_, precision_);
       publish();
     });
     see();

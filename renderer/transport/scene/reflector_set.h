@@ -40,8 +40,12 @@ struct ReflectorSet {
 class ReflectorSetBuilder {
  public:
   ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, reflectance::MissedPart missed_part,
-                      grf::Diagnostics& diagnostics)
-      : override_(scheme), missed_part_(missed_part), diagnostics_(diagnostics), brdfs_(diagnostics) {}
+                      reflectance::Precision precision, grf::Diagnostics& diagnostics)
+      : override_(scheme),
+        missed_part_(missed_part),
+        precision_(precision),
+        diagnostics_(diagnostics),
+        brdfs_(diagnostics) {}
 
   /// Which reflector will serve a surface; after an error, any.
   std::uint32_t index_of(const grf::ResolvedSurface& surface);
@@ -73,6 +77,7 @@ class ReflectorSetBuilder {
 
   std::optional<SchemeOverride> override_;
   reflectance::MissedPart missed_part_;
+  reflectance::Precision precision_;
   grf::Diagnostics& diagnostics_;
   reflectance::BrdfMaker brdfs_;
   std::map<std::string, std::uint32_t> index_by_text_;

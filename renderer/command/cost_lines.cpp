@@ -1,0 +1,242 @@
+#include "renderer/command/cost_lines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/check.h"
+#include "grf/keywords.h"
+#include "grf/read.h"
+#include "grf/write.h"
+#include "renderer/options/scheme_model.h"
+#include "renderer/reflectance/scheme.h"
+
+namespace command {
+namespace {
+
+using options::RenderOptions;
+
+/// How an axis sets an option.
+struct AxisOption {
+  std::string_view flag;
+  std::string_view key;
+  std::string_view scheme;     ///< that it belongs to; empty: none
+  std::string_view name_text;  ///< of a line, with {} for the value
+  std::string_view mode = {};  ///< of the scheme, where only one uses it
+};
+
+constexpr std::string_view PdfFlag = "--pdf";
+constexpr AxisOption AxisOptions[] = {{"--integrator", "BPT_Integrator", "", "{}"},
+                                      {"--depth", "BPT_Depth", "", "depth {}"},
+                                      {"--points", "BPT_Points", "", "{}"},
+                                      {"--precision", "BPT_Precision", "", "{}"},
+                                      {"--trees", "BPT_QT_Precomputed", "adaptive", "{} trees"},
+                                      {"--resolution", "BPT_QT_ImgRes", "adaptive", "{} cells", "reject"},
+                                      {"--factors", "BPT_Pdf_Factors_JK", "factored", "{} factors"}};
+
+bool fail(std::string_view flag, const std::string& problem) {
+  fmt::print(stderr, "error: {}: {}\n", flag, problem);
+  return false;
+}
+
+std::vector<std::string> words_of(const options::OptionInfo& option, const std::string& text) {
+  const std::size_t x = text.find('x');
+  if (options::word_count(option) != 2 || x == std::string::npos) return {text};
+  return {text.substr(0, x), text.substr(x + 1)};
+}
+
+void join(std::string& name, const std::string& part) { name += (name.empty() ? "" : ", ") + part; }
+
+/// The scheme of a line: as written, with what the options say of it besides.
+std::optional<grf::PdfModel> complete_scheme(const CostLine& line) {
+  auto model = options::scheme_model(line.options);
+  if (!model || !line.scheme) return model;
+  for (const grf::Argument& argument : line.scheme->arguments) {
+    const auto same = [&](const grf::Argument& other) {
+      return grf::same_keyword(other.name, argument.name);
+    };
+    std::erase_if(model->arguments, same);
+    model->arguments.push_back(argument);
+  }
+  return model;
+}
+
+bool check_scheme(const grf::PdfModel& model, grf::Diagnostics& diagnostics) {
+  return grf::check(model, reflectance::scheme_infos(), "PDF", diagnostics);
+}
+
+/// Sets the scheme that a word of the option, or a text as a scene has it, names.
+bool set_scheme(const std::string& text, CostLine& line) {
+  line.pdf = text;
+  const options::OptionInfo& option = *options::find_option("BPT_Pdf_Name");
+  if (!set_option(line.options, option, {text})) return true;
+  grf::Diagnostics diagnostics;
+  line.scheme = grf::read_pdf(text, std::string(PdfFlag), diagnostics);
+  const bool is_right = line.scheme && check_scheme(*line.scheme, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (is_right) line.options.name = line.scheme->keyword;
+  return is_right;
+}
+
+bool belongs_to(const AxisOption& axis, const CostLine& line) {
+  if (axis.scheme.empty()) return true;
+  const auto model = complete_scheme(line);
+  if (!model || !grf::same_keyword(model->keyword, axis.scheme)) return false;
+  return axis.mode.empty() ||
+         std::any_of(model->arguments.begin(), model->arguments.end(), [&](const grf::Argument& argument) {
+           const auto* word = std::get_if<grf::Word>(&argument.value);
+           return word != nullptr && grf::same_keyword(word->text, axis.mode);
+         });
+}
+
+/// What `--pdf` would have to be for the axes that were given; empty: anything.
+std::string implied_scheme(const Sweeps& sweeps) {
+  std::string implied;
+  for (const AxisOption& axis : AxisOptions) {
+    if (axis.scheme.empty() || sweeps.count(std::string(axis.flag)) == 0) continue;
+    const std::string scheme =
+        axis.mode.empty() ? std::string(axis.scheme) : fmt::format("{} mode={}", axis.scheme, axis.mode);
+    // A mode says more than the scheme alone.
+    if (implied.empty() || scheme.starts_with(implied)) {
+      implied = scheme;
+    } else if (!implied.starts_with(scheme)) {
+      join(implied, scheme);
+    }
+  }
+  return implied;
+}
+
+using Lines = std::vector<CostLine>;
+
+bool divide_by_scheme(const std::string& list, Lines& lines) {
+  const CostLine base = lines.front();
+  lines.clear();
+  const std::vector<std::string> schemes = split_list(list);
+  for (const std::string& scheme : schemes) {
+    CostLine line = base;
+    if (!set_scheme(scheme, line)) return false;
+    if (schemes.size() > 1) line.name = scheme;
+    lines.push_back(std::move(line));
+  }
+  return true;
+}
+
+/// A copy of the line for each value.
+bool divide(const AxisOption& axis, const std::vector<std::string>& values, const CostLine& line,
+            Lines& divided) {
+  const options::OptionInfo& option = *options::find_option(axis.key);
+  for (const std::string& value : values) {
+    CostLine copy = line;
+    const auto problem = set_option(copy.options, option, words_of(option, value));
+    if (problem) return fail(axis.flag, *problem);
+    if (values.size() > 1) join(copy.name, fmt::format(fmt::runtime(axis.name_text), value));
+    divided.push_back(std::move(copy));
+  }
+  return true;
+}
+
+bool divide(const AxisOption& axis, const std::string& list, Lines& lines) {
+  const std::vector<std::string> values = split_list(list);
+  Lines divided;
+  bool has_use = false;
+  for (const CostLine& line : lines) {
+    if (!belongs_to(axis, line)) {
+      divided.push_back(line);
+      continue;
+    }
+    has_use = true;
+    if (!divide(axis, values, line, divided)) return false;
+  }
+  if (!has_use) {
+    return fail(axis.flag, fmt::format("no scheme of --pdf uses it, expected {}{}", axis.scheme,
+                                       axis.mode.empty() ? "" : fmt::format(" mode={}", axis.mode)));
+  }
+  lines = std::move(divided);
+  return true;
+}
+
+/// The same line twice would be a mistake.
+bool are_different(const Lines& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!grf::same_keyword(lines[i].name, lines[k].name)) continue;
+      fmt::print(stderr, "error: '{}' is to be measured twice\n", lines[i].name);
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+const std::vector<SweepAxis>& sweep_axes() {
+  static const std::vector<SweepAxis> axes = {
+      {PdfFlag, "A,B,...",
+       "sampling schemes: words of the option, or texts as in a scene, such as \"hemisphere exp=50\""},
+      {"--integrator", "naive,path",
+       "integrators; with naive, all rays from the eye go through the middles of pixels"},
+      {"--depth", "1,2,...", "depths; the reference has the greatest, or the scene's if that is greater"},
+      {"--points", "sobol,independent", "random numbers"},
+      {"--precision", "float,double", "precisions of the BRDFs' formulas"},
+      {"--trees", "30,90,...", "quadtrees over theta, of Disk (adaptive)"},
+      {"--resolution", "64,256,...", "cells of the disc's grid along an edge, of \"adaptive mode=reject\""},
+      {"--factors", "2x1,4x4,...", "numbers J and K of factors, of Factored"},
+  };
+  return axes;
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> words(1);
+  int depth = 0;
+  for (const char c : text) {
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c == ',' && depth <= 0) {
+      words.emplace_back();
+    } else if (c != ' ' || !words.back().empty()) {
+      words.back() += c;
+    }
+  }
+  for (std::string& word : words) word.erase(word.find_last_not_of(' ') + 1);
+  return words;
+}
+
+std::optional<std::vector<CostLine>> cost_lines(const Sweeps& sweeps, const RenderOptions& render_options) {
+  Lines lines(1);
+  lines[0].options = render_options;
+  lines[0].pdf = render_options.name.empty() ? "scene" : render_options.name;
+  const auto pdf = sweeps.find(std::string(PdfFlag));
+  const std::string schemes = pdf != sweeps.end() ? pdf->second : implied_scheme(sweeps);
+  if (!schemes.empty() && !divide_by_scheme(schemes, lines)) return std::nullopt;
+  for (const AxisOption& axis : AxisOptions) {
+    const auto list = sweeps.find(std::string(axis.flag));
+    if (list != sweeps.end() && !divide(axis, list->second, lines)) return std::nullopt;
+  }
+  if (!are_different(lines)) return std::nullopt;
+  for (CostLine& line : lines) {
+    line.scheme = complete_scheme(line);
+    if (line.name.empty()) line.name = line.pdf;
+  }
+  return lines;
+}
+
+std::optional<std::vector<int>> sample_counts(const std::string& list) {
+  std::vector<int> counts;
+  for (const std::string& word : split_list(list)) {
+    int count = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+    const bool is_number = error == std::errc() && end == word.data() + word.size() && count > 0;
+    if (!is_number || (!counts.empty() && count <= counts.back())) {
+      fail("--samples",
+           fmt::format("'{}' is not expected: whole numbers over 0 that grow, with commas", word));
+      return std::nullopt;
+    }
+    counts.push_back(count);
+  }
+  return counts;
+}
+
+}  // namespace command

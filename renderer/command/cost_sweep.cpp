@@ -1,0 +1,172 @@
+#include "renderer/command/cost_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "renderer/transport/sobol.h"
+
+namespace command {
+namespace {
+
+using transport::Integrator;
+using transport::Render;
+using transport::RenderSettings;
+
+RenderSettings with_samples(RenderSettings settings, int samples) {
+  if (settings.integrator.integrator == Integrator::Naive) {
+    settings.integrator.secondary_rays = samples / settings.samples;
+  } else {
+    settings.samples = samples;
+  }
+  return settings;
+}
+
+double mean_with(double mean, double value, std::size_t count) {
+  return mean + (value - mean) / static_cast<double>(count);
+}
+
+}  // namespace
+
+double CostRow::error() const { return std::sqrt(relmse); }
+
+double CostRow::efficiency() const { return 1 / (relmse * render_seconds); }
+
+CostSweep::CostSweep(CostPlan plan)
+    : plan_(std::move(plan)),
+      sampling_rates_(plan_.lines.size() + 1),
+      start_(std::chrono::steady_clock::now()),
+      rates_(plan_.lines.size() + 1) {
+  plan_pieces();
+}
+
+void CostSweep::plan_pieces() {
+  const std::size_t lines = plan_.lines.size();
+  const int middle = plan_.samples[(plan_.samples.size() - 1) / 2];
+  for (std::size_t line = 0; line < lines; ++line) pieces_.push_back({Purpose::WarmUp, line, middle, 0});
+  if (!plan_.given) {
+    pieces_.push_back({Purpose::WarmUp, lines, std::min(middle, plan_.reference_samples), 0});
+    pieces_.push_back({Purpose::Reference, lines, plan_.reference_samples, 0});
+  }
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (const int samples : plan_.samples) rows_.push_back({line, samples, {}});
+  }
+  for (int round = 0; round < plan_.rounds; ++round) {
+    for (std::size_t i = 0; i < plan_.samples.size(); ++i) {
+      for (std::size_t line = 0; line < lines; ++line) {
+        pieces_.push_back({Purpose::Row, line, plan_.samples[i], line * plan_.samples.size() + i});
+      }
+    }
+  }
+}
+
+const CostSubject& CostSweep::subject(std::size_t index) const {
+  return index < plan_.lines.size() ? plan_.lines[index] : plan_.reference;
+}
+
+void CostSweep::run() {
+  if (plan_.given) reference_ = CostReference{std::move(*plan_.given)};
+  for (const Piece& piece : pieces_) {
+    if (!render(piece)) return;
+    const std::lock_guard lock(lock_);
+    ++next_;
+  }
+}
+
+/// False if it came to an early end.
+bool CostSweep::render(const Piece& piece) {
+  const CostSubject& what = subject(piece.subject);
+  RenderSettings settings = with_samples(what.settings, piece.samples);
+  settings.seed = transport::hash(plan_.seed, static_cast<std::uint32_t>(next_));
+  settings.integrator.measures_sampling = piece.purpose == Purpose::WarmUp;
+  Render render(*what.scene, settings);
+  {
+    const std::lock_guard lock(lock_);
+    if (is_stopped_) return false;
+    current_ = &render;
+  }
+  try {
+    render.run();
+  } catch (...) {
+    const std::lock_guard lock(lock_);
+    current_ = nullptr;
+    throw;
+  }
+  {
+    const std::lock_guard lock(lock_);
+    current_ = nullptr;
+  }
+  if (render.end() == transport::RenderEnd::Stopped) return false;
+  keep(piece, render);
+  return true;
+}
+
+void CostSweep::keep(const Piece& piece, const Render& render) {
+  switch (piece.purpose) {
+    case Purpose::WarmUp: {
+      sampling_rates_[piece.subject] = render.sampling_seconds() / piece.samples;
+      const std::lock_guard lock(lock_);
+      rates_[piece.subject] = render.seconds() / piece.samples;
+      return;
+    }
+    case Purpose::Reference: {
+      const double error = render.film().estimated_error().value_or(0);
+      reference_ = CostReference{render.film().mean(), render.seconds(), error * error};
+      return;
+    }
+    case Purpose::Row:
+      add_to_row(render, rows_[piece.row]);
+  }
+}
+
+void CostSweep::add_to_row(const Render& render, CostRow& row) {
+  const transport::ImageError error = transport::error_of(render.film().mean(), reference_->image);
+  row.seeds.push_back(render.settings().seed);
+  const std::size_t count = row.seeds.size();
+  row.relmse = mean_with(row.relmse, error.relmse, count);
+  if (error.average_relative_error) {
+    row.average_relative_error =
+        mean_with(row.average_relative_error.value_or(0), *error.average_relative_error, count);
+  }
+  const double seconds = render.seconds();
+  row.render_seconds = count == 1 ? seconds : std::min(seconds, row.render_seconds);
+  row.sampling_seconds = sampling_rates_[row.line] * row.samples;
+}
+
+void CostSweep::stop() {
+  const std::lock_guard lock(lock_);
+  is_stopped_ = true;
+  if (current_ != nullptr) current_->stop();
+}
+
+transport::RenderProgress CostSweep::progress() const {
+  transport::RenderProgress progress;
+  progress.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const std::lock_guard lock(lock_);
+  if (next_ == pieces_.size()) {
+    progress.done = 1;
+    progress.seconds_left = 0;
+    return progress;
+  }
+  // Until all were warmed up, nobody knows how long they take.
+  if (pieces_[next_].purpose == Purpose::WarmUp) return progress;
+  double left = 0;
+  for (std::size_t i = next_; i < pieces_.size(); ++i)
+    left += rates_[pieces_[i].subject] * pieces_[i].samples;
+  if (current_ != nullptr) {
+    left -= current_->progress().done * rates_[pieces_[next_].subject] * pieces_[next_].samples;
+  }
+  progress.seconds_left = left;
+  progress.done = progress.seconds / (progress.seconds + left);
+  return progress;
+}
+
+std::vector<CostRow> CostSweep::rows() const {
+  std::vector<CostRow> rows;
+  for (const CostRow& row : rows_) {
+    if (!row.seeds.empty()) rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace command
