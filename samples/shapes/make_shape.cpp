@@ -2,7 +2,8 @@
 // for measurements that need a chosen number of triangles. It stands on y = 0 about the y axis, and its
 // longest side is 2.
 //   knot    a trefoil whose tube has spiralling ridges and bumps: folds, shadows on itself, detail of all
-//   sizes sphere  circles of latitude
+//   sizes sphere  circles of latitude dragon  a twisted serpent with legs, wings, spikes and scales; 20,000
+//   triangles show its shape, 200,000 its scales jug     a vessel of some thickness with a lip and a handle
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,20 +11,21 @@
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <ImathBox.h>
 #include <fmt/format.h>
 
-#include "grf/scene.h"
 #include "grf/write.h"
+#include "samples/shapes/shape.h"
 
 namespace {
 
 using grf::Mesh;
-using grf::Vec3f;
 using Imath::V3d;
+using shape::Fitting;
+using shape::rounded;
 
 constexpr double TwoPi = 2 * std::numbers::pi;
 
@@ -62,12 +64,6 @@ V3d knot_normal_at(double along, double around) {
   return by_around.cross(by_along).normalized();
 }
 
-/// Rounded as exporters do, far above what libraries of functions differ by.
-Vec3f rounded(const V3d& v, double steps) {
-  const auto round = [&](double x) { return static_cast<float>(std::round(x * steps) / steps + 0.0); };
-  return {round(v.x), round(v.y), round(v.z)};
-}
-
 struct Grid {
   std::uint32_t along;
   std::uint32_t around;
@@ -89,23 +85,6 @@ Grid grid_of(double quads, double length_over_girth) {
   }
   return best;
 }
-
-/// Turns positions about the origin into ones that stand on y = 0, with a longest side of 2.
-class Fitting {
- public:
-  explicit Fitting(const std::vector<V3d>& positions) {
-    Imath::Box3d bounds;
-    for (const V3d& position : positions) bounds.extendBy(position);
-    const V3d size = bounds.size();
-    scale_ = 2 / std::max({size.x, size.y, size.z});
-    foot_ = V3d(bounds.center().x, bounds.min.y, bounds.center().z);
-  }
-  V3d operator()(const V3d& position) const { return (position - foot_) * scale_; }
-
- private:
-  double scale_;
-  V3d foot_;
-};
 
 void add_quads(Mesh& mesh, const Grid& grid) {
   for (std::uint32_t i = 0; i < grid.along; ++i) {
@@ -175,9 +154,18 @@ Mesh sphere(int triangles) {
   return mesh;
 }
 
-grf::Scene scene_of(Mesh mesh, const std::string& name, const std::string& brdf) {
+struct Maker {
+  std::string_view name;
+  Mesh (*make)(int triangles);
+};
+
+constexpr std::array<Maker, 4> Makers = {
+    {{"knot", knot}, {"sphere", sphere}, {"dragon", shape::dragon}, {"jug", shape::jug}}};
+
+grf::Scene scene_of(Mesh mesh, const std::string& name, const std::string& brdf, const std::string& pdf) {
   mesh.name = name;
   if (!brdf.empty()) mesh.surfaces[0].brdf = grf::Reference{brdf, {}};
+  if (!pdf.empty()) mesh.surfaces[0].pdf = grf::Reference{pdf, {}};
   grf::Scene scene;
   grf::Block block;
   block.content = grf::Shared<Mesh>(std::move(mesh));
@@ -188,22 +176,22 @@ grf::Scene scene_of(Mesh mesh, const std::string& name, const std::string& brdf)
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string shape = argc > 1 ? argv[1] : "";
-  const std::string count = argc > 2 ? argv[2] : "";
+  const auto word = [&](int i) { return std::string(argc > i ? argv[i] : ""); };
+  const std::string count = word(2);
   int triangles = 0;
   std::from_chars(count.data(), count.data() + count.size(), triangles);
-  const bool known = shape == "knot" || shape == "sphere";
-  if (argc < 4 || argc > 5 || !known || triangles < 100 || triangles > 100'000'000) {
+  const auto maker =
+      std::find_if(Makers.begin(), Makers.end(), [&](const Maker& one) { return one.name == word(1); });
+  if (argc < 4 || argc > 6 || maker == Makers.end() || triangles < 100 || triangles > 100'000'000) {
     fmt::print(
         stderr,
-        "usage: make_shape knot|sphere TRIANGLES FILE.grf [BRDF]\n"
-        "TRIANGLES from 100 to 100000000: what comes nearest. BRDF: the name of a definition where the file "
+        "usage: make_shape knot|sphere|dragon|jug TRIANGLES FILE.grf [BRDF [PDF]]\n"
+        "TRIANGLES from 100 to 100000000: what comes nearest. BRDF, PDF: names of definitions where the file "
         "is included\n");
     return 2;
   }
-  Mesh mesh = shape == "knot" ? knot(triangles) : sphere(triangles);
   grf::Diagnostics diagnostics;
-  if (grf::write(scene_of(std::move(mesh), shape, argc > 4 ? argv[4] : ""), argv[3], diagnostics)) return 0;
+  if (grf::write(scene_of(maker->make(triangles), word(1), word(4), word(5)), word(3), diagnostics)) return 0;
   fmt::print(stderr, "{}", diagnostics.to_text());
   return 1;
 }

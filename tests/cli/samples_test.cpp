@@ -1,7 +1,10 @@
 // The samples are sound, and those that a program makes are what it makes.
+#include "tests/support/samples.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -170,6 +173,22 @@ TEST(Garden, SaysWhenItsCommandLineIsBad) {
   EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_garden", "/no/such/folder"}).exit_code, 1);
 }
 
+TEST(Gallery, HasTheShapesThatItsProgramMakes) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_gallery", folder.path()}).exit_code, 0);
+  const std::filesystem::directory_iterator kept(Samples + "gallery/shapes");
+  EXPECT_EQ(std::distance(begin(kept), end(kept)), std::ssize(folder.names()));
+  for (const std::string& name : folder.names()) {
+    EXPECT_TRUE(test::bytes_of(folder.path(name)) == test::bytes_of(Samples + "gallery/shapes/" + name))
+        << name;
+  }
+}
+
+TEST(Gallery, SaysWhenTheCommandLineOfItsProgramIsBad) {
+  EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_gallery"}).exit_code, 2);
+  EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_gallery", "/no/such/folder"}).exit_code, 1);
+}
+
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 // Two BRDFs, of which one is matte: all tables, all errors, pictures that can be drawn.
@@ -216,16 +235,15 @@ TEST(Samples, AreReadWithoutAComplaint) {
     grf::Diagnostics diagnostics;
     const bool is_op_file = entry.path().extension() == ".op";
     EXPECT_TRUE(!is_op_file || options::read_op_file(path, diagnostics));
-    // The bunny's model is imported by scripts/demo.
-    const bool needs_import = path.find("bunny") != std::string::npos;
-    if (entry.path().extension() == ".grf" && !needs_import && !is_part(entry.path())) {
+    const bool is_whole = !test::needs_made_files(entry.path()) && !is_part(entry.path());
+    if (entry.path().extension() == ".grf" && is_whole) {
       const auto scene = grf::read(path, diagnostics);
       EXPECT_TRUE(scene && grf::check(*scene, reflectance::catalogue(), diagnostics));
       ++scenes;
     }
     EXPECT_EQ(diagnostics.to_text(), "");
   }
-  EXPECT_GE(scenes, 6);
+  EXPECT_GE(scenes, 11);
 }
 
 }  // namespace

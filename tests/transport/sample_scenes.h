@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/options/op_file.h"
+#include "tests/support/samples.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace test {
@@ -44,13 +45,12 @@ inline SampleScene sample_scene(const std::string& op_path,
   return {op_path, std::move(*compiled), settings};
 }
 
-/// All that have an OP file, but for the bunny, of which the model is made by scripts/demo.
+/// All that have an OP file and are whole without files that are made first.
 inline std::vector<std::string> sample_op_files() {
   std::vector<std::string> paths;
-  const std::filesystem::path folder = std::filesystem::path(GRANADA_SOURCE_DIR) / "samples";
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const bool is_bunny = entry.path().parent_path().filename() == "bunny";
-    if (entry.path().extension() == ".op" && !is_bunny) paths.push_back(entry.path().string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(samples_folder())) {
+    const bool is_whole = !needs_made_files(entry.path());
+    if (entry.path().extension() == ".op" && is_whole) paths.push_back(entry.path().string());
   }
   if (paths.size() < 5) throw std::runtime_error("there are too few sample scenes");
   std::sort(paths.begin(), paths.end());

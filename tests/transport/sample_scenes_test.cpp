@@ -93,7 +93,8 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(test::sample_op_files()),
                          [](const auto& tested) {
-                           return std::filesystem::path(tested.param).parent_path().filename().string();
+                           const std::filesystem::path path = tested.param;
+                           return path.parent_path().filename().string() + "_" + path.stem().string();
                          });
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace test {
+
+inline std::filesystem::path samples_folder() {
+  return std::filesystem::path(GRANADA_SOURCE_DIR) / "samples";
+}
+
+/// Whether a scene needs a mesh or tables that scripts/demo or samples/gallery/render makes.
+inline bool needs_made_files(const std::filesystem::path& path) {
+  constexpr std::array Scenes = {"bunny/scene", "gallery/cube_measured", "gallery/dragon",
+                                 "gallery/multisphere_measured"};
+  const auto scene = std::filesystem::relative(path, samples_folder()).replace_extension();
+  return std::ranges::find(Scenes, scene.generic_string()) != Scenes.end();
+}
+
+}  // namespace test
