@@ -44,13 +44,22 @@ inline SampleScene sample_scene(const std::string& op_path,
   return {op_path, std::move(*compiled), settings};
 }
 
-/// All that have an OP file, but for the bunny, of which the model is made by scripts/demo.
+/// What tells a scene from the others: its folder's name, and its own if there are several in the folder.
+inline std::string sample_name(const std::filesystem::path& op_path) {
+  const std::string folder = op_path.parent_path().filename().string();
+  return folder == "thesis" ? folder + "_" + op_path.stem().string() : folder;
+}
+
+/// All that have an OP file, but for those that need what scripts make: the bunny's model, and a mesh and a
+/// table of the study of the thesis.
 inline std::vector<std::string> sample_op_files() {
   std::vector<std::string> paths;
   const std::filesystem::path folder = std::filesystem::path(GRANADA_SOURCE_DIR) / "samples";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const bool is_bunny = entry.path().parent_path().filename() == "bunny";
-    if (entry.path().extension() == ".op" && !is_bunny) paths.push_back(entry.path().string());
+    if (entry.path().extension() != ".op") continue;
+    const std::string name = sample_name(entry.path());
+    const bool needs_more = name == "bunny" || name == "thesis_dragon" || name == "thesis_measured";
+    if (!needs_more) paths.push_back(entry.path().string());
   }
   if (paths.size() < 5) throw std::runtime_error("there are too few sample scenes");
   std::sort(paths.begin(), paths.end());

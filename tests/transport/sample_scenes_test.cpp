@@ -1,8 +1,6 @@
 // The two integrators show the same light in each of the sample scenes.
 #include "tests/transport/sample_scenes.h"
 
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
 namespace {
@@ -46,8 +44,6 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(test::sample_op_files()),
-                         [](const auto& tested) {
-                           return std::filesystem::path(tested.param).parent_path().filename().string();
-                         });
+                         [](const auto& tested) { return test::sample_name(tested.param); });
 
 }  // namespace
