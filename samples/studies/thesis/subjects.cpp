@@ -84,7 +84,8 @@ std::vector<Group> cornell_boxes(const Choice& choice) {
     group.brdf = subject.name;
     group.pieces = {{maker.part("cornell_box"), subject.brdf}};
     group.options = maker.size(48, 48) +
-                    "BPT_Viewer 278 273 -800\nBPT_VLook 278 273 0\nBPT_FieldOfView 39.3076\nBPT_Depth 5\n";
+                    "BPT_Viewer 278 273 -800\nBPT_VLook 278 273 0\nBPT_FieldOfView 39.3076\nBPT_Depth "
+                    "5\nBPT_Background 0.02 0.02 0.02\n";
     group.lines = maker.plain_lines();
     for (Line& line : adjusted_lines(choice, subject)) group.lines.push_back(std::move(line));
     maker.add(group, Maker::counts(1, maker.is_quick() ? 100 : 400), Maker::counts(1, 100), 1024);
@@ -100,7 +101,8 @@ std::vector<Group> glossy_spheres(const Choice& choice) {
     group.brdf = subject.name;
     group.pieces = {{maker.part("glossy_sphere"), subject.brdf}};
     group.options = maker.size(64, 64) +
-                    "BPT_Viewer -1.5 2.5 4\nBPT_VLook 0.065 1.64 0.767\nBPT_FieldOfView 16\nBPT_Depth 1\n";
+                    "BPT_Viewer -1.5 2.5 4\nBPT_VLook 0.065 1.64 0.767\nBPT_FieldOfView 9\nBPT_Depth "
+                    "1\nBPT_Background 0.02 0.02 0.02\n";
     group.lines = maker.plain_lines();
     for (Line& line : adjusted_lines(choice, subject)) group.lines.push_back(std::move(line));
     const std::vector<Line> constant = {{"sphere", "sphere exp=50"},
@@ -144,7 +146,8 @@ std::vector<Group> dragons(const Choice& choice) {
 
 std::string pottery_view(int width, int height, const Maker& maker) {
   return maker.size(width, height) +
-         "BPT_Viewer 0 2.4 9\nBPT_VLook 0 0.8 0\nBPT_FieldOfView 19\nBPT_Depth 3\n";
+         "BPT_Viewer 0 2.4 9\nBPT_VLook 0 0.8 0\nBPT_FieldOfView 19\nBPT_Depth 3\n"
+         "BPT_Background 0.1 0.1 0.1\n";
 }
 
 /// The jugs with these BRDFs, from the left.
