@@ -24,7 +24,7 @@ TEST(ThesisScenes, AreRendered) {
   namespace fs = std::filesystem;
   const test::TemporaryFolder folder;
   const std::string scenes = folder.path("studies/thesis/");
-  fs::create_directories(folder.path("environments"));
+  for (const char* name : {"environments", "studies"}) fs::create_directories(folder.path(name));
   fs::copy(Samples + "environments/studio.exr", folder.path("environments/studio.exr"));
   fs::copy(Samples + "studies/thesis", scenes, fs::copy_options::recursive);
   const std::vector<std::string> mesh = {GRANADA_BIN_DIR "/make_shape", "dragon",   "3000",
