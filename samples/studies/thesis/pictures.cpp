@@ -62,7 +62,7 @@ void append(const Image& part, bool is_stacked, Image& whole) {
 }  // namespace
 
 PictureRow dragon_pictures() {
-  return {"dragon", {"uniform", "hemisphere-best", "factored-best", "reject", "warp"}, 10, false, 1.5F};
+  return {"dragon", {"uniform", "hemisphere-best", "factored-best", "reject", "warp"}, 10, false, 0.5F};
 }
 
 PictureRow pottery_pictures() {
