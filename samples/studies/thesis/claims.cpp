@@ -275,9 +275,9 @@ std::vector<Verdict> measured_claims(const Results& results, const Printed& prin
                        figure(memory[5]), figure(memory[3]), figure(memory[4])),
            means("reject", kilobytes) < means("compressed", kilobytes) &&
                means("reject", kilobytes) < means("cascade", kilobytes),
-           fmt::format("{} KB with their own tables of values, {} and {}; `warp` {}",
-                       figure(means("reject", kilobytes)), figure(means("cascade", kilobytes)),
-                       figure(means("compressed", kilobytes)), figure(means("warp", kilobytes)))},
+           fmt::format("{} KB, {} and {}; `warp` {}", figure(means("reject", kilobytes)),
+                       figure(means("cascade", kilobytes)), figure(means("compressed", kilobytes)),
+                       figure(means("warp", kilobytes)))},
           {"directions by the trees take the longest to draw (thesis: 15.2 s, and 2.41, 1.02 and 0.35)",
            means("reject", sampling) > means("cascade", sampling) &&
                means("reject", sampling) > means("compressed", sampling),

@@ -172,12 +172,13 @@ std::string measured(const Results& results, const Printed& printed) {
   const PrintedTable& before = printed.table("5.19");
   const PrintedTable& times = printed.table("5.20");
   return fmt::format(
-             "\n## Test scene 7: measured BRDFs\n\n{} 25 samples by `naive`.\n\n### Table 5.19: {}\n\n",
+             "\n## Test scene 7: measured BRDFs\n\n{} 25 samples by `naive`. Tables have 256x32 cells, and "
+             "compressed ones {} (the thesis: 1024x512).\n\n### Table 5.19: {}\n\n",
              results.has_merl ? "The tables are those of the MERL data base."
                               : "The tables are those of analytic BRDFs that stand in for the materials, by "
                                 "`bpt brdf export`; with "
                                 "`--merl FOLDER` they are those of the data base.",
-             before.title) +
+             results.effort.is_quick ? "256x32" : "1024x256", before.title) +
          precomputation_table(before, results) + notes(before) +
          fmt::format("\n### Table 5.20: {}\n\n", times.title) + material_times_table(times, results) +
          notes(times) + sentences(measured_claims(results, printed)) + changes(results, "measured", times);
