@@ -36,7 +36,8 @@ sphere 1, the proposals of resampling, the BRDF of test scene 5) is chosen in th
   nearest to the BRDF), `factored` has 32x16 cells, J = 2 and K = 1 (`-best`: table 5.6), `cascade` tables of the half
   vector, `reject` is the thesis' method with {}, `warp` is what `adaptive` is today, `own` the BRDF's own sampler.
 - Where lights are the only light there is a faint sky, of a 500th to a 30th of their radiance, and in the Cornell box the
-  walls glow, by a 3000th: else pixels that a narrow lobe leaves black but for 1e-20 would be all that a mean of relative errors shows.
+  walls glow, by a 3000th: else pixels that a narrow lobe leaves black but for 1e-20 would be all that a mean of relative
+  errors shows.
 - Sampling times are those in which directions are drawn, of all threads together. Errors are the thesis' average relative
   error against `path` with far more samples; relMSE is in `rows.csv`.
 
