@@ -61,12 +61,17 @@ TEST(Teapot, TurnsItsFrontsOutwards) {
 struct ShapeCase {
   std::string shape;
   std::size_t asked, made;
+  double volume = 0.5;     ///< at least
+  double rough_share = 0;  ///< of triangles that turn elsewhere than the normals of their corners
 };
 
 class Shapes : public testing::TestWithParam<ShapeCase> {};
 
 // Closed, of about as many triangles as asked for, standing on the ground, and smooth: each triangle turns to
 // where the normals of its corners point.
+//
+// A grid cannot follow each sharp edge of a dragon: some triangles at the rims of its wings and where scales
+// are steep turn away.
 TEST_P(Shapes, AreClosedAndSmooth) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("shape.grf");
@@ -84,23 +89,27 @@ TEST_P(Shapes, AreClosedAndSmooth) {
   EXPECT_NEAR(summary.bounds.size().x, 2, 0.01);
   const grf::Mesh& mesh = *std::get<grf::Shared<grf::Mesh>>(scene->contents.blocks.front().content);
   double volume = 0;
-  float least = 1;
+  std::size_t rough = 0;
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const grf::Vec3d area = grf::doubled_area_vector(mesh, i, {});
     volume += area.dot(grf::Vec3d(mesh.positions[mesh.face(i)[0]])) / 6;
+    float least = 1;
     for (const std::uint32_t corner : mesh.face(i)) {
       least = std::min(least, grf::Vec3f(area.normalized()).dot(mesh.normals[corner]));
       EXPECT_NEAR(mesh.normals[corner].length(), 1, 1e-3);
     }
+    if (!(least > 0.2F)) ++rough;
   }
-  EXPECT_GT(least, 0.2);
-  EXPECT_GT(volume, 0.5);
+  EXPECT_LE(static_cast<double>(rough), GetParam().rough_share * static_cast<double>(mesh.face_count()));
+  EXPECT_GT(volume, GetParam().volume);
 }
 
 INSTANTIATE_TEST_SUITE_P(Counts, Shapes,
                          testing::Values(ShapeCase{"knot", 20'000, 20'000}, ShapeCase{"knot", 70'000, 70'000},
-                                         ShapeCase{"sphere", 1'000, 960},
-                                         ShapeCase{"sphere", 16'000, 16'128}),
+                                         ShapeCase{"sphere", 1'000, 960}, ShapeCase{"sphere", 16'000, 16'128},
+                                         ShapeCase{"dragon", 200'000, 199'868, 0.1, 0.006},
+                                         ShapeCase{"jug", 6'000, 6'006, 0.1, 0.002},
+                                         ShapeCase{"jug", 20'000, 20'012, 0.1, 0.002}),
                          [](const auto& tested) {
                            return tested.param.shape + std::to_string(tested.param.asked);
                          });
@@ -124,6 +133,13 @@ TEST(Shapes, OfTheScenesAreWhatTheirProgramMakes) {
     const std::string path = folder.path("shape.grf");
     ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_shape", shape, count, path, "material"}).exit_code, 0);
     EXPECT_TRUE(test::bytes_of(path) == test::bytes_of(Samples + "shapes/" + shape + ".grf")) << shape;
+  }
+  for (const auto& [shape, count] : {std::pair("jug", "6000"), std::pair("sphere", "4000")}) {
+    const std::string path = folder.path("shape.grf");
+    ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_shape", shape, count, path, "material", "scheme"}).exit_code,
+              0);
+    EXPECT_TRUE(test::bytes_of(path) == test::bytes_of(Samples + "studies/thesis/parts/" + shape + ".grf"))
+        << shape;
   }
 }
 
@@ -226,7 +242,16 @@ TEST(SamplingStudy, SaysWhenItsCommandLineIsBad) {
 }
 
 // A part of scenes names a BRDF that they define, and cannot be read by itself.
-bool is_part(const std::filesystem::path& path) { return path.parent_path().filename() == "shapes"; }
+bool is_part(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.parent_path().filename();
+  return folder == "shapes" || folder == "parts";
+}
+
+std::size_t count_of(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
 
 TEST(Samples, AreReadWithoutAComplaint) {
   int scenes = 0;
@@ -241,9 +266,13 @@ TEST(Samples, AreReadWithoutAComplaint) {
       EXPECT_TRUE(scene && grf::check(*scene, reflectance::catalogue(), diagnostics));
       ++scenes;
     }
-    EXPECT_EQ(diagnostics.to_text(), "");
+    // The BRDFs of the thesis are as published, and some reflect more than they receive.
+    const std::string text = diagnostics.to_text();
+    EXPECT_EQ(count_of(text, "error:") + count_of(text, "warning:"), count_of(text, "reflects up to"))
+        << text;
+    EXPECT_TRUE(text.empty() || entry.path().parent_path().filename() == "thesis") << text;
   }
-  EXPECT_GE(scenes, 11);
+  EXPECT_GE(scenes, 15);
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST(TargetError, IsNoReasonToExceedTheSamples) {
 // A mirror throws light on the floor, which paths find by chance.
 const transport::CompiledScene& uneven_scene() {
   static const auto scene =
-      test::scene_of(Light + Floor + test::quad("brdf specular", "(-3,0,-3) (3,0,-3) (3,3,-3) (-3,3,-3)"));
+      test::scene_of(test::LitFloor + test::quad("brdf specular", "(-3,0,-3) (3,0,-3) (3,3,-3) (-3,3,-3)"));
   return scene;
 }
 
@@ -152,7 +152,7 @@ TEST(AdaptiveSampling, IsUniformForFewSamples) {
 
 TEST(AdaptiveSampling, ReachesATargetWithFewerSamples) {
   // Most of the image is black.
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 0.002;
   Render uniform(scene, until);
@@ -257,7 +257,7 @@ TEST(RejectedSamples, HaveACause) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
 #endif
   const float infinity = std::numeric_limits<float>::infinity();
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   RenderSettings broken = settings(4);
   broken.integrator.background = transport::Rgb(infinity);
   expect_cause(cause(scene, broken), "background", false);
@@ -276,7 +276,7 @@ TEST(RejectedSamples, HaveACause) {
 }
 
 TEST(RejectedSamples, HaveNoCauseIfThereAreNone) {
-  const auto scene = test::scene_of(Light + Floor);
+  const auto scene = test::scene_of(test::LitFloor);
   Render render(scene, settings(4));
   render.run();
   EXPECT_FALSE(render.cause_of_rejection());

@@ -94,11 +94,6 @@ std::string words_for(const Contest& contest, std::size_t of) {
 
 }  // namespace
 
-std::string sentence(const Verdict& verdict) {
-  return fmt::format("- **{}**: {}: {}.\n", verdict.holds ? "Holds" : "Does not hold", verdict.claim,
-                     verdict.figures);
-}
-
 std::vector<Verdict> build_claims(const Results& results) {
   const double reject = mean_of_cases(results, [](const auto& one) { return one.reject_90.seconds; });
   const double warp = mean_of_cases(results, [](const auto& one) { return one.warp_90.seconds; });

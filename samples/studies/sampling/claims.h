@@ -4,19 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "samples/studies/markdown.h"
 #include "samples/studies/sampling/measure.h"
 
 namespace study {
-
-/// A claim, decided by the figures.
-struct Verdict {
-  std::string claim;
-  bool holds = false;
-  std::string figures;
-};
-
-/// "**Holds:** claim. Figures." or the opposite.
-std::string sentence(const Verdict& verdict);
 
 std::vector<Verdict> build_claims(const Results& results);
 std::vector<Verdict> tree_claims(const Results& results);

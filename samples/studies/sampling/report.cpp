@@ -12,12 +12,6 @@
 namespace study {
 namespace {
 
-std::string sentences(const std::vector<Verdict>& verdicts) {
-  std::string text = "\n";
-  for (const Verdict& one : verdicts) text += sentence(one);
-  return text;
-}
-
 std::string introduction(const Results& results) {
   return fmt::format(R"(# What sampling schemes cost and what they give
 

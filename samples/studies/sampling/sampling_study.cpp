@@ -3,29 +3,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "samples/studies/markdown.h"
 #include "samples/studies/sampling/report.h"
 
 namespace {
 
 using namespace study;
-
-std::string machine() {
-  std::string processor = "unknown processor";
-  std::ifstream lines("/proc/cpuinfo");
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("model name")) continue;
-    processor = line.substr(line.find(':') + 2);
-    break;
-  }
-  return fmt::format("{} core{} of {}", std::thread::hardware_concurrency(),
-                     std::thread::hardware_concurrency() == 1 ? "" : "s", processor);
-}
 
 /// Nothing after a name that there is not.
 std::vector<const Case*> chosen(const std::vector<std::string>& names) {
@@ -49,7 +36,7 @@ int run(const std::vector<std::string>& names, bool is_quick, const std::string&
   if (some.empty()) return 2;
   Results results;
   results.effort = is_quick ? Effort::quick() : Effort();
-  results.machine = machine();
+  results.machine = machine_name();
   results.command = "samples/studies/sampling/run";
   if (is_quick) results.command += " --quick";
   if (!names.empty()) results.command += fmt::format(" --only {}", fmt::join(names, ","));

@@ -54,25 +54,6 @@ std::string words_for(const FactorParameters& p) {
 
 }  // namespace
 
-Table::Table(const std::vector<std::string>& header) {
-  add(header);
-  text_ += "|---|";
-  for (std::size_t i = 1; i < header.size(); ++i) text_ += "---:|";
-  text_ += '\n';
-}
-
-void Table::add(const std::vector<std::string>& row) {
-  text_ += fmt::format("| {} |\n", fmt::join(row, " | "));
-}
-
-std::string figure(double value) {
-  const double size = std::abs(value);
-  if (size == 0) return "0";
-  if (size >= 99.95) return fmt::format("{:.0f}", value);
-  if (size >= 0.01) return fmt::format("{:.3g}", value);
-  return fmt::format("{:.2g}", value);
-}
-
 std::string build_table(const Results& results) {
   return table_with_means(results,
                           {"seconds", "60, thesis", "60 `reject`", "60 `warp`", "90, thesis", "90 `reject`",

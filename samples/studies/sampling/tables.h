@@ -5,23 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "samples/studies/markdown.h"
 #include "samples/studies/sampling/measure.h"
 
 namespace study {
-
-/// A table in Markdown; the first column is words, the others are numbers.
-class Table {
- public:
-  explicit Table(const std::vector<std::string>& header);
-  void add(const std::vector<std::string>& row);
-  const std::string& str() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-/// A number with so many digits as tell something.
-std::string figure(double value);
 
 std::string build_table(const Results& results);   ///< 5.1
 std::string tree_table(const Results& results);    ///< 5.2

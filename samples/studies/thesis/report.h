@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "samples/studies/thesis/printed.h"
+#include "samples/studies/thesis/results.h"
+
+namespace study {
+
+/// Writes README.md, rows.csv and the charts into the folder; false after an error.
+bool write_report(const Results& results, const Printed& printed, const std::string& folder,
+                  grf::Diagnostics& diagnostics);
+
+}  // namespace study

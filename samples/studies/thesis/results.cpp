@@ -1,0 +1,58 @@
+#include "samples/studies/thesis/results.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace study {
+
+std::vector<const Row*> Results::select(const Which& which) const {
+  const auto fits = [](std::string_view wanted, std::string_view name) {
+    return wanted.empty() || wanted == name;
+  };
+  std::vector<const Row*> selected;
+  for (const Row& row : rows) {
+    if (fits(which.scene, row.scene) && fits(which.brdf, row.brdf) && fits(which.technique, row.technique) &&
+        fits(which.integrator, row.integrator) && (which.samples == 0 || which.samples == row.samples)) {
+      selected.push_back(&row);
+    }
+  }
+  return selected;
+}
+
+std::optional<double> Results::mean(const Which& which, const Quantity& quantity) const {
+  const std::vector<const Row*> selected = select(which);
+  if (selected.empty()) return std::nullopt;
+  double sum = 0;
+  for (const Row* row : selected) sum += quantity(*row);
+  return sum / static_cast<double>(selected.size());
+}
+
+std::vector<int> Results::counts(const Which& which) const {
+  std::set<int> counts;
+  for (const Row* row : select(which)) counts.insert(row->samples);
+  return {counts.begin(), counts.end()};
+}
+
+std::vector<std::string> Results::names(const Which& which, std::string Row::*name) const {
+  std::vector<std::string> names;
+  for (const Row* row : select(which)) {
+    if (std::find(names.begin(), names.end(), row->*name) == names.end()) names.push_back(row->*name);
+  }
+  return names;
+}
+
+std::string csv(const Results& results) {
+  std::string text =
+      "scene,brdf,technique,integrator,samples,build_seconds,sampling_seconds,render_seconds,"
+      "average_relative_error,relmse,bytes\n";
+  for (const Row& row : results.rows) {
+    text += fmt::format("{},{},{},{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.0f}\n", row.scene, row.brdf,
+                        row.technique, row.integrator, row.samples, row.build, row.sampling, row.render,
+                        row.error, row.relmse, row.bytes);
+  }
+  return text;
+}
+
+}  // namespace study
