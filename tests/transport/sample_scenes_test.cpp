@@ -84,7 +84,7 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
   const double significance =
       statistics::significance(BlockStatistics::Tests * static_cast<int>(test::sample_op_files().size()));
   // How far a texture is blurred depends on how the ray to it was drawn, and how many others share its pixel.
-  const bool has_textures = sample_.scene.effects().textures;
+  const bool has_textures = sample_.scene.texture_count() > 0;
   const double tolerance = has_textures ? 0.01 : 0;
   EXPECT_GT(least_p_value(by_path(settings_.integrator.depth), naive, tolerance), significance);
   const int too_early = has_textures ? 1 : 2;
