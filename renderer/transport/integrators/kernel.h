@@ -27,11 +27,11 @@ struct IntegratorSettings {
   std::optional<reflectance::Resampling> resampling;
   int depth = 5;             ///< the most scattering events: 0 emission only, 1 direct light only
   int secondary_rays = 100;  ///< for each first hit; of `Naive` alone
-  /// In how many directions a path goes on from its first hit that does more than mirror, if it may go further
-  /// than to a light; of `Path` alone. What comes by way of other surfaces varies more than what comes from
-  /// lights directly, and costs no camera ray again: with 2, relMSE at equal cost is 0.7 times as large where a
-  /// glossy sphere throws a caustic, 0.85 times in a Cornell box, and the same under an environment map. With 3
-  /// the first two are better, and the map's scene is worse.
+  /// In how many directions a path goes on from its first hit that does more than mirror, if it may go
+  /// further than to a light; of `Path` alone. What comes by way of other surfaces varies more than what
+  /// comes from lights directly, and costs no camera ray again: with 2, relMSE at equal cost is 0.7 times as
+  /// large where a glossy sphere throws a caustic, 0.85 times in a Cornell box, and the same under an
+  /// environment map. With 3 the first two are better, and the map's scene is worse.
   int branches = 2;
   /// Takes the irradiance that the scene was compiled with for all light at a path's first hit, directly or
   /// by mirrors, if that is on the front of a surface with neither a glossy nor a mirror part; the path ends
