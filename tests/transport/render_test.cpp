@@ -189,6 +189,7 @@ TEST(CornellBox, HasTheSameMeanForAllSeeds) {
 TEST(CornellBox, KnowsItsError) {
   const CompiledScene scene = cornell_scene();
   Look look = cornell_look();
+  look.samples = 64;  // of fewer, many pixels at the lamp's rim have not met it
   const Film film = render(scene, look);
   look.samples = 4096;
   look.seed = 99;
@@ -202,7 +203,7 @@ TEST(CornellBox, KnowsItsError) {
     }
   }
   const double error = std::sqrt(sum / (3.0 * static_cast<double>(image.pixels.size())));
-  EXPECT_NEAR(*film.estimated_error(), error, 0.2 * error);
+  EXPECT_NEAR(*film.estimated_error(), error, 0.15 * error);
 }
 
 TEST(Render, StopsEarlyWithTheImageSoFar) {

@@ -87,7 +87,7 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
   const bool has_textures = sample_.scene.texture_count() > 0;
   const double tolerance = has_textures ? 0.01 : 0;
   EXPECT_GT(least_p_value(by_path(settings_.integrator.depth), naive, tolerance), significance);
-  const int too_early = has_textures ? 1 : 2;
+  const int too_early = std::min(1, settings_.integrator.depth - 1);
   EXPECT_LT(least_p_value(by_path(too_early), naive, tolerance), significance) << "depth " << too_early;
 }
 

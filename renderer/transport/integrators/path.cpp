@@ -320,7 +320,8 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
       return radiance_ + throughput_ * point->colour * value * *point->irradiance;
     }
     // Where only lights may be met yet, one direction is enough.
-    const bool splits = may_split_ && reflector->has_density() && events + 1 < settings_.depth;
+    const bool splits =
+        settings_.branches > 1 && may_split_ && reflector->has_density() && events + 1 < settings_.depth;
     ways_ = splits ? settings_.branches : 1;
     const TwoPoints xi = numbers_.next_two();
     add_direct_light(scattering, xi.first);
