@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "samples/studies/markdown.h"
-#include "samples/studies/thesis/lobe_fit.h"
 #include "samples/studies/thesis/tables.h"
 
 namespace study {

@@ -4,11 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
-#include "grf/check.h"
-#include "grf/read.h"
-#include "renderer/reflectance/scheme.h"
 #include "renderer/reflectance/schemes/view_square.h"
 
 namespace study {
@@ -41,15 +37,6 @@ double distance_of_view(const Brdf& brdf, const reflectance::Scheme& scheme, con
 }
 
 }  // namespace
-
-Brdf brdf_of(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  const auto model = grf::read_brdf(text, "study", diagnostics);
-  if (!model || !grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics)) {
-    throw std::runtime_error(diagnostics.to_text());
-  }
-  return *reflectance::make_brdf(*model);
-}
 
 double lobe_distance(const Brdf& brdf, double exponent) {
   reflectance::HemisphereScheme lobe;

@@ -1,14 +1,9 @@
 // Which exponent of a cosine lobe comes nearest to a BRDF: what the thesis adjusted by hand.
 #pragma once
 
-#include <string>
-
-#include "renderer/reflectance/brdf.h"
+#include "samples/studies/sampling/technique.h"
 
 namespace study {
-
-/// From GRF text; throws if there is something wrong with it.
-reflectance::Brdf brdf_of(const std::string& text);
 
 /// The share of directions that the scheme `hemisphere` of that exponent draws elsewhere than it should: half
 /// the integral of |density - f cos / albedo|, in the mean over views at 20, 45 and 70 degrees.

@@ -7,7 +7,7 @@
 
 #include "samples/studies/markdown.h"
 #include "samples/studies/sampling/cases.h"
-#include "samples/studies/thesis/lobe_fit.h"
+#include "samples/studies/sampling/technique.h"
 
 namespace study {
 namespace {
