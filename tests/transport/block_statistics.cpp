@@ -62,10 +62,10 @@ double BlockStatistics::variance_of_mean(std::size_t block) const {
   return std::max(0.0, blocks_[block].squares - sum * sum / count_) / (count_ - 1) / count_;
 }
 
-double least_p_value(const BlockStatistics& a, const BlockStatistics& b, double tolerance) {
+double least_p_value(const BlockStatistics& a, const BlockStatistics& b) {
   double least = 1;
   for (std::size_t i = 0; i < a.blocks_.size(); ++i) {
-    const double difference = std::abs(a.mean(i) - b.mean(i)) - tolerance * b.mean(i);
+    const double difference = std::abs(a.mean(i) - b.mean(i));
     least = std::min(least,
                      p_value(difference, a.variance_of_mean(i), b.variance_of_mean(i), a.count_, b.count_));
   }

@@ -17,8 +17,8 @@ class BlockStatistics {
   void add(const transport::Image& image);
 
   /// The probability of differences as large as they are if both are of one image, the least of all blocks,
-  /// each for itself (Welch's t-test). Of a difference, as much as `tolerance` times the mean does not count.
-  friend double least_p_value(const BlockStatistics& a, const BlockStatistics& b, double tolerance);
+  /// each for itself (Welch's t-test).
+  friend double least_p_value(const BlockStatistics& a, const BlockStatistics& b);
 
  private:
   struct Block {
@@ -33,6 +33,6 @@ class BlockStatistics {
   std::vector<Block> blocks_ = std::vector<Block>(Tests);
 };
 
-double least_p_value(const BlockStatistics& a, const BlockStatistics& b, double tolerance);
+double least_p_value(const BlockStatistics& a, const BlockStatistics& b);
 
 }  // namespace test

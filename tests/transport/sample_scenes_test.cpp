@@ -50,20 +50,14 @@ class SampleScenes : public testing::TestWithParam<std::string> {
     return statistics_of(sample_.scene, settings, 10);
   }
 
-  /// By rays that meet the lights by chance, by cosine and mirror alone, which cover every BRDF.
+  /// By rays that meet the lights by chance.
   BlockStatistics by_chance() const {
-    grf::Diagnostics diagnostics;
-    const auto by_cosine = grf::read_pdf("diffuse", "test", diagnostics);
-    if (!by_cosine) throw std::runtime_error(diagnostics.to_text());
-    transport::CompileSettings compile_settings;
-    compile_settings.scheme = {*by_cosine, {}};
-    const test::SampleScene other = test::sample_scene(GetParam(), compile_settings);
     RenderSettings settings = settings_;
     settings.samples = 128;
     settings.seed = 200;
     settings.integrator.integrator = transport::Integrator::Naive;
     settings.integrator.secondary_rays = 4;
-    return statistics_of(other.scene, settings, 20);
+    return statistics_of(sample_.scene, settings, 20);
   }
 
   static RenderSettings small(RenderSettings settings) {
@@ -83,12 +77,9 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
   const BlockStatistics naive = by_chance();
   const double significance =
       statistics::significance(BlockStatistics::Tests * static_cast<int>(test::sample_op_files().size()));
-  // How far a texture is blurred depends on how the ray to it was drawn, and how many others share its pixel.
-  const bool has_textures = sample_.scene.texture_count() > 0;
-  const double tolerance = has_textures ? 0.01 : 0;
-  EXPECT_GT(least_p_value(by_path(settings_.integrator.depth), naive, tolerance), significance);
+  EXPECT_GT(least_p_value(by_path(settings_.integrator.depth), naive), significance);
   const int too_early = std::min(1, settings_.integrator.depth - 1);
-  EXPECT_LT(least_p_value(by_path(too_early), naive, tolerance), significance) << "depth " << too_early;
+  EXPECT_LT(least_p_value(by_path(too_early), naive), significance) << "depth " << too_early;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(test::sample_op_files()),
