@@ -35,7 +35,7 @@ struct Extremes {
 /// A pixel's mean, between the second lowest and the second highest of its neighbours within the tile. The
 /// mean itself, where there are no three of them.
 Imath::V3d between_neighbours(const TileBounds& bounds, const std::vector<Imath::V3d>& means, int x, int y) {
-  const auto mean_at = [&](int i, int k) { return means[static_cast<std::size_t>(k * bounds.width + i)]; };
+  const auto mean_at = [&](int i, int k) { return means[bounds.index_of(i, k)]; };
   Extremes extremes;
   int count = 0;
   for (int k = std::max(y - 1, 0); k <= std::min(y + 1, bounds.height - 1); ++k) {
@@ -74,7 +74,7 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
 bool FilmTile::add(int x, int y, int scrambling, const Rgb& radiance) {
   const bool finite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
   if (!finite) return false;
-  PixelSums& sums = pixels[static_cast<std::size_t>(y * bounds.width + x)];
+  PixelSums& sums = pixels[bounds.index_of(x, y)];
   sums[static_cast<std::size_t>(scrambling)] += Imath::V3d(radiance);
   return true;
 }
@@ -115,7 +115,7 @@ ErrorSums FilmTile::error_sums() const {
   result.values = 3 * static_cast<double>(pixels.size());
   for (int y = 0; y < bounds.height; ++y) {
     for (int x = 0; x < bounds.width; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * bounds.width + x);
+      const std::size_t pixel = bounds.index_of(x, y);
       const Imath::V3d mean = between_neighbours(bounds, means, x, y);
       const Imath::V3d spread = exact_variance(pixels[pixel]);
       double error = 0;

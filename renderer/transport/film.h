@@ -22,6 +22,10 @@ struct TileBounds {
   std::size_t pixel_count() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
+  /// Row by row, of a place within.
+  std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  }
 };
 
 /// What the pixels of an image say about its error, to be added up over parts of the image.
