@@ -174,9 +174,7 @@ void Film::put_back(int tile, const FilmTile& copy) {
             pixels_.begin() + static_cast<std::ptrdiff_t>(first_pixel(copy.bounds)));
 }
 
-std::uint32_t Film::sample_count(int x, int y) const {
-  return sample_count_of(y / TileSize * tiles_across() + x / TileSize);
-}
+std::uint32_t Film::sample_count(int x, int y) const { return sample_count_of(tile_of(x, y)); }
 
 template <class Function>
 Image Film::image_of(Function function) const {

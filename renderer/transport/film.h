@@ -119,6 +119,8 @@ class Film {
   int tiles_across() const { return (width_ + TileSize - 1) / TileSize; }
   int tiles_down() const { return (height_ + TileSize - 1) / TileSize; }
   int tile_count() const { return static_cast<int>(tiles_.size()); }
+  /// That of a pixel.
+  int tile_of(int x, int y) const { return y / TileSize * tiles_across() + x / TileSize; }
   TileBounds bounds_of(int tile) const;
   const FilmTile::Counts& counts_of(int tile) const { return tiles_[index(tile)].counts; }
   std::uint32_t sample_count_of(int tile) const { return counts_of(tile)[0] + counts_of(tile)[1]; }

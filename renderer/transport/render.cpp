@@ -228,8 +228,7 @@ std::optional<NotFinite> Render::cause_of_rejection() const {
   const int x = static_cast<int>(all.first_rejected % width);
   const int y = static_cast<int>(all.first_rejected / width);
   const Kernel kernel = searching_kernel_of(scene_, settings_.integrator);
-  const FilmTile::Counts& counts =
-      film_.counts_of(y / Film::TileSize * film_.tiles_across() + x / Film::TileSize);
+  const FilmTile::Counts& counts = film_.counts_of(film_.tile_of(x, y));
   for (int scrambling = 0; scrambling < Film::Scramblings; ++scrambling) {
     for (std::uint32_t number = 0; number < counts[static_cast<std::size_t>(scrambling)]; ++number) {
       NotFinite found;
