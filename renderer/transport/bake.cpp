@@ -6,13 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/own_scheme.h"
 #include "renderer/transport/integrators/scattering.h"
-#include "renderer/transport/thread_sanitizer.h"
-#include "renderer/transport/threads.h"
 
 namespace transport {
 namespace {
@@ -112,7 +108,7 @@ void Bake::put_back(std::size_t index, const Vertex& vertex) {
 
 void Bake::run() {
   RenderEnd end = RenderEnd::NotYet;
-  run_with_threads(settings_.threads, [&] { end = run_stages(); });
+  parallel::run_with_threads(settings_.threads, [&] { end = run_stages(); });
   const RenderTotals all = totals();
   const std::lock_guard lock(totals_lock_);
   totals_ = all;
@@ -141,17 +137,12 @@ RenderEnd Bake::run_stages() {
 }
 
 bool Bake::run_stage(int samples) {
-  publish();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.count()),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      see();
-                      Vertex vertex;
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        if (points_.has_faces(i) && !advance(i, samples, vertex)) break;
-                      }
-                      publish();
-                    });
-  see();
+  parallel::for_each_part(points_.count(), [&](std::size_t begin, std::size_t end) {
+    Vertex vertex;
+    for (std::size_t i = begin; i != end; ++i) {
+      if (points_.has_faces(i) && !advance(i, samples, vertex)) break;
+    }
+  });
   return !stopped_ && !out_of_time_;
 }
 

@@ -7,12 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "grf/visit.h"
-#include "renderer/transport/thread_sanitizer.h"
-#include "renderer/transport/threads.h"
+#include "renderer/parallel/loops.h"
 
 namespace transport {
 namespace {
@@ -50,16 +46,8 @@ BakePoints::BakePoints(const grf::Scene& scene, const CompiledScene& compiled, i
     : compiled_(compiled) {
   list_vertices(scene);
   list_corners();
-  run_with_threads(threads, [&] {
-    publish();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size()),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        see();
-                        for (std::size_t i = range.begin(); i != range.end(); ++i) uncover(i);
-                        publish();
-                      });
-    see();
-  });
+  parallel::run_with_threads(
+      threads, [&] { parallel::for_each_index(vertices_.size(), [&](std::size_t i) { uncover(i); }); });
 }
 
 // In the order in which the compiled scene has them.

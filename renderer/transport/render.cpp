@@ -4,12 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/transport/processor_clock.h"
-#include "renderer/transport/thread_sanitizer.h"
-#include "renderer/transport/threads.h"
 
 namespace transport {
 namespace {
@@ -57,7 +53,7 @@ void Render::restore_tile(int tile, const FilmTile& sums) {
 
 void Render::run() {
   RenderEnd end = RenderEnd::NotYet;
-  run_with_threads(settings_.threads, [&] { end = run_stages(); });
+  parallel::run_with_threads(settings_.threads, [&] { end = run_stages(); });
   const RenderTotals all = totals();
   const std::lock_guard lock(totals_lock_);
   totals_ = all;
@@ -112,19 +108,9 @@ bool Render::exceeds(int samples) const {
 
 /// Gives pixels the samples of so many in the mean; false if that came to an early end.
 bool Render::run_stage(int samples) {
-  const int threads = tbb::this_task_arena::max_concurrency();
   const auto pieces = is_adaptive() && samples == Pilot ? TileQueue::Pieces::Whole : TileQueue::Pieces::Short;
-  TileQueue queue(film_, counts_at(samples), threads, pieces);
-  publish();
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, threads, 1),
-      [&](const tbb::blocked_range<int>& workers) {
-        see();
-        for (int i = workers.begin(); i != workers.end(); ++i) work(queue);
-        publish();
-      },
-      tbb::simple_partitioner());
-  see();
+  TileQueue queue(film_, counts_at(samples), parallel::thread_count(), pieces);
+  parallel::on_each_thread([&] { work(queue); });
   return queue.is_finished();
 }
 

@@ -3,8 +3,7 @@
 #include <array>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/cumulative.h"
 
 namespace reflectance {
@@ -58,8 +57,7 @@ void extend(std::vector<Value>& list, const std::vector<Value>& more) {
 CascadeTables::CascadeTables(const Brdf& brdf, const Size& size, bool compress)
     : grid_(size.rows, size.columns), is_anisotropic_(is_anisotropic(brdf)) {
   std::vector<Curves> views(ViewAngles * (is_anisotropic_ ? ViewAzimuths : 1));
-  tbb::parallel_for(std::size_t{0}, views.size(),
-                    [&](std::size_t i) { views[i] = make_view(brdf, i, compress); });
+  parallel::for_each_index(views.size(), [&](std::size_t i) { views[i] = make_view(brdf, i, compress); });
   for (Curves& view : views) {
     append(view);
     view = {};

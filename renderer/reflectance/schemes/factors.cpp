@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/cumulative.h"
 #include "renderer/reflectance/schemes/nonnegative_factors.h"
 
@@ -95,13 +94,13 @@ Neighbours neighbours(float place, std::size_t count, bool is_round) {
 Factors Factors::make(const Brdf& brdf, const FactorSize& size) {
   const DirectionGrid grid(size.rows, size.columns);
   MatrixXd seen(static_cast<Index>(size.rows * size.columns), static_cast<Index>(size.views()));
-  tbb::parallel_for(std::size_t{0}, size.views(), [&](std::size_t view) {
+  parallel::for_each_index(size.views(), [&](std::size_t view) {
     seen.col(static_cast<Index>(view)) = seen_from(brdf, view_at(size, view), grid, size.by_half);
   });
   const NonnegativeFactors outer = factorised(seen, static_cast<Index>(size.view_factors));
   std::vector<Lobes> lobes(size.view_factors);
-  tbb::parallel_for(std::size_t{0}, lobes.size(),
-                    [&](std::size_t j) { lobes[j] = split(outer.left.row(static_cast<Index>(j)), size); });
+  parallel::for_each_index(
+      lobes.size(), [&](std::size_t j) { lobes[j] = split(outer.left.row(static_cast<Index>(j)), size); });
   std::vector<float> weights;
   for (Index view = 0; view < outer.right.cols(); ++view) {
     const Eigen::VectorXd energies = outer.right.col(view).cwiseProduct(outer.left.rowwise().sum());

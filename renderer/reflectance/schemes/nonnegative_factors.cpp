@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/even_points.h"
 
 namespace reflectance {
@@ -18,7 +17,7 @@ constexpr double Least = 1e-300;
 void update(const Eigen::MatrixXd& y, const Eigen::MatrixXd& left, Eigen::MatrixXd& right) {
   constexpr Eigen::Index Block = 16;  // columns at a time; fixed, since sums in blocks depend on their size
   const Eigen::VectorXd sums = left.rowwise().sum().cwiseMax(Least);
-  tbb::parallel_for(Eigen::Index{0}, (y.cols() + Block - 1) / Block, [&](Eigen::Index block) {
+  parallel::for_each_index((y.cols() + Block - 1) / Block, [&](Eigen::Index block) {
     const Eigen::Index first = block * Block;
     const Eigen::Index count = std::min(Block, y.cols() - first);
     auto part = right.middleCols(first, count);

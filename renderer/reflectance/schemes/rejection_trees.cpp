@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/turn.h"
 
 namespace reflectance {
@@ -41,7 +40,7 @@ RejectionTrees::RejectionTrees(const Brdf& brdf, const RejectionSettings& settin
   if (!has_density(brdf)) return;
   const DiscGrid grid(settings.resolution);
   trees_.resize(static_cast<std::size_t>(thetas_) * phis_);
-  tbb::parallel_for(std::size_t(0), trees_.size(), [&](std::size_t i) {
+  parallel::for_each_index(trees_.size(), [&](std::size_t i) {
     const int theta = static_cast<int>(i) % thetas_;
     const int phi = static_cast<int>(i) / thetas_;
     trees_[i] = made_tree(brdf, view_direction(theta), azimuth(phi), grid, settings);
@@ -52,7 +51,7 @@ RejectionTree RejectionTrees::made_tree(const Brdf& brdf, const Vec3f& tree_u, c
                                         const DiscGrid& grid, const RejectionSettings& settings) const {
   const int resolution = grid.resolution();
   std::vector<float> values(static_cast<std::size_t>(resolution) * resolution);
-  tbb::parallel_for(0, resolution, [&](int y) {
+  parallel::for_each_index(resolution, [&](int y) {
     for (int x = 0; x < resolution; ++x) {
       if (!(grid.area(x, y) > 0)) continue;
       const Vec2f point = middle(DiscGrid::box({x, y, x + 1, y + 1}, resolution));

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/even_points.h"
 #include "renderer/reflectance/schemes/turn.h"
 #include "renderer/reflectance/schemes/warp_descent.h"
@@ -87,7 +86,7 @@ WarpTrees::WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings)
   constexpr int MostQuadsOfAll = 1 << 19;  // 16 MB
   settings_.limits.most_quads = std::clamp(MostQuadsOfAll / count, LeastQuads, settings_.limits.most_quads);
   std::vector<WarpTree> trees(static_cast<std::size_t>(count));
-  tbb::parallel_for(std::size_t(0), trees.size(), [&](std::size_t i) { trees[i] = make_tree(brdf, i); });
+  parallel::for_each_index(trees.size(), [&](std::size_t i) { trees[i] = make_tree(brdf, i); });
   for (const WarpTree& tree : trees) {
     tops_.push_back(tree.top);
     first_quads_.push_back(static_cast<std::uint32_t>(quads_.size()));

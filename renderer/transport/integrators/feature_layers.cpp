@@ -2,11 +2,8 @@
 
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
+#include "renderer/parallel/loops.h"
 #include "renderer/transport/sobol.h"
-#include "renderer/transport/thread_sanitizer.h"
-#include "renderer/transport/threads.h"
 
 namespace transport {
 namespace {
@@ -94,14 +91,10 @@ FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int w
     layers.depth[index] =
         sum.hits > 0 ? sum.depth / static_cast<float>(sum.hits) : std::numeric_limits<float>::infinity();
   };
-  run_with_threads(threads, [&] {
-    publish();
-    tbb::parallel_for(0, height, [&](int y) {
-      see();
+  parallel::run_with_threads(threads, [&] {
+    parallel::for_each_index(height, [&](int y) {
       for (int x = 0; x < width; ++x) fill(x, y);
-      publish();
     });
-    see();
   });
   return layers;
 }

@@ -5,9 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include <tbb/parallel_invoke.h>
-
-#include "renderer/transport/thread_sanitizer.h"
+#include "renderer/parallel/loops.h"
 
 namespace transport {
 namespace {
@@ -31,21 +29,6 @@ double orientation_cost(float cosine) {
   const double sine = std::sin(angle);
   return 2 * Pi * (1 - cosine) +
          Pi / 2 * (2 * reach * sine - std::cos(angle - 2 * reach) - 2 * angle * sine + cosine);
-}
-
-/// Runs two functions, each of them perhaps on another thread, of which neither needs the other.
-template <class First, class Second>
-void in_parallel(const First& first, const Second& second) {
-  const auto task = [](const auto& function) {
-    return [&function] {
-      see();
-      function();
-      publish();
-    };
-  };
-  publish();
-  tbb::parallel_invoke(task(first), task(second));
-  see();
 }
 
 }  // namespace
@@ -99,7 +82,7 @@ LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t node
     of_second = build_child(second, node, 1, node + static_cast<std::uint32_t>(middle));
   };
   if (items.size() > ParallelCount) {
-    in_parallel(build_first, build_second);
+    parallel::invoke(build_first, build_second);
   } else {
     build_first();
     build_second();

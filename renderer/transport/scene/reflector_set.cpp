@@ -5,11 +5,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "grf/write.h"
-#include "renderer/transport/thread_sanitizer.h"
-#include "renderer/transport/threads.h"
+#include "renderer/parallel/loops.h"
 
 namespace transport {
 namespace {
@@ -84,14 +82,10 @@ bool ReflectorSetBuilder::use_factors_file(const grf::ResolvedSurface& surface, 
 ReflectorSet ReflectorSetBuilder::build(int threads) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::optional<Reflector>> made(pairs_.size());
-  run_with_threads(threads, [&] {
-    publish();
-    tbb::parallel_for(std::size_t(0), pairs_.size(), [&](std::size_t i) {
-      see();
+  parallel::run_with_threads(threads, [&] {
+    parallel::for_each_index(pairs_.size(), [&](std::size_t i) {
       made[i].emplace(pairs_[i].brdf, pairs_[i].scheme, missed_part_, precision_);
-      publish();
     });
-    see();
   });
   ReflectorSet set;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

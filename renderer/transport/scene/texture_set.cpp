@@ -4,11 +4,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "grf/text_file.h"
-#include "renderer/transport/thread_sanitizer.h"
-#include "renderer/transport/threads.h"
+#include "renderer/parallel/loops.h"
 
 namespace transport {
 namespace {
@@ -42,14 +40,9 @@ std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture) {
 std::vector<Texture> TextureSetBuilder::build(int threads) {
   std::vector<Read> results(files_.size());
   if (!files_.empty()) {
-    run_with_threads(threads, [&] {
-      publish();
-      tbb::parallel_for(std::size_t(0), files_.size(), [&](std::size_t i) {
-        see();
-        read(files_[i].path, files_[i].asked_for_at, results[i]);
-        publish();
-      });
-      see();
+    parallel::run_with_threads(threads, [&] {
+      parallel::for_each_index(
+          files_.size(), [&](std::size_t i) { read(files_[i].path, files_[i].asked_for_at, results[i]); });
     });
   }
   std::vector<Texture> textures;

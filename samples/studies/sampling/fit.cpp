@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/view_square.h"
 #include "samples/studies/sampling/lighting.h"
 
@@ -82,7 +82,7 @@ FactorFit best_factors(const reflectance::Brdf& brdf, const FitMeter& meter, int
     }
   }
   bytes.resize(candidates.size());
-  tbb::parallel_for(std::size_t(0), candidates.size(), [&](std::size_t i) {
+  parallel::for_each_index(candidates.size(), [&](std::size_t i) {
     const Technique technique(brdf, scheme_of(scheme_text(candidates[i].parameters)));
     candidates[i].distance = meter.fit_of(technique).distance;
     bytes[i] = technique.bytes();

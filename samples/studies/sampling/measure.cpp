@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+
+#include "renderer/parallel/loops.h"
 
 namespace study {
 namespace {
@@ -68,7 +69,7 @@ TechniqueResult measure_technique(const std::string& scheme, const Brdf& brdf, c
   result.cost = sample_cost(technique, effort.rounds);
   result.fit = meter.fit_of(technique);
   const std::size_t count = settings.size() * PointNames.size();
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+  parallel::for_each_index(count, [&](std::size_t i) {
     const std::size_t view = i % settings.size();
     const auto points = static_cast<Points>(i / settings.size());
     result.errors[points][view] = measure_errors(technique, settings[view], points, effort.repeats);

@@ -15,7 +15,7 @@ extern "C" void __tsan_acquire(void* address);  // NOLINT: the sanitizer's name
 extern "C" void __tsan_release(void* address);  // NOLINT: the sanitizer's name
 #endif
 
-namespace transport {
+namespace parallel {
 
 #ifdef GRANADA_THREAD_SANITIZER
 namespace detail {
@@ -39,4 +39,4 @@ inline void see() {
 #endif
 }
 
-}  // namespace transport
+}  // namespace parallel
