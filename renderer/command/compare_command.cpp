@@ -46,6 +46,7 @@ void print_json(const ImageError& error) {
   json["psnr"] = number_or_null(error.psnr);
   json["max"] = error.max;
   json["nan_pixels"] = error.nan_pixels;
+  json["fireflies"] = error.fireflies;
   fmt::print("{}\n", json.dump(2));
 }
 
@@ -62,6 +63,7 @@ void print_text(const ImageError& error) {
   print("psnr", error.psnr ? fmt::format("{:.4g} dB", *error.psnr) : "none");
   print("max", number(error.max));
   print("pixels that are NaN", fmt::format("{}", error.nan_pixels));
+  print("fireflies", fmt::format("{}", error.fireflies));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_F(BptCompare, GivesTheNumbersThatScriptsRelyOn) {
   std::vector<std::string> names;
   for (const auto& [name, value] : json.items()) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"rmse", "relmse", "average_relative_error", "psnr", "max",
-                                             "nan_pixels"}));
+                                             "nan_pixels", "fireflies"}));
   EXPECT_NEAR(json["rmse"].get<double>(), std::sqrt(0.5 / 3), 1e-9);
   EXPECT_NEAR(json["relmse"].get<double>(), (0.25 / 1.01 + 0.25 / 0.01) / 3, 1e-9);
   EXPECT_NEAR(json["average_relative_error"].get<double>(), 0.25, 1e-9);
@@ -58,7 +58,8 @@ TEST_F(BptCompare, PrintsATableForPeople) {
             "  average relative error  25 %\n"
             "  psnr                    13.8 dB\n"
             "  max                     0.5\n"
-            "  pixels that are NaN     0\n");
+            "  pixels that are NaN     0\n"
+            "  fireflies               0\n");
 }
 
 TEST_F(BptCompare, SaysNothingWhereThereIsNoNumber) {

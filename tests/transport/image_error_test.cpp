@@ -70,6 +70,30 @@ TEST(ImageErrorTest, CountsWhatIsNotFiniteAndLeavesItOut) {
   EXPECT_EQ(none.rmse, 0);
 }
 
+TEST(ImageErrorTest, CountsFirefliesThatTheReferenceHasNot) {
+  // A lamp at the left whose edge is elsewhere by two pixels, and a bright pixel that is alone.
+  const Image reference = row({Rgb(8), Rgb(8), Rgb(1), Rgb(1), Rgb(1), Rgb(1), Rgb(1), Rgb(1)});
+  EXPECT_EQ(
+      error_of(row({Rgb(8), Rgb(8), Rgb(8), Rgb(8), Rgb(1), Rgb(1), Rgb(1), Rgb(1)}), reference).fireflies,
+      0U);
+  EXPECT_EQ(
+      error_of(row({Rgb(8), Rgb(8), Rgb(1), Rgb(1), Rgb(1), Rgb(1), Rgb(5), Rgb(1)}), reference).fireflies,
+      1U);
+  EXPECT_EQ(
+      error_of(row({Rgb(8), Rgb(8), Rgb(1), Rgb(1), Rgb(1), Rgb(1), Rgb(3.9F), Rgb(1)}), reference).fireflies,
+      0U)
+      << "that is noise";
+}
+
+TEST(ImageErrorTest, TakesNoDarkNoiseForFireflies) {
+  std::vector<Rgb> dark(20, Rgb(0));
+  dark.front() = Rgb(20);  // the mean is 1
+  const Image reference = row(dark);
+  dark[10] = Rgb(0.3F);
+  dark[15] = Rgb(0.5F);
+  EXPECT_EQ(error_of(row(dark), reference).fireflies, 1U);
+}
+
 // Sums in float would stop growing.
 TEST(ImageErrorTest, AddsUpManySmallDifferences) {
   const std::size_t count = 1U << 20U;

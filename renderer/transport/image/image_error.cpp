@@ -43,6 +43,42 @@ struct Sums {
   }
 };
 
+/// The brightness of a pixel; nothing where it is not finite.
+double brightness(const Rgb& pixel) {
+  return is_finite(pixel) ? (static_cast<double>(pixel.x) + pixel.y + pixel.z) / 3 : 0;
+}
+
+double mean_brightness(const Image& image) {
+  double sum = 0;
+  for (const Rgb& pixel : image.pixels) sum += brightness(pixel);
+  return sum / static_cast<double>(image.pixels.size());
+}
+
+/// Of the pixels within two pixels of one.
+double brightest_near(const Image& image, int x, int y) {
+  constexpr int Reach = 2;
+  double brightest = 0;
+  for (int j = std::max(0, y - Reach); j <= std::min(image.height - 1, y + Reach); ++j) {
+    for (int i = std::max(0, x - Reach); i <= std::min(image.width - 1, x + Reach); ++i) {
+      brightest = std::max(brightest, brightness(image.at(i, j)));
+    }
+  }
+  return brightest;
+}
+
+std::size_t fireflies(const Image& image, const Image& reference) {
+  constexpr double Factor = 4;
+  const double least = 0.1 * mean_brightness(reference);
+  std::size_t count = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double here = brightness(image.at(x, y));
+      if (here > Factor * least && here > Factor * brightest_near(reference, x, y)) ++count;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 ImageError error_of(const Image& image, const Image& reference) {
@@ -56,6 +92,7 @@ ImageError error_of(const Image& image, const Image& reference) {
   ImageError error;
   error.nan_pixels = image.pixels.size() - sums.pixels;
   if (sums.pixels == 0) return error;
+  error.fireflies = fireflies(image, reference);
   const double count = 3 * static_cast<double>(sums.pixels);
   error.rmse = std::sqrt(sums.squares / count);
   error.relmse = sums.relative_squares / count;

@@ -20,6 +20,10 @@ struct ImageError {
   std::optional<double> psnr;
   double max = 0;              ///< the largest difference of a channel
   std::size_t nan_pixels = 0;  ///< that are not finite in one of the images
+  /// Pixels over four times as bright as the brightest of the reference's within two pixels of them, and than
+  /// a tenth of its mean. Noise of the lamp's penumbra does not reach that; a path that met a lamp by chance
+  /// does.
+  std::size_t fireflies = 0;
 };
 
 /// The images must be of one size. All is 0 if no pixel counts.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/transport/image/image_error.h"
 #include "tests/benchmarks/render/pictures.h"
 
 namespace benchmark {
@@ -31,6 +32,14 @@ std::uint64_t fingerprint(const fs::path& folder) {
     }
   }
   return sum;
+}
+
+transport::ImageError error_of_file(const fs::path& path, const Image& reference) {
+  const Image image = read_picture(path);
+  if (image.width != reference.width || image.height != reference.height) {
+    throw std::runtime_error(path.string() + " has not the size of its reference");
+  }
+  return transport::error_of(image, reference);
 }
 
 class SceneMeasurement {
@@ -100,10 +109,11 @@ class SceneMeasurement {
     Job timed = job(measurement.renderer);
     timed.seed = static_cast<std::uint32_t>(round) + 1;
     const Outcome outcome = render(measurement.renderer, timed);
-    const double error = relmse(read_picture(timed.image), references_[index]);
+    const transport::ImageError error = error_of_file(timed.image, references_[index]);
     say_(fmt::format("{}: round {}, {}: {:.2f} s, relMSE {:.3g}", scene_.name, round + 1,
-                     name_of(measurement.renderer), outcome.seconds, error));
-    measurement.relmse += error;
+                     name_of(measurement.renderer), outcome.seconds, error.relmse));
+    measurement.relmse += error.relmse;
+    measurement.fireflies += error.fireflies;
     if (round == 0 || outcome.seconds < measurement.seconds) {
       measurement.seconds = outcome.seconds;
       if (outcome.rays) measurement.rays_per_second = *outcome.rays / outcome.seconds;
@@ -130,21 +140,6 @@ class SceneMeasurement {
 };
 
 }  // namespace
-
-double relmse(const Image& image, const Image& reference) {
-  if (image.width != reference.width || image.height != reference.height) {
-    throw std::runtime_error("images of different sizes cannot be compared");
-  }
-  double sum = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    for (int channel = 0; channel < 3; ++channel) {
-      const double expected = reference.pixels[i][channel];
-      const double difference = image.pixels[i][channel] - expected;
-      sum += difference * difference / (expected * expected + 0.01);
-    }
-  }
-  return sum / (3 * static_cast<double>(image.pixels.size()));
-}
 
 std::vector<Measurement> measure(const SceneFiles& scene, const Settings& settings,
                                  const std::function<void(const std::string&)>& say) {

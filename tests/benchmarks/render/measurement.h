@@ -26,8 +26,9 @@ struct Settings {
 struct Measurement {
   std::string scene;
   Renderer renderer = Renderer::Bpt;
-  double seconds = 0;  ///< of the fastest round
-  double relmse = 0;   ///< mean((x - reference)^2 / (reference^2 + 0.01)), over rounds too
+  double seconds = 0;         ///< of the fastest round
+  double relmse = 0;          ///< mean((x - reference)^2 / (reference^2 + 0.01)), over rounds too
+  std::size_t fireflies = 0;  ///< of all rounds, see transport::ImageError
   double peak_memory_bytes = 0;
   double paths_per_second = 0;
   std::optional<double> rays_per_second;
@@ -36,9 +37,6 @@ struct Measurement {
 
   double efficiency() const { return 1 / (relmse * seconds); }
 };
-
-/// Throws if the images differ in size.
-double relmse(const transport::Image& image, const transport::Image& reference);
 
 /// Renders a scene by each renderer, and says what it does as it goes on. The measurements are in the order
 /// of the renderers. Leaves a picture of the references side by side as SCENE.png.

@@ -13,9 +13,9 @@ std::string number(const std::optional<double>& value, double unit, int decimals
 }
 
 std::string row_of(const Measurement& m) {
-  return fmt::format("| {} | {} | {:.2f} | {} | {} | {:.3g} | {:.3g} | {:.3g} | {:.0f} |\n", m.scene,
+  return fmt::format("| {} | {} | {:.2f} | {} | {} | {:.3g} | {:.3g} | {:.3g} | {} | {:.0f} |\n", m.scene,
                      name_of(m.renderer), m.paths_per_second / 1e6, number(m.rays_per_second, 1e6, 2),
-                     number(m.embree_share, 0.01, 0), m.seconds, m.relmse, m.efficiency(),
+                     number(m.embree_share, 0.01, 0), m.seconds, m.relmse, m.efficiency(), m.fireflies,
                      m.peak_memory_bytes / 1048576);
 }
 
@@ -68,6 +68,7 @@ nlohmann::json to_json(const std::vector<Measurement>& measurements) {
                     {"render_seconds", m.seconds},
                     {"relmse", m.relmse},
                     {"efficiency", m.efficiency()},
+                    {"fireflies", m.fireflies},
                     {"peak_memory_bytes", m.peak_memory_bytes},
                     {"mean", {m.mean.x, m.mean.y, m.mean.z}}});
   }
@@ -77,19 +78,20 @@ nlohmann::json to_json(const std::vector<Measurement>& measurements) {
 std::string to_csv(const std::vector<Measurement>& measurements) {
   std::string text =
       "scene,renderer,paths_per_second,rays_per_second,embree_share,render_seconds,relmse,efficiency,"
+      "fireflies,"
       "peak_memory_bytes\n";
   for (const Measurement& m : measurements) {
-    text += fmt::format("{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.0f}\n", m.scene, name_of(m.renderer),
+    text += fmt::format("{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{},{:.0f}\n", m.scene, name_of(m.renderer),
                         m.paths_per_second, number(m.rays_per_second, 1, 0), number(m.embree_share, 1, 4),
-                        m.seconds, m.relmse, m.efficiency(), m.peak_memory_bytes);
+                        m.seconds, m.relmse, m.efficiency(), m.fireflies, m.peak_memory_bytes);
   }
   return text;
 }
 
 std::string to_markdown(const std::vector<Measurement>& measurements) {
   std::string text =
-      "| scene | renderer | Mpaths/s | Mrays/s | in Embree, % | seconds | relMSE | efficiency | peak memory, "
-      "MiB |\n|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+      "| scene | renderer | Mpaths/s | Mrays/s | in Embree, % | seconds | relMSE | efficiency | fireflies | "
+      "peak memory, MiB |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Measurement& m : measurements) text += row_of(m);
   return text + comparison(measurements);
 }
