@@ -88,7 +88,7 @@ std::vector<Group> cornell_boxes(const Choice& choice) {
                     "5\nBPT_Background 0.02 0.02 0.02\n";
     group.lines = maker.plain_lines();
     for (Line& line : adjusted_lines(choice, subject)) group.lines.push_back(std::move(line));
-    maker.add(group, Maker::counts(1, maker.is_quick() ? 100 : 400), Maker::counts(1, 100), 1024);
+    maker.add(group, Maker::counts(1, maker.is_quick() ? 100 : 225), Maker::counts(1, 100), 1024);
   }
   return maker.groups_;
 }
