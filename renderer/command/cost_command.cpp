@@ -45,9 +45,11 @@ class Subjects {
     auto planned = render_plan(scene_, std::move(*compile_settings), line.options, diagnostics_);
     if (!planned) return std::nullopt;
     auto compiled = compile(line, planned->compile_settings);
+    planned->settings.integrator.environment = environment_;
+    planned->settings.backplate = backplate_;
     if (!load_surroundings(line.options, *planned, diagnostics_) || !compiled) return std::nullopt;
-    share(environment_, planned->settings.integrator.environment);
-    share(backplate_, planned->settings.backplate);
+    if (planned->settings.integrator.environment) environment_ = planned->settings.integrator.environment;
+    if (planned->settings.backplate) backplate_ = planned->settings.backplate;
     if (has_centred_rays_) planned->settings.placing = PixelPlacing::Centre;
     return CostSubject{std::move(compiled), std::move(planned->settings)};
   }
@@ -64,17 +66,11 @@ class Subjects {
     return compiled_.emplace(key, std::make_shared<const CompiledScene>(std::move(*scene))).first->second;
   }
 
-  /// One of an image in memory is enough.
-  template <class Image>
-  static void share(std::shared_ptr<const Image>& first, std::shared_ptr<const Image>& image) {
-    if (!first) first = image;
-    if (image) image = first;
-  }
-
   const grf::Scene& scene_;
   bool has_centred_rays_;
   Diagnostics& diagnostics_;
   std::map<std::string, std::shared_ptr<const CompiledScene>> compiled_;
+  // What surrounds all lines alike, read once.
   std::shared_ptr<const transport::EnvironmentMap> environment_;
   std::shared_ptr<const transport::Image> backplate_;
 };

@@ -62,24 +62,26 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
 
 namespace {
 
-/// Reads the image around or behind the scene; false after an error.
+/// Reads the image around or behind the scene if it is not there yet; false after an error.
 bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
                        Diagnostics& diagnostics) {
   const std::string& path = render_options.environment;
   if (path.empty()) return true;
   const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
   if (render_options.projection == "backplate") {
+    if (settings.backplate) return true;
     auto image = transport::read_image(path, diagnostics, location);
     if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
     return settings.backplate != nullptr;
   }
-  auto map = transport::read_environment_map(path, diagnostics, location);
-  if (map)
-    settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
   if (render_options.resampling) {
     settings.integrator.resampling = {render_options.resampling->first, render_options.resampling->second};
   }
-  return map.has_value();
+  if (settings.integrator.environment) return true;
+  auto map = transport::read_environment_map(path, diagnostics, location);
+  if (!map) return false;
+  settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
+  return true;
 }
 
 /// Where samples lie in a pixel, and how many there are of them.
@@ -172,7 +174,10 @@ bool load_surroundings(const RenderOptions& render_options, RenderPlan& planned,
   const bool is_needed =
       planned.plan[transport::Effect::Environment].is_needed ||
       (has_backplate(render_options) && planned.plan[transport::Effect::Background].is_needed);
-  return !is_needed || load_surroundings(render_options, planned.settings, diagnostics);
+  if (is_needed) return load_surroundings(render_options, planned.settings, diagnostics);
+  planned.settings.integrator.environment = nullptr;
+  planned.settings.backplate = nullptr;
+  return true;
 }
 
 bool has_something(const CompiledScene& scene, const RenderOptions& render_options,

@@ -96,6 +96,14 @@ TEST(ThesisStudy, WritesWholeFiles) {
   for (const char* scene : {"Test scene 1", "Test scene 4"}) EXPECT_EQ(readme.find(scene), std::string::npos);
   constexpr int Lines = 11;
   EXPECT_EQ(lines_of(test::bytes_of(folder.path("report/rows.csv"))), 1 + Lines * (4 + 3));
+  // The same rows give the same report.
+  const std::string report = test::bytes_of(folder.path("report/README.md"));
+  std::filesystem::remove(folder.path("report/README.md"));
+  const auto again =
+      test::run({GRANADA_BIN_DIR "/thesis_study", "--quick", "--report", "--only", "glossy_sphere,torrance",
+                 "--output", folder.path("report"), "--work", folder.path("work")});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(test::bytes_of(folder.path("report/README.md")), report);
   for (const char* picture : {"figure_5_10.svg", "figure_5_11.svg", "figure_5_12.svg"}) {
     EXPECT_TRUE(plot::to_png(test::bytes_of(folder.path("report/") + picture), 1)) << picture;
   }

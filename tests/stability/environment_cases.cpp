@@ -9,6 +9,7 @@
 #include "renderer/transport/sobol.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/transport/environment_images.h"
 
 namespace test {
 namespace {
@@ -18,23 +19,6 @@ using grf::Vec3f;
 using reflectance::Rgb;
 using transport::EnvironmentMap;
 using transport::Image;
-
-template <class Function>
-Image image_of(int width, int height, Function texel) {
-  Image image{width, height, {}};
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) image.pixels.push_back(Rgb(texel(x, y)));
-  }
-  return image;
-}
-
-/// By the definition: y is up, the centre looks down -z.
-template <class Real>
-Imath::Vec3<Real> direction_at(const Image& image, Real x, Real y) {
-  const Real theta = std::numbers::pi_v<Real> * y / static_cast<Real>(image.height);
-  const Real phi = 2 * std::numbers::pi_v<Real> * (x / static_cast<Real>(image.width) - Real(0.5));
-  return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
-}
 
 double row_solid_angle(const Image& image, int y) {
   const double step = std::numbers::pi / image.height;

@@ -68,6 +68,19 @@ class Checkpoint : public testing::Test {
     return render.film().mean();
   }
 
+  /// Until a target error, whether or not it is interrupted after so many paths, it is the same.
+  void expect_same_end(const RenderSettings& until, std::uint64_t paths) const {
+    Render uninterrupted(scene_, until);
+    uninterrupted.run();
+    render_part(scene_, until, paths);
+    Render render(scene_, until);
+    grf::Diagnostics diagnostics;
+    ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
+    render.run();
+    EXPECT_EQ(render.film().mean().pixels, uninterrupted.film().mean().pixels);
+    EXPECT_EQ(render.path_count(), uninterrupted.path_count());
+  }
+
   /// What is said of the file, which stays as it is.
   std::string refusal(const Fingerprint& fingerprint, const RenderSettings& settings) const {
     const std::string before = test::bytes_of(path_);
@@ -122,15 +135,7 @@ TEST_F(Checkpoint, OfAFinishedRenderGoesOnWithMoreSamples) {
 TEST_F(Checkpoint, LeadsToTheSameSampleAtATargetError) {
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 0.03;
-  Render uninterrupted(scene_, until);
-  uninterrupted.run();
-  render_part(scene_, until, 45 * 33 * 18);  // between two looks at the error
-  Render render(scene_, until);
-  grf::Diagnostics diagnostics;
-  ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
-  render.run();
-  EXPECT_EQ(render.film().mean().pixels, uninterrupted.film().mean().pixels);
-  EXPECT_EQ(render.path_count(), uninterrupted.path_count());
+  expect_same_end(until, 45 * 33 * 18);  // between two looks at the error
 }
 
 // In the middle of the pilot's halves and of what follows, and with more samples afterwards.
@@ -167,15 +172,7 @@ TEST_F(Checkpoint, OfAnAdaptiveRenderLeadsToTheSameEndAtATargetError) {
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 0.02;
   until.adaptive = true;
-  Render uninterrupted(scene_, until);
-  uninterrupted.run();
-  render_part(scene_, until, 45 * 33 * 40);
-  Render render(scene_, until);
-  grf::Diagnostics diagnostics;
-  ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
-  render.run();
-  EXPECT_EQ(render.film().mean().pixels, uninterrupted.film().mean().pixels);
-  EXPECT_EQ(render.path_count(), uninterrupted.path_count());
+  expect_same_end(until, 45 * 33 * 40);
 }
 
 TEST_F(Checkpoint, KeepsWhatWasDoneInAllRuns) {

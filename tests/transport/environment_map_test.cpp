@@ -13,33 +13,18 @@
 
 #include "renderer/transport/sobol.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/transport/environment_images.h"
 
 namespace {
 
 using grf::Vec2f;
 using grf::Vec3f;
 using reflectance::Rgb;
+using test::image_of;
 using transport::EnvironmentMap;
 using transport::Image;
 
 constexpr double Pi = std::numbers::pi;
-
-template <class Function>
-Image image_of(int width, int height, Function texel) {
-  Image image{width, height, {}};
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) image.pixels.push_back(Rgb(texel(x, y)));
-  }
-  return image;
-}
-
-/// Towards the texel's place (x, y), in texels from the upper left corner, by the definition.
-Vec3f direction_at(const Image& image, double x, double y) {
-  const double theta = Pi * y / image.height;
-  const double phi = 2 * Pi * (x / image.width - 0.5);
-  return {static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)),
-          static_cast<float>(-std::sin(theta) * std::cos(phi))};
-}
 
 /// A sky with a gradient, black ground, noise and a sun.
 Image sky(int width, int height) {
@@ -77,7 +62,8 @@ TEST(EnvironmentMap, LooksWhereItSays) {
   EXPECT_LT(map.radiance({0, 1, 0}).x, 4);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 4; ++x) {
-      EXPECT_EQ(map.radiance(direction_at(image, x + 0.5, y + 0.5)), image.at(x, y)) << x << ", " << y;
+      EXPECT_EQ(map.radiance(Vec3f(test::direction_at<double>(image, x + 0.5, y + 0.5))), image.at(x, y))
+          << x << ", " << y;
     }
   }
 }
@@ -90,7 +76,7 @@ TEST(EnvironmentMap, DensityIntegratesToOne) {
       const double solid_angle =
           2 * Pi / image.width * (std::cos(Pi * y / image.height) - std::cos(Pi * (y + 1) / image.height));
       for (int x = 0; x < image.width; ++x) {
-        sum += solid_angle * double(map.density(direction_at(image, x + 0.5, y + 0.5)));
+        sum += solid_angle * double(map.density(Vec3f(test::direction_at<double>(image, x + 0.5, y + 0.5))));
       }
     }
     EXPECT_NEAR(sum, 1, 1e-5) << image.width << " x " << image.height;
@@ -147,7 +133,7 @@ double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samp
     const double solid_angle =
         2 * Pi / columns * (std::cos(Pi * row / rows) - std::cos(Pi * (row + 1) / rows));
     for (int column = 0; column < columns; ++column) {
-      const Vec3f direction = direction_at(image, (column + 0.5) / 2, (row + 0.5) / 2);
+      const Vec3f direction(test::direction_at<double>(image, (column + 0.5) / 2, (row + 0.5) / 2));
       const double expected = samples * solid_angle * double(says.density(direction));
       const double counted = counts[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
       if (expected < 5) {

@@ -19,6 +19,7 @@ struct PlannedLook : Look {
   EffectSet effects = EffectSet::all();
   bool full = false;  ///< `--kernel full`
   bool uses_irradiance = false;
+  transport::Integrator integrator = transport::Integrator::Path;
   /// An environment map, made once: of this radiance in all of its upper half.
   float environment = 0;
   std::size_t most_copied_triangles = 10'000;
@@ -35,6 +36,8 @@ class PlannedScene {
     compile_settings_.most_copied_triangles = look.most_copied_triangles;
     compile_settings_.has_irradiance = look.uses_irradiance;
     settings_.integrator.uses_full_kernel = look.full;
+    settings_.integrator.integrator = look.integrator;
+    settings_.integrator.secondary_rays = 3;
     settings_.integrator.uses_irradiance = look.uses_irradiance;
     if (look.environment > 0) settings_.integrator.environment = map_of(look.environment);
     const transport::Outline outline(*scene, transport::most_copied_triangles(compile_settings_));

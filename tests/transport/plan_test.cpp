@@ -1,10 +1,15 @@
 #include "renderer/transport/plan/plan.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "renderer/reflectance/merl_table.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/transport/plan_helpers.h"
 
 namespace {
@@ -282,6 +287,27 @@ TEST(Plan, GivesTheImageOfTheFullRender) {
   EXPECT_GT(blacker, 50);
 }
 
+// Of the same scenes, some of which have a light that rays meet by chance.
+TEST(Plan, GivesNaiveTheImageOfTheFullRender) {
+  int lit = 0;
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const std::string text = random_scene(random);
+    PlannedLook look;
+    look.integrator = transport::Integrator::Naive;
+    look.width = look.height = 8;
+    look.samples = 2;
+    look.depth = 1 + static_cast<int>(random() % 3);
+    look.background = seed % 2 == 0 ? 0.5F : 0.0F;
+    look.seed = seed;
+    look.threads = 1;
+    const Image planned = PlannedScene(text, look).image();
+    ASSERT_EQ(planned.pixels, PlannedScene(text, test::full(look)).image().pixels) << seed << "\n" << text;
+    lit += std::ranges::any_of(planned.pixels, [](const auto& pixel) { return pixel.y > 0; }) ? 1 : 0;
+  }
+  EXPECT_GT(lit, 50);
+}
+
 TEST(Plan, GivesTheFullImageOfItsCases) {
   for (const Case& one : cases()) {
     if (one.text.find(".png") != std::string::npos || one.text.find("CMakeLists") != std::string::npos)
@@ -309,6 +335,23 @@ double largest_difference(const Image& a, const Image& b) {
   return largest;
 }
 
+std::string add_dark_texture(const test::TemporaryFolder& folder) {
+  const std::array<float, 3> grey = {0.25F, 0.25F, 0.25F};
+  std::string bytes(sizeof grey, '\0');
+  std::memcpy(bytes.data(), grey.data(), sizeof grey);
+  return folder.add("dark.pfm", "PF\n1 1\n-1.0\n" + bytes);
+}
+
+/// Of a BRDF that is brighter than the diffuse one in its place.
+std::string add_measurements(const test::TemporaryFolder& folder) {
+  const reflectance::MerlTable table(
+      [](const transport::Vec3f&, const transport::Vec3f&) { return transport::Rgb(0.3F, 0.2F, 0.1F); });
+  std::string path = folder.path("measured.binary");
+  grf::Diagnostics diagnostics;
+  if (!table.write(path, diagnostics)) throw std::runtime_error(diagnostics.to_text());
+  return path;
+}
+
 struct Switch {
   Effect effect;
   std::string text;
@@ -319,7 +362,12 @@ struct Switch {
 TEST(Plan, LeavesOutWhatIsSwitchedOff) {
   const std::string diffuse = "brdf diffuse kd=0.8";
   const std::string room = wall(diffuse) + test::quad(diffuse, Floor) + Lamp;
+  const test::TemporaryFolder folder;
+  const std::string dark = "brdf diffuse kd=0.5 texture \"" + add_dark_texture(folder) + "\"";
+  const std::string measured = "brdf measured \"" + add_measurements(folder) + "\"";
   const std::vector<Switch> switches = {
+      {Effect::Textures, wall(dark) + Lamp, {}},
+      {Effect::MeasuredData, wall(measured) + Lamp, {}},
       {Effect::AreaLights, wall(diffuse) + Lamp, {}},
       {Effect::Environment, wall(diffuse), under_environment()},
       {Effect::Background, wall(diffuse), under_background()},

@@ -57,4 +57,9 @@ inline std::vector<std::string> sample_op_files() {
   return paths;
 }
 
+/// FOLDER_NAME of an OP file, as tests are called.
+inline std::string name_of(const std::filesystem::path& op_file) {
+  return op_file.parent_path().filename().string() + "_" + op_file.stem().string();
+}
+
 }  // namespace test

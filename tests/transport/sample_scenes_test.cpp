@@ -2,7 +2,6 @@
 #include "tests/transport/sample_scenes.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -83,9 +82,6 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(test::sample_op_files()),
-                         [](const auto& tested) {
-                           const std::filesystem::path path = tested.param;
-                           return path.parent_path().filename().string() + "_" + path.stem().string();
-                         });
+                         [](const auto& tested) { return test::name_of(tested.param); });
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -67,8 +68,9 @@ Verdict least_error(const Means& means, const std::string& claim, const std::str
 }
 
 /// The mean over the BRDFs of the error that a technique has in the time another takes for its most samples.
-double error_in_time_of(const Results& results, const std::string& scene, const Which& line,
-                        const Which& other) {
+/// Nothing if the tables are not built by then for any BRDF.
+std::optional<double> error_in_time_of(const Results& results, const std::string& scene, const Which& line,
+                                       const Which& other) {
   double sum = 0;
   int count = 0;
   for (const std::string& brdf : results.names({scene}, &Row::brdf)) {
@@ -80,7 +82,12 @@ double error_in_time_of(const Results& results, const std::string& scene, const 
     sum += 100 * *error;
     ++count;
   }
-  return sum / count;
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// What is said of an error at a time.
+std::string percent_or_none(const std::optional<double>& error) {
+  return error ? fmt::format("{} %", figure(*error)) : "none, since its tables are not built by then";
 }
 
 /// The exponent of a printed row, from 10² to 50².
@@ -123,14 +130,15 @@ std::vector<Verdict> cornell_claims(const Results& results, const Printed& print
   const PrintedTable& times = printed.table("5.7");
   const PrintedTable& errors = printed.table("5.8");
   const double uniform = means.error("uniform");
-  const double reject =
+  const auto reject =
       error_in_time_of(results, "cornell_box", {{}, {}, "reject", "naive"}, {{}, {}, "uniform", "naive"});
   return {slower(means, times, "reject", "uniform"),
           least_error(means, "the thesis' method has the least error at equal samples", "reject",
                       {"uniform", "sphere-best", "hemisphere-best"}),
           {"uniform sampling is the more effective here: it has less error than the thesis' method in the "
            "same time",
-           uniform < reject, fmt::format("{} % against {} %", figure(uniform), figure(reject))},
+           !reject || uniform < *reject,
+           fmt::format("{} % against {}", figure(uniform), percent_or_none(reject))},
           goes_on_falling(means, errors, "uniform"),
           goes_on_falling(means, errors, "reject")};
 }
@@ -232,6 +240,8 @@ std::vector<Verdict> jug_claims(const Results& results, const Printed& printed) 
   const PrintedTable& errors = printed.table("5.18");
   const double with = path.error("reject-ris");
   const double without = naive.error("reject");
+  const auto resampled =
+      error_in_time_of(results, "jug", {{}, {}, "warp-ris", "path"}, {{}, {}, "warp", "path"});
   return {
       {fmt::format("the factors are built sooner than the trees (thesis: {} times at 50²)",
                    figure(printed_ratio(printed.table("5.16"), "reject", "factored"))),
@@ -251,12 +261,8 @@ std::vector<Verdict> jug_claims(const Results& results, const Printed& printed) 
       least_error(path, "of the techniques with resampling the thesis' method has the least error",
                   "reject-ris", {"uniform-ris", "factored-ris"}),
       {"a sample with resampling is worth its time: less error than without in the same time, for `warp`",
-       error_in_time_of(results, "jug", {{}, {}, "warp-ris", "path"}, {{}, {}, "warp", "path"}) <
-           path.error("warp"),
-       fmt::format(
-           "{} % against {} %",
-           figure(error_in_time_of(results, "jug", {{}, {}, "warp-ris", "path"}, {{}, {}, "warp", "path"})),
-           figure(path.error("warp")))}};
+       resampled && *resampled < path.error("warp"),
+       fmt::format("{} against {} %", percent_or_none(resampled), figure(path.error("warp")))}};
 }
 
 std::vector<Verdict> measured_claims(const Results& results, const Printed& printed) {
@@ -307,13 +313,14 @@ std::string changes(const Results& results, const std::string& scene, const Prin
   const Means path(results, scene, "path");
   const Which ours = {{}, {}, "warp", "path"};
   const Which theirs = {{}, {}, "reject", "naive"};
-  const double now = error_in_time_of(results, scene, ours, theirs);
+  const auto now = error_in_time_of(results, scene, ours, theirs);
+  if (!now) return {};
   const double then = naive.error("reject");
   std::string text = fmt::format(
       "\nWhat changed: in the time of {} samples of the thesis' estimator with its method ({} % of error), "
       "`path` with "
       "`warp` comes to {} %, {} of that error.",
-      naive.last(), figure(then), figure(now), ratio(now, then));
+      naive.last(), figure(then), figure(*now), ratio(*now, then));
   const double printed = printed_exponent(errors, "reject");
   if (std::isfinite(printed)) {
     text += fmt::format(

@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 namespace study {
+namespace {
+
+constexpr std::string_view Heading =
+    "scene,brdf,technique,integrator,samples,build_seconds,sampling_seconds,render_seconds,"
+    "average_relative_error,relmse,bytes";
+
+}  // namespace
 
 std::vector<const Row*> Results::select(const Which& which) const {
   const auto fits = [](std::string_view wanted, std::string_view name) {
@@ -44,15 +53,31 @@ std::vector<std::string> Results::names(const Which& which, std::string Row::*na
 }
 
 std::string csv(const Results& results) {
-  std::string text =
-      "scene,brdf,technique,integrator,samples,build_seconds,sampling_seconds,render_seconds,"
-      "average_relative_error,relmse,bytes\n";
+  std::string text = std::string(Heading) + "\n";
   for (const Row& row : results.rows) {
     text += fmt::format("{},{},{},{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.0f}\n", row.scene, row.brdf,
                         row.technique, row.integrator, row.samples, row.build, row.sampling, row.render,
                         row.error, row.relmse, row.bytes);
   }
   return text;
+}
+
+std::vector<Row> rows_of_csv(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  if (!std::getline(lines, line) || line != Heading)
+    throw std::runtime_error("these are no rows of the study");
+  std::vector<Row> rows;
+  while (std::getline(lines, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line);
+    Row row;
+    words >> row.scene >> row.brdf >> row.technique >> row.integrator >> row.samples >> row.build >>
+        row.sampling >> row.render >> row.error >> row.relmse >> row.bytes;
+    if (!words) throw std::runtime_error("there is a row that is not whole");
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 }  // namespace study

@@ -58,5 +58,7 @@ class Results {
 
 /// One line for each row.
 std::string csv(const Results& results);
+/// The rows that `csv` wrote; throws if the text is not from there.
+std::vector<Row> rows_of_csv(const std::string& text);
 
 }  // namespace study

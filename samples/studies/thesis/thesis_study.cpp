@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "grf/text_file.h"
 #include "samples/studies/markdown.h"
 #include "samples/studies/sampling/cases.h"
 #include "samples/studies/thesis/lobe_fit.h"
@@ -22,6 +23,7 @@ using namespace study;
 
 struct Arguments {
   bool is_quick = false;
+  bool has_rows = false;  ///< in rows.csv beside the report, from a run before
   std::vector<std::string> names;
   std::string merl, output = ".", work = "work";
 };
@@ -78,6 +80,19 @@ void measure_all(const std::vector<Group>& groups, const Programs& programs, con
   }
 }
 
+void measure_and_draw(const Choice& choice, const Arguments& arguments, Results& results) {
+  const Programs programs(std::filesystem::read_symlink("/proc/self/exe").parent_path().string(),
+                          choice.data + "/log");
+  prepare(choice, programs, arguments.merl);
+  const std::vector<Group> all = groups(choice);
+  measure_all(all, programs, choice.data, results);
+  for (const auto& [row, file] :
+       {std::pair(dragon_pictures(), "figure_5_13.png"), std::pair(pottery_pictures(), "figure_5_14.png")}) {
+    if (choice.has_scene(row.scene))
+      write_pictures(row, all, programs, choice.data, arguments.output + "/" + file);
+  }
+}
+
 int run(const Arguments& arguments) {
   grf::Diagnostics diagnostics;
   const auto choice = choice_of(arguments);
@@ -87,9 +102,6 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "{}", diagnostics.to_text());
     return 1;
   }
-  const Programs programs(std::filesystem::read_symlink("/proc/self/exe").parent_path().string(),
-                          choice->data + "/log");
-  prepare(*choice, programs, arguments.merl);
   Results results;
   results.effort = choice->effort;
   results.machine = machine_name();
@@ -97,14 +109,15 @@ int run(const Arguments& arguments) {
   results.is_whole = arguments.names.empty();
   results.has_merl = !arguments.merl.empty();
   if (choice->has_scene("glossy_sphere")) results.exponents = choice->exponents;
-  const std::vector<Group> all = groups(*choice);
-  measure_all(all, programs, choice->data, results);
-  for (const auto& [row, file] :
-       {std::pair(dragon_pictures(), "figure_5_13.png"), std::pair(pottery_pictures(), "figure_5_14.png")}) {
-    if (choice->has_scene(row.scene))
-      write_pictures(row, all, programs, choice->data, arguments.output + "/" + file);
+  if (arguments.has_rows) {
+    const auto rows = grf::read_file(arguments.output + "/rows.csv", diagnostics);
+    if (rows) results.rows = rows_of_csv(*rows);
+  } else {
+    measure_and_draw(*choice, arguments, results);
+    results.rows = rows_of_csv(csv(results));  // so that the report is that of the file's digits
   }
-  const bool is_written = write_report(results, *printed, arguments.output, diagnostics);
+  const bool is_written =
+      !diagnostics.has_errors() && write_report(results, *printed, arguments.output, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   return is_written ? 0 : 1;
 }
@@ -115,6 +128,7 @@ int main(int argc, char** argv) {
   CLI::App app("Renders the test scenes of the thesis; writes README.md, tables and pictures.");
   Arguments arguments;
   app.add_flag("--quick", arguments.is_quick, "small images, few samples, coarse trees");
+  app.add_flag("--report", arguments.has_rows, "write the report again, from rows.csv, and measure nothing");
   app.add_option("--only", arguments.names, "some of the scenes, or of the BRDFs, by name")->delimiter(',');
   app.add_option("--merl", arguments.merl, "a folder with files of the MERL data base")
       ->check(CLI::ExistingDirectory);
