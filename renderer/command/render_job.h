@@ -41,8 +41,8 @@ struct RenderPlan {
 std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::CompileSettings compile_settings,
                                       const options::RenderOptions& render_options,
                                       grf::Diagnostics& diagnostics);
-/// Reads the image around or behind the scene into the settings, if the plan needs it; what is there already is
-/// kept.
+/// Reads the image around or behind the scene into the settings, if the plan needs it; what is there already
+/// is kept.
 bool load_surroundings(const options::RenderOptions& render_options, RenderPlan& planned,
                        grf::Diagnostics& diagnostics);
 /// An error if there is nothing to render.
