@@ -13,7 +13,6 @@ namespace {
 
 using grf::Diagnostics;
 using grf::ExitCode;
-using transport::Image;
 using transport::ImageError;
 
 /// Nothing after an error.

@@ -161,7 +161,7 @@ TEST(EnvironmentMap, SamplesFollowTheirDensity) {
   }
   // The test of the test.
   Image other = sky(64, 32);
-  for (int x = 0; x < 64; ++x) other.pixels[std::size_t(64 * 10 + x)] *= 3;
+  for (int x = 0; x < 64; ++x) other.pixels[std::size_t(64) * 10 + std::size_t(x)] *= 3;
   EXPECT_LT(p_value(maps.back(), EnvironmentMap(other), 400000), 1e-6);
 }
 

@@ -15,7 +15,6 @@
 namespace {
 
 using test::Effect;
-using test::EffectSet;
 using test::PlannedLook;
 using test::PlannedScene;
 using transport::Image;

@@ -117,7 +117,7 @@ void CascadeTables::append_plain(Curves& curves, std::span<const double> masses)
 void CascadeTables::append_compressed(Curves& curves, std::span<const double> masses) const {
   const auto add = [&](std::span<const double> cells, std::span<const float> edges, float tolerance) {
     const std::vector<float> curve = cumulative(cells);
-    const std::vector<std::uint16_t> kept = simplified(edges, curve, tolerance);
+    std::vector<std::uint16_t> kept = simplified(edges, curve, tolerance);
     curves.begins.push_back(static_cast<std::uint32_t>(curves.values.size()));
     for (const std::uint16_t i : kept) curves.values.push_back(curve[i]);
     extend(curves.points, kept);

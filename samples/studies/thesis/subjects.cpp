@@ -54,11 +54,11 @@ class Maker {
       group.file = file + '_' + group.integrator;
       group.samples = is_naive ? naive : path;
       group.reference_samples = is_quick() ? reference_samples / 4 : reference_samples;
-      if (!group.samples.empty()) groups_.push_back(group);
+      if (!group.samples.empty()) groups.push_back(group);
     }
   }
 
-  std::vector<Group> groups_;
+  std::vector<Group> groups;
 
  private:
   const Choice& choice_;
@@ -90,7 +90,7 @@ std::vector<Group> cornell_boxes(const Choice& choice) {
     for (Line& line : adjusted_lines(choice, subject)) group.lines.push_back(std::move(line));
     maker.add(group, Maker::counts(1, maker.is_quick() ? 100 : 225), Maker::counts(1, 100), 1024);
   }
-  return maker.groups_;
+  return maker.groups;
 }
 
 std::vector<Group> glossy_spheres(const Choice& choice) {
@@ -112,7 +112,7 @@ std::vector<Group> glossy_spheres(const Choice& choice) {
     group.lines.insert(group.lines.end(), constant.begin(), constant.end());
     maker.add(group, Maker::counts(1, maker.is_quick() ? 225 : 900), Maker::counts(1, 100), 1024);
   }
-  return maker.groups_;
+  return maker.groups;
 }
 
 std::vector<Group> dragons(const Choice& choice) {
@@ -141,7 +141,7 @@ std::vector<Group> dragons(const Choice& choice) {
   group.schemes = {"", scheme_text(matte), scheme_text(strauss), scheme_text(lafortune)};
   group.file = "dragon_factored";
   maker.add(group, naive, path, 256);
-  return maker.groups_;
+  return maker.groups;
 }
 
 std::string pottery_view(int width, int height, const Maker& maker) {
@@ -185,7 +185,7 @@ std::vector<Group> potteries(const Choice& choice) {
                    factored(32, 64, 32, 3, 3, true)};
   group.file = "pottery_factored_fine";
   maker.add(group, naive, path, 1024);
-  return maker.groups_;
+  return maker.groups;
 }
 
 std::vector<Group> single_jugs(const Choice& choice) {
@@ -209,7 +209,7 @@ std::vector<Group> single_jugs(const Choice& choice) {
   for (Line& line : group.lines) line.technique += "-ris";
   group.file = "jug_ris";
   maker.add(group, {}, counts, 1024);
-  return maker.groups_;
+  return maker.groups;
 }
 
 std::vector<Group> measured_jugs(const Choice& choice) {
@@ -231,7 +231,7 @@ std::vector<Group> measured_jugs(const Choice& choice) {
                                                           : "cascadeCDF nTh=1024 nPh=256 compress=true"});
     maker.add(group, {25}, {25}, 256);
   }
-  return maker.groups_;
+  return maker.groups;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
   std::vector<std::string> command = {GRANADA_BIN_DIR "/render_benchmark", "--quick", "--folder",
                                       folder.path("run")};
   // A library that is loaded in front of the sanitizers' own keeps them from starting.
-  constexpr bool HasSanitizers = std::string_view(GRANADA_SANITIZERS) != "";
+  constexpr bool HasSanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
   if (HasSanitizers) command.emplace_back("--without-embree-share");
   const test::Outcome outcome = test::run(command);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
