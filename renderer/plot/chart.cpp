@@ -59,9 +59,9 @@ class Scale {
   std::vector<double> ticks() const {
     std::vector<double> values;
     if (is_logarithmic_) {
-      const double step = std::max(1.0, std::ceil((high_ - low_) / 6));
+      const int step = std::max(1, static_cast<int>(std::ceil((high_ - low_) / 6)));
       if (step == 1 && !(is_whole(low_) && is_whole(high_))) return ticks_within_decades();
-      for (double exponent = std::ceil(low_); exponent <= high_ + 1e-9; exponent += step) {
+      for (int exponent = static_cast<int>(std::ceil(low_)); exponent <= high_ + 1e-9; exponent += step) {
         values.push_back(std::pow(10, exponent));
       }
       return values;
@@ -78,7 +78,7 @@ class Scale {
   /// At 1, 2 and 5 as far as there is place for them.
   std::vector<double> ticks_within_decades() const {
     std::vector<double> values;
-    for (double decade = std::floor(low_); decade <= high_; ++decade) {
+    for (int decade = static_cast<int>(std::floor(low_)); decade <= high_; ++decade) {
       for (const double factor : {1.0, 2.0, 5.0}) {
         if (factor > 1 && high_ - low_ > 3) continue;
         const double value = factor * std::pow(10, decade);
@@ -234,7 +234,7 @@ std::vector<double> apart(const std::vector<double>& wishes, double distance, do
   std::size_t k = 0;
   for (const Block& block : blocks) {
     const double place = std::clamp(block.mean(), from, from + std::max(0.0, room));
-    for (double i = 0; i < block.count; ++i, ++k) {
+    for (int i = 0; i < block.count; ++i, ++k) {
       places[order[k]] = place + distance * static_cast<double>(k);
     }
   }

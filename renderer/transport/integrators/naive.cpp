@@ -78,7 +78,7 @@ std::vector<ScatterSample> NaivePaths::draw_secondary(const Scattering& scatteri
 std::optional<ScatterSample> NaivePaths::draw(const Scattering& scattering, const Uniforms& xi) {
   if (!settings_.measures_sampling) return scattering.reflector.sample(scattering.u, xi);
   const std::uint64_t start = processor_ticks();
-  const auto drawn = scattering.reflector.sample(scattering.u, xi);
+  auto drawn = scattering.reflector.sample(scattering.u, xi);
   counter_.sampling_ticks += processor_ticks() - start;
   return drawn;
 }
