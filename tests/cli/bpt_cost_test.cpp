@@ -11,7 +11,6 @@
 namespace {
 
 using command::CostPoint;
-using command::PowerLaw;
 using nlohmann::json;
 using test::Outcome;
 

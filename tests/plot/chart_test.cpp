@@ -14,7 +14,6 @@ namespace {
 using plot::Axis;
 using plot::Chart;
 using plot::PolarChart;
-using plot::Series;
 using testing::Contains;
 using testing::IsSupersetOf;
 using testing::Not;

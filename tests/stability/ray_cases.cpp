@@ -14,7 +14,6 @@ namespace {
 
 using grf::Vec3d;
 using transport::CompiledScene;
-using transport::Ray;
 using transport::Scattering;
 using transport::SurfacePoint;
 using transport::Vec3f;

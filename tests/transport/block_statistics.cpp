@@ -12,14 +12,16 @@ namespace {
 std::vector<double> means_of(const transport::Image& image) {
   std::vector<double> means;
   for (int across = 1; across <= 8; across *= 2) {
-    const auto blocks = static_cast<std::size_t>(across * across);
-    std::vector<double> sums(3 * blocks);
-    std::vector<int> counts(blocks);
+    const int blocks = across * across;
+    std::vector<double> sums(static_cast<std::size_t>(3) * static_cast<std::size_t>(blocks));
+    std::vector<int> counts(static_cast<std::size_t>(blocks));
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {
-        const auto block =
-            static_cast<std::size_t>(y * across / image.height * across + x * across / image.width);
-        const auto& pixel = image.pixels[static_cast<std::size_t>(y * image.width + x)];
+        const int row = y * across / image.height;
+        const int column = x * across / image.width;
+        const auto block = static_cast<std::size_t>(row) * static_cast<std::size_t>(across) +
+                           static_cast<std::size_t>(column);
+        const auto& pixel = image.at(x, y);
         for (int k = 0; k < 3; ++k) sums[3 * block + static_cast<std::size_t>(k)] += pixel[k];
         ++counts[block];
       }

@@ -96,8 +96,8 @@ struct Viewer {
     for (std::size_t c = 0; c < channels.size(); ++c) {
       for (int i = 0; i < w * h; ++i) {
         const std::int64_t at = (offsets[c] + i * strides[c]) * static_cast<std::int64_t>(sizeof(float));
-        std::memcpy(&values[c][static_cast<std::size_t>((y + i / w) * width + x + i % w)],
-                    fields.rest().data() + at, sizeof(float));
+        const std::int64_t pixel = std::int64_t{y + i / w} * width + x + i % w;
+        std::memcpy(&values[c][static_cast<std::size_t>(pixel)], fields.rest().data() + at, sizeof(float));
       }
     }
   }

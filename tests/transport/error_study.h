@@ -12,22 +12,22 @@ namespace test {
 /// How estimated and true errors of some renders compare.
 struct ErrorStudy {
   int runs = 0;
-  int inside = 0;                ///< true errors that were in their interval
-  double stated = 0, true_ = 0;  ///< sums of squared errors, each as a part of its scene's mean one
-  int stopped = 0;               ///< renders with a target
-  int missed = 0;                ///< of which the true error was above the target by more than the margin
+  int inside = 0;                 ///< true errors that were in their interval
+  double stated = 0, actual = 0;  ///< sums of squared errors, each as a part of its scene's mean one
+  int stopped = 0;                ///< renders with a target
+  int missed = 0;                 ///< of which the true error was above the target by more than the margin
 
   ErrorStudy& operator+=(const ErrorStudy& other) {
     runs += other.runs;
     inside += other.inside;
     stated += other.stated;
-    true_ += other.true_;
+    actual += other.actual;
     stopped += other.stopped;
     missed += other.missed;
     return *this;
   }
   double coverage() const { return static_cast<double>(inside) / runs; }
-  double stated_over_true() const { return std::sqrt(stated / true_); }
+  double stated_over_true() const { return std::sqrt(stated / actual); }
   double missed_share() const { return static_cast<double>(missed) / stopped; }
 };
 
@@ -86,7 +86,7 @@ inline void study_errors(const SampleScene& scene, int seeds, int samples, Error
   }
   study.runs += seeds;
   study.stated += stated / mean;
-  study.true_ += seeds;
+  study.actual += seeds;
 
   settings.samples = transport::RenderSettings::Unlimited;
   settings.target_error = std::sqrt(mean) * 2 / 3;
@@ -113,7 +113,8 @@ inline BlockMeans block_means(const SampleScene& scene, const transport::RenderS
   transport::RenderSettings settings = base;
   const int across = settings.width / BlockMeans::Side;
   const int down = settings.height / BlockMeans::Side;
-  const auto blocks = static_cast<std::size_t>(3 * across * down);
+  const std::size_t blocks =
+      static_cast<std::size_t>(3) * static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
   std::vector<double> sums(blocks);
   std::vector<double> squares(blocks);
   for (int i = 0; i < renders; ++i, ++settings.seed) {
@@ -123,8 +124,10 @@ inline BlockMeans block_means(const SampleScene& scene, const transport::RenderS
     std::vector<double> values(blocks);
     for (int y = 0; y < down * BlockMeans::Side; ++y) {
       for (int x = 0; x < across * BlockMeans::Side; ++x) {
-        const int block = y / BlockMeans::Side * across + x / BlockMeans::Side;
-        for (int k = 0; k < 3; ++k) values[static_cast<std::size_t>(3 * block + k)] += image.at(x, y)[k];
+        const auto row = static_cast<std::size_t>(y / BlockMeans::Side);
+        const auto column = static_cast<std::size_t>(x / BlockMeans::Side);
+        const std::size_t first = 3 * (row * static_cast<std::size_t>(across) + column);
+        for (int k = 0; k < 3; ++k) values[first + static_cast<std::size_t>(k)] += image.at(x, y)[k];
       }
     }
     for (std::size_t b = 0; b < blocks; ++b) {

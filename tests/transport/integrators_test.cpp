@@ -24,7 +24,7 @@ std::string room(const std::string& brdf) {
          "light begin rgb (2,3,4) (-1,1,-1) (2,0,0) (0,0,2) end\n";
 }
 
-CompiledScene compiled(const std::string& text, transport::CompileSettings settings = {}) {
+CompiledScene compiled(const std::string& text, const transport::CompileSettings& settings = {}) {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read_text(text, "test.grf", diagnostics);
   auto compiled = transport::compile(*scene, diagnostics, settings);

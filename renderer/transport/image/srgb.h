@@ -11,7 +11,7 @@ namespace transport {
 using SrgbTable = std::array<float, 256>;
 
 inline const SrgbTable& srgb_table() {
-  static const SrgbTable Table = [] {
+  static const SrgbTable table = [] {
     SrgbTable linear = {};
     for (std::size_t i = 0; i < linear.size(); ++i) {
       const double encoded = static_cast<double>(i) / 255;
@@ -20,7 +20,7 @@ inline const SrgbTable& srgb_table() {
     }
     return linear;
   }();
-  return Table;
+  return table;
 }
 
 /// The byte whose value is nearest in sRGB's own measure: 255 from 1 on, and 0 for what is no number.

@@ -45,7 +45,7 @@ std::string material_table(const PrintedTable& printed, const Columns& columns, 
   std::vector<std::string> header = {"material"};
   for (const std::string& column : printed.columns) {
     header.push_back(column + ", thesis");
-    header.push_back("today");
+    header.emplace_back("today");
   }
   for (std::size_t i = printed.columns.size(); i < columns.size(); ++i) {
     header.emplace_back(columns[i].title);
