@@ -39,7 +39,9 @@ transport::ImageError error_of_file(const fs::path& path, const Image& reference
   if (image.width != reference.width || image.height != reference.height) {
     throw std::runtime_error(path.string() + " has not the size of its reference");
   }
-  return transport::error_of(image, reference);
+  const transport::ImageError error = transport::error_of(image, reference);
+  if (error.nan_pixels > 0) throw std::runtime_error(path.string() + " has pixels that are not finite");
+  return error;
 }
 
 class SceneMeasurement {
