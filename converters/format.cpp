@@ -9,7 +9,7 @@
 
 #include "converters/bare_faces.h"
 #include "converters/grf_format.h"
-#include "converters/obj.h"
+#include "converters/obj/obj.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 
@@ -83,15 +83,15 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
   return nullptr;
 }
 
-std::optional<grf::Scene> read(const Format& format, const std::string& path, const ReadOptions& options,
-                               grf::Diagnostics& diagnostics) {
+std::optional<Import> read(const Format& format, const std::string& path, const ReadOptions& options,
+                           grf::Diagnostics& diagnostics) {
   if (format.read == nullptr) {
     diagnostics.error(grf::whole_file(path), fmt::format("{} files are not read", format.name));
     return std::nullopt;
   }
-  std::optional<grf::Scene> scene = format.read(path, options, diagnostics);
-  if (scene && options.brdf) give_bare_faces(*scene, *options.brdf);
-  return scene;
+  std::optional<Import> import = format.read(path, options, diagnostics);
+  if (import && options.brdf) give_bare_faces(import->scene, *options.brdf);
+  return import;
 }
 
 }  // namespace convert

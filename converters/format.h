@@ -18,6 +18,19 @@ struct ReadOptions {
   std::optional<grf::BrdfModel> brdf;
 };
 
+/// A file that stood inside another one, such as an image in a GLB file.
+struct EmbeddedFile {
+  std::string name;  ///< of its own, without a folder: it is to be written beside the scene that names it
+  std::string bytes;
+};
+
+/// What a file holds. The scene names other files from the folder of the file, and so the embedded ones, as
+/// though they stood there already.
+struct Import {
+  grf::Scene scene;
+  std::vector<EmbeddedFile> files;
+};
+
 /// What there is to know of one file format.
 struct Format {
   std::string_view name;                     ///< as options say it: `obj`
@@ -27,9 +40,9 @@ struct Format {
   /// True if a file that begins with these bytes is of the format. Never true of two formats.
   bool (*sniff)(std::string_view first_bytes);
 
-  /// The scene of a file, or nothing after an error. Null: the format is not read.
-  std::optional<grf::Scene> (*read)(const std::string& path, const ReadOptions& options,
-                                    grf::Diagnostics& diagnostics) = nullptr;
+  /// What a file holds, or nothing after an error. Null: the format is not read.
+  std::optional<Import> (*read)(const std::string& path, const ReadOptions& options,
+                                grf::Diagnostics& diagnostics) = nullptr;
 
   /// Replaces the file, or leaves it as it was and says why. Null: the format is not written.
   bool (*write)(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) = nullptr;
@@ -51,7 +64,7 @@ const Format* format_of_name(const std::string& path);
 const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics);
 
 /// Reads a file of a format. Nothing is returned after an error.
-std::optional<grf::Scene> read(const Format& format, const std::string& path, const ReadOptions& options,
-                               grf::Diagnostics& diagnostics);
+std::optional<Import> read(const Format& format, const std::string& path, const ReadOptions& options,
+                           grf::Diagnostics& diagnostics);
 
 }  // namespace convert

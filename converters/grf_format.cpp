@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "grf/keywords.h"
 #include "grf/read.h"
@@ -33,9 +34,10 @@ bool sniff(std::string_view first_bytes) {
                      [word](std::string_view first) { return grf::same_keyword(first, word); });
 }
 
-std::optional<grf::Scene> read_grf(const std::string& path, const ReadOptions&,
-                                   grf::Diagnostics& diagnostics) {
-  return grf::read(path, diagnostics);
+std::optional<Import> read_grf(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
+  auto scene = grf::read(path, diagnostics);
+  if (!scene) return std::nullopt;
+  return Import{std::move(*scene), {}};
 }
 
 }  // namespace

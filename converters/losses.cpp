@@ -45,6 +45,28 @@ LossText text_of(Loss loss) {
       return {"line was left out", "lines were left out", "GRF has faces alone"};
     case Loss::Point:
       return {"point was left out", "points were left out", "GRF has faces alone"};
+    case Loss::Camera:
+      return {"camera was left out", "cameras were left out", "a view is given when a scene is rendered"};
+    case Loss::LightSource:
+      return {"light was left out", "lights were left out", "GRF has lights with an area alone"};
+    case Loss::Animation:
+      return {"animation was left out", "animations were left out", "GRF scenes stand still"};
+    case Loss::EmissionMap:
+      return {"face lost its map of emission", "faces lost their map of emission",
+              "faces of GRF shine evenly"};
+    case Loss::SecondTextureCoordinates:
+      return {"face lost its further sets of texture coordinates",
+              "faces lost their further sets of texture coordinates", "GRF has one"};
+    case Loss::SingularTransform:
+      return {"mesh was left out", "meshes were left out", "a transform without height makes nothing of it"};
+    case Loss::Brdf:
+      return {"face lost its BRDF", "faces lost their BRDF", "the format has none"};
+    case Loss::SamplingScheme:
+      return {"face lost its sampling scheme", "faces lost their sampling scheme", "the format has none"};
+    case Loss::Irradiance:
+      return {"vertex lost its irradiance", "vertices lost their irradiance", "the format has none"};
+    case Loss::AreaLight:
+      return {"light was left out", "lights were left out", "the format has none with an area"};
   }
   return {};
 }

@@ -1,4 +1,5 @@
-// What a scene cannot hold of a file that was read, said in one warning a kind.
+// What a scene cannot hold of a file that was read, and a file of a scene that is written: said in one
+// warning a kind.
 #pragma once
 
 #include <array>
@@ -20,6 +21,18 @@ enum class Loss {
   ShortFace,
   Line,
   Point,
+  // What only some formats have.
+  Camera,
+  LightSource,
+  Animation,
+  EmissionMap,
+  SecondTextureCoordinates,
+  SingularTransform,
+  // What only GRF has, for writers.
+  Brdf,
+  SamplingScheme,
+  Irradiance,
+  AreaLight,
 };
 
 class Losses {
@@ -30,7 +43,7 @@ class Losses {
   void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
 
  private:
-  std::array<std::size_t, static_cast<std::size_t>(Loss::Point) + 1> counts_ = {};
+  std::array<std::size_t, static_cast<std::size_t>(Loss::AreaLight) + 1> counts_ = {};
 };
 
 }  // namespace convert

@@ -51,6 +51,7 @@ class Mapping {
     mapped_.definition.name = grf::to_identifier(material.name);
     mapped_.definition.location = material.location;
     mapped_.losses = material.losses;
+    mapped_.texture = material.diffuse_map;
   }
 
   MappedMaterial run() {

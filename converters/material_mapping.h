@@ -27,6 +27,7 @@ struct PhongMaterial {
   grf::Vec3d specular = grf::Vec3d(0);
   grf::Vec3d emission = grf::Vec3d(0);  ///< radiance, W/(sr m2)
   std::optional<double> exponent;
+  std::optional<grf::Texture> diffuse_map;
   Reflection reflection = Reflection::Glossy;
 
   std::string_view source;                 ///< the name of the format
@@ -39,6 +40,7 @@ struct PhongMaterial {
 struct MappedMaterial {
   grf::Definition definition;
   std::optional<grf::Colour> emission;
+  std::optional<grf::Texture> texture;  ///< multiplies the BRDF's colours
   std::vector<Loss> losses;
   bool clamped = false;  ///< a value was out of its range
 };

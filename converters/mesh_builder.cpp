@@ -28,6 +28,7 @@ std::uint32_t MeshBuilder::vertex(const Corner& corner) {
     mesh_.positions.push_back(corner.position);
     if (corner.normal) mesh_.normals.set(next, *corner.normal);
     if (corner.colour) mesh_.colours.set(next, *corner.colour);
+    if (corner.uv) mesh_.uvs.set(next, *corner.uv);
   }
   return known->second;
 }
@@ -35,13 +36,16 @@ std::uint32_t MeshBuilder::vertex(const Corner& corner) {
 MeshBuilder::Key MeshBuilder::key_of(const Corner& corner) {
   Key key = {};
   std::size_t i = 0;
-  const auto put = [&](const grf::Vec3f& v) {
-    for (const float component : {v.x, v.y, v.z}) key[i++] = std::bit_cast<std::uint32_t>(component);
+  const auto put = [&](const auto& v) {
+    for (unsigned k = 0; k < v.dimensions(); ++k) {
+      key[i++] = std::bit_cast<std::uint32_t>(v[static_cast<int>(k)]);
+    }
   };
   put(corner.position);
   put(corner.normal.value_or(grf::Vec3f(0)));
   put(corner.colour.value_or(grf::Colour(0)));
-  key[i] = (corner.normal ? 1U : 0U) | (corner.colour ? 2U : 0U);
+  put(corner.uv.value_or(grf::Vec2f(0)));
+  key[i] = (corner.normal ? 1U : 0U) | (corner.colour ? 2U : 0U) | (corner.uv ? 4U : 0U);
   return key;
 }
 

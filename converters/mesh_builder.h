@@ -19,6 +19,7 @@ struct Corner {
   grf::Vec3f position;
   std::optional<grf::Vec3f> normal;
   std::optional<grf::Colour> colour;
+  std::optional<grf::Vec2f> uv;
 };
 
 /// Makes a mesh of faces whose corners are given one by one: corners that are alike, bit for bit, share a
@@ -41,8 +42,8 @@ class MeshBuilder {
   grf::Mesh take() { return std::move(mesh_); }
 
  private:
-  /// The bits of position, normal and colour, and which of the two latter there are.
-  using Key = std::array<std::uint32_t, 10>;
+  /// The bits of position, normal, colour and uv, and which of the latter there are.
+  using Key = std::array<std::uint32_t, 12>;
   struct KeyHash {
     std::size_t operator()(const Key& key) const;
   };

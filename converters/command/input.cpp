@@ -12,9 +12,9 @@ std::optional<Input> read_input(const InputOptions& options, grf::Diagnostics& d
   const Format* format = options.format;
   if (format == nullptr) format = recognise(options.path, diagnostics);
   if (format == nullptr) return std::nullopt;
-  auto scene = read(*format, options.path, options.reading, diagnostics);
-  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
-  return Input{format, std::move(*scene)};
+  auto import = read(*format, options.path, options.reading, diagnostics);
+  if (!import || !grf::check(import->scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
+  return Input{format, std::move(import->scene), std::move(import->files)};
 }
 
 std::optional<grf::BrdfModel> read_brdf_option(const std::string& text, const std::string& option,

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "converters/format.h"
 
@@ -16,6 +17,7 @@ struct InputOptions {
 struct Input {
   const Format* format = nullptr;
   grf::Scene scene;
+  std::vector<EmbeddedFile> files;
 };
 
 /// Reads a file and checks the scene against the models that there are. Nothing is returned after an error.

@@ -90,7 +90,7 @@ TEST(GrfFormat, ReadsWhatItWrites) {
   const std::string path = folder.path("out.grf");
   grf::Diagnostics diagnostics;
   ASSERT_TRUE(format.write(*original.scene, path, diagnostics));
-  EXPECT_EQ(read(format, path, {}, diagnostics), original.scene);
+  EXPECT_EQ(read(format, path, {}, diagnostics)->scene, original.scene);
 }
 
 TEST(GrfFormat, TheOptionGivesABrdfToBareFacesEverywhere) {
@@ -103,9 +103,9 @@ TEST(GrfFormat, TheOptionGivesABrdfToBareFacesEverywhere) {
                                   "light rgb (1,1,1) (2,1,0) end faces end mesh end\n");
   grf::Diagnostics diagnostics;
   const ReadOptions options{grf::read_brdf("ward sx=0.15", "option", diagnostics)};
-  const auto scene = read(*find_format("grf"), path, options, diagnostics);
-  ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
-  const std::vector<grf::Mesh> meshes = meshes_of(*scene);
+  const auto import = read(*find_format("grf"), path, options, diagnostics);
+  ASSERT_TRUE(import.has_value()) << diagnostics.to_text();
+  const std::vector<grf::Mesh> meshes = meshes_of(import->scene);
   ASSERT_EQ(meshes.size(), 2U);
   EXPECT_EQ(meshes[0].surface(0).brdf, grf::BrdfAttribute(*options.brdf));
   EXPECT_EQ(std::get<grf::BrdfModel>(*meshes[1].surface(0).brdf).keyword, "phong");

@@ -1,5 +1,7 @@
 #include "tests/converters/reading.h"
 
+#include <utility>
+
 #include "grf/visit.h"
 #include "grf/write.h"
 
@@ -8,7 +10,10 @@ namespace convert {
 Reading read_path(const std::string& path, const ReadOptions& options) {
   Reading reading;
   if (const Format* format = recognise(path, reading.diagnostics)) {
-    reading.scene = read(*format, path, options, reading.diagnostics);
+    if (auto import = read(*format, path, options, reading.diagnostics)) {
+      reading.scene = std::move(import->scene);
+      reading.files = std::move(import->files);
+    }
   }
   return reading;
 }

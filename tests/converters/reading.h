@@ -16,6 +16,7 @@ namespace convert {
 /// A scene, or none, and what was said of it.
 struct Reading {
   std::optional<grf::Scene> scene;
+  std::vector<EmbeddedFile> files;
   grf::Diagnostics diagnostics;
 
   std::string text() const { return diagnostics.to_text(); }

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "converters/wavefront_text.h"
+#include "converters/obj/wavefront_text.h"
 #include "grf/diagnostics.h"
 
 namespace convert {

@@ -1,4 +1,4 @@
-#include "converters/wavefront_text.h"
+#include "converters/obj/wavefront_text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "converters/wavefront_text.h"
+#include "converters/obj/wavefront_text.h"
 
 namespace convert {
 

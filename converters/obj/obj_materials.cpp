@@ -1,11 +1,11 @@
-#include "converters/obj_materials.h"
+#include "converters/obj/obj_materials.h"
 
 #include <filesystem>
 #include <sstream>
 
 #include <fmt/format.h>
 
-#include "converters/mtl.h"
+#include "converters/obj/mtl.h"
 #include "converters/wording.h"
 #include "grf/text_file.h"
 #include "grf/write.h"
@@ -62,6 +62,7 @@ grf::Surface ObjMaterials::surface(const std::string& name, std::size_t faces, L
   grf::Surface surface;
   surface.brdf = grf::Reference{material.definition.name, {}};
   surface.emission = material.emission;
+  if (material.texture) surface.texture = *material.texture;
   return surface;
 }
 

@@ -1,4 +1,4 @@
-#include "converters/obj.h"
+#include "converters/obj/obj.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,9 @@
 #include <fmt/format.h>
 
 #include "converters/mesh_builder.h"
-#include "converters/obj_materials.h"
-#include "converters/obj_text.h"
+#include "converters/obj/obj_materials.h"
+#include "converters/obj/obj_text.h"
+#include "converters/scene_parts.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 
@@ -57,7 +58,6 @@ class ObjReader {
   Corner corner_of(const aiMesh& faces, unsigned vertex);
   grf::Surface surface_of(const aiScene& imported, const aiMesh& faces);
   void report(const ObjText& text);
-  grf::Scene scene();
 
   std::optional<grf::Scene> fail(const std::string& message) {
     diagnostics_.error(location_, message);
@@ -92,7 +92,7 @@ std::optional<grf::Scene> ObjReader::run(const ObjText& text) {
     return fail(fmt::format("{} of {} faces could be read", face_count_, text.faces));
   }
   report(text);
-  return scene();
+  return scene_of(materials_.definitions(), std::move(meshes_), location_);
 }
 
 // A mesh of Assimp's is what an object has of one material, in the order of the file.
@@ -170,30 +170,15 @@ void ObjReader::report(const ObjText& text) {
       fmt::format("{} not read: {}", counted(count, "statement was", "statements were"), listed(keywords)));
 }
 
-grf::Scene ObjReader::scene() {
-  grf::Scene scene;
-  std::vector<grf::Definition> definitions = materials_.definitions();
-  if (definitions.empty()) {
-    scene.contents.blocks = std::move(meshes_);
-    return scene;
-  }
-  grf::DefinitionScope scope;
-  scope.definitions = std::move(definitions);
-  scope.body.blocks = std::move(meshes_);
-  grf::Block block;
-  block.content = std::move(scope);
-  block.location = location_;
-  scene.contents.blocks.push_back(std::move(block));
-  return scene;
-}
-
-std::optional<grf::Scene> read_obj(const std::string& path, const ReadOptions& options,
-                                   grf::Diagnostics& diagnostics) {
+std::optional<Import> read_obj(const std::string& path, const ReadOptions& options,
+                               grf::Diagnostics& diagnostics) {
   const auto source = read_source_text(path, "an OBJ model", diagnostics);
   if (!source) return std::nullopt;
   const auto text = check_obj(*source, diagnostics);
   if (!text) return std::nullopt;
-  return ObjReader(path, *source, options, diagnostics).run(*text);
+  auto scene = ObjReader(path, *source, options, diagnostics).run(*text);
+  if (!scene) return std::nullopt;
+  return Import{std::move(*scene), {}};
 }
 
 }  // namespace

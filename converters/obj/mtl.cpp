@@ -1,4 +1,4 @@
-#include "converters/mtl.h"
+#include "converters/obj/mtl.h"
 
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "converters/wavefront_text.h"
+#include "converters/obj/wavefront_text.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
 

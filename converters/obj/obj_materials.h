@@ -11,7 +11,7 @@
 #include "converters/format.h"
 #include "converters/losses.h"
 #include "converters/material_mapping.h"
-#include "converters/obj_text.h"
+#include "converters/obj/obj_text.h"
 #include "grf/diagnostics.h"
 
 namespace convert {

@@ -11,8 +11,8 @@
 
 #include "grf/keywords.h"
 #include "grf/summary.h"
+#include "tests/converters/obj/reference_obj.h"
 #include "tests/converters/reading.h"
-#include "tests/converters/reference_obj.h"
 
 namespace convert {
 namespace {

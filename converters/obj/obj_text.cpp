@@ -1,4 +1,4 @@
-#include "converters/obj_text.h"
+#include "converters/obj/obj_text.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "converters/obj_cut.h"
+#include "converters/obj/obj_cut.h"
 
 namespace convert {
 namespace {

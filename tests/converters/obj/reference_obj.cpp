@@ -1,4 +1,4 @@
-#include "tests/converters/reference_obj.h"
+#include "tests/converters/obj/reference_obj.h"
 
 #include <cstdlib>
 #include <fstream>

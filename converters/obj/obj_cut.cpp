@@ -1,4 +1,4 @@
-#include "converters/obj_cut.h"
+#include "converters/obj/obj_cut.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,125 @@
+#include "converters/scene_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+
+namespace convert {
+namespace {
+
+using Kind = grf::TransformStep::Kind;
+using grf::Matrix44d;
+
+/// Turns about x, then y, then z that together are the rotation (of row vectors).
+grf::Vec3f angles_of(const Eigen::Matrix3d& rotation) {
+  // (0, 2) is -sin y. Where x and z turn about one line, all of it is given to x.
+  const double sine = std::clamp(-rotation(0, 2), -1.0, 1.0);
+  const double cosine = std::hypot(rotation(0, 0), rotation(0, 1));
+  constexpr double Degenerate = 1e-9;
+  const double y = std::atan2(sine, cosine);
+  if (cosine < Degenerate) {
+    const double x = std::atan2(-rotation(2, 1), rotation(1, 1));
+    return grf::Vec3f(grf::Vec3d(x, y, 0));
+  }
+  const double x = std::atan2(rotation(1, 2), rotation(2, 2));
+  const double z = std::atan2(rotation(0, 1), rotation(0, 0));
+  return grf::Vec3f(grf::Vec3d(x, y, z));
+}
+
+bool is_diagonal(const Matrix44d& matrix) {
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if (i != k && matrix[i][k] != 0) return false;
+    }
+  }
+  return true;
+}
+
+void append(std::vector<grf::TransformStep>& steps, Kind kind, const grf::Vec3f& value) {
+  if (value != grf::Vec3f(kind == Kind::Scale ? 1.0F : 0.0F)) steps.push_back({kind, value});
+}
+
+void append_linear_part(std::vector<grf::TransformStep>& steps, const Matrix44d& matrix) {
+  if (is_diagonal(matrix)) {
+    append(steps, Kind::Scale, grf::Vec3f(grf::Vec3d(matrix[0][0], matrix[1][1], matrix[2][2])));
+    return;
+  }
+  Eigen::Matrix3d linear;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) linear(i, k) = matrix[i][k];
+  }
+  const Eigen::Vector3d lengths = linear.rowwise().norm();
+  const Eigen::Matrix3d unit = lengths.cwiseInverse().asDiagonal() * linear;
+  constexpr double Orthogonal = 1e-6;
+  if ((unit * unit.transpose()).isIdentity(Orthogonal)) {  // axes are scaled, then turned
+    const double sign = unit.determinant() < 0 ? -1 : 1;
+    append(steps, Kind::Scale, grf::Vec3f(grf::Vec3d(lengths(0), lengths(1), lengths(2)) * sign));
+    append(steps, Kind::Rotation, angles_of(unit * sign));
+    return;
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d before = svd.matrixU();
+  Eigen::Matrix3d after = svd.matrixV().transpose();
+  double sign = 1;
+  for (Eigen::Matrix3d* rotation : {&before, &after}) {
+    if (rotation->determinant() > 0) continue;
+    *rotation = -*rotation;
+    sign = -sign;
+  }
+  const Eigen::Vector3d scale = sign * svd.singularValues();
+  append(steps, Kind::Rotation, angles_of(before));
+  append(steps, Kind::Scale, grf::Vec3f(grf::Vec3d(scale(0), scale(1), scale(2))));
+  append(steps, Kind::Rotation, angles_of(after));
+}
+
+}  // namespace
+
+grf::Scene scene_of(std::vector<grf::Definition> definitions, std::vector<grf::Block> blocks,
+                    const grf::SourceLocation& location) {
+  grf::Scene scene;
+  if (definitions.empty()) {
+    scene.contents.blocks = std::move(blocks);
+    return scene;
+  }
+  grf::DefinitionScope scope;
+  scope.definitions = std::move(definitions);
+  scope.body.blocks = std::move(blocks);
+  grf::Block block;
+  block.content = std::move(scope);
+  block.location = location;
+  scene.contents.blocks.push_back(std::move(block));
+  return scene;
+}
+
+std::vector<grf::Block> placed(std::vector<grf::Block> blocks, const Matrix44d& to_parent,
+                               const grf::SourceLocation& location) {
+  grf::Transform transform;
+  transform.steps = transform_steps(to_parent);
+  if (transform.steps.empty() || blocks.empty()) return blocks;
+  transform.body.blocks = std::move(blocks);
+  grf::Block block;
+  block.content = std::move(transform);
+  block.location = location;
+  return {std::move(block)};
+}
+
+std::vector<grf::TransformStep> transform_steps(const Matrix44d& matrix) {
+  std::vector<grf::TransformStep> steps;
+  append_linear_part(steps, matrix);
+  append(steps, Kind::Translation, grf::Vec3f(matrix.translation()));
+  return steps;
+}
+
+std::string DefinitionNames::take(std::string_view name) {
+  const std::string wanted = grf::to_identifier(name);
+  std::string free = wanted;
+  for (int i = 2; !taken_.insert(free).second; ++i) free = fmt::format("{}_{}", wanted, i);
+  return free;
+}
+
+}  // namespace convert
