@@ -1,7 +1,7 @@
 // Triangles without a good normal, and polygons that are no fans.
 #include <numbers>
 
-#include "renderer/transport/scene/triangulation.h"
+#include "grf/triangulation.h"
 #include "tests/stability/naive_tracer.h"
 #include "tests/transport/scene_helpers.h"
 
@@ -206,7 +206,7 @@ double area_error(const Polygon& polygon, const Triangles& triangles) {
 
 Errors errors_of_area(const Polygon& polygon) {
   Triangles triangles;
-  transport::triangulate(polygon, triangles);
+  grf::triangulate(polygon, triangles);
   return {area_error(polygon, triangles), area_error(polygon, fan_of(polygon))};
 }
 
@@ -285,7 +285,7 @@ Errors turned_over() {
     const Polygon polygon = star(random, 0);
     const Vec3d normal = newell(polygon);
     Triangles triangles;
-    transport::triangulate(polygon, triangles);
+    grf::triangulate(polygon, triangles);
     const bool turned = std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
       const Vec3d a(polygon[t[0]]);
       return (Vec3d(polygon[t[1]]) - a).cross(Vec3d(polygon[t[2]]) - a).dot(normal) < 0;

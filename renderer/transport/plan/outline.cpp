@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "grf/text_file.h"
+#include "grf/triangulation.h"
 #include "grf/write.h"
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/plan/convex_solid.h"
 #include "renderer/transport/scene/mesh_builder.h"
 #include "renderer/transport/scene/survey.h"
-#include "renderer/transport/scene/triangulation.h"
 
 namespace transport {
 namespace {
@@ -77,7 +77,7 @@ MeshFacts facts_of(const Mesh& mesh) {
     positions.clear();
     triangles.clear();
     for (const std::uint32_t corner : corners) positions.push_back(mesh.positions[corner]);
-    triangulate(positions, triangles);
+    grf::triangulate(positions, triangles);
     for (const auto& triangle : triangles) {
       const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
       if (is_smooth(mesh, of_mesh)) facts.is_smooth[surface] = true;
@@ -244,7 +244,7 @@ void OutlineBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint
     corners_of_face.clear();
     triangles.clear();
     for (const std::uint32_t corner : corners) corners_of_face.push_back(mesh.positions[corner]);
-    triangulate(corners_of_face, triangles);
+    grf::triangulate(corners_of_face, triangles);
     for (const auto& triangle : triangles) {
       const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
       std::array points = {positions[of_mesh[0]], positions[of_mesh[1]], positions[of_mesh[2]]};

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "renderer/transport/scene/triangulation.h"
+#include "grf/triangulation.h"
 
 namespace transport {
 namespace {
@@ -93,7 +93,7 @@ void MeshBuilder::add_face(const grf::Mesh& mesh, std::size_t face, std::uint32_
   face_positions_.clear();
   face_triangles_.clear();
   for (const std::uint32_t corner : corners) face_positions_.push_back(mesh.positions[corner]);
-  triangulate(face_positions_, face_triangles_);
+  grf::triangulate(face_positions_, face_triangles_);
   for (std::array<std::uint32_t, 3>& triangle : face_triangles_) {
     if (turns) std::swap(triangle[1], triangle[2]);
     for (std::uint32_t& corner : triangle) corner = first_vertex + corners[corner];

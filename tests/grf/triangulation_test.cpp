@@ -1,4 +1,4 @@
-#include "renderer/transport/scene/triangulation.h"
+#include "grf/triangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 Triangles triangles_of(const std::vector<Vec3f>& corners) {
   Triangles triangles;
-  transport::triangulate(corners, triangles);
+  grf::triangulate(corners, triangles);
   return triangles;
 }
 

@@ -1,10 +1,10 @@
-#include "renderer/transport/scene/triangulation.h"
+#include "grf/triangulation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace transport {
+namespace grf {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -14,28 +14,27 @@ double cross(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-grf::Vec3d area_normal(std::span<const grf::Vec3f> corners) {
-  grf::Vec3d normal(0);
-  const grf::Vec3d origin(corners[0]);
+Vec3d area_normal(std::span<const Vec3f> corners) {
+  Vec3d normal(0);
+  const Vec3d origin(corners[0]);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    normal += (grf::Vec3d(corners[i]) - origin).cross(grf::Vec3d(corners[i + 1]) - origin);
+    normal += (Vec3d(corners[i]) - origin).cross(Vec3d(corners[i + 1]) - origin);
   }
   return normal;
 }
 
 /// But for the rounding of float. The normal is the area's.
-bool is_planar(std::span<const grf::Vec3f> corners, const grf::Vec3d& normal) {
-  const grf::Vec3d origin(corners[0]);
-  return std::all_of(corners.begin(), corners.end(), [&](const grf::Vec3f& corner) {
-    const double volume = (grf::Vec3d(corner) - origin).dot(normal);
+bool is_planar(std::span<const Vec3f> corners, const Vec3d& normal) {
+  const Vec3d origin(corners[0]);
+  return std::all_of(corners.begin(), corners.end(), [&](const Vec3f& corner) {
+    const double volume = (Vec3d(corner) - origin).dot(normal);
     return volume * volume <= 1e-10 * std::pow(normal.length2(), 1.5);
   });
 }
 
 /// Puts the corners into the plane of an axis in which the polygon is largest, counter-clockwise. That rounds
 /// nothing, so that corners on a line stay there.
-void flatten_along_axis(std::span<const grf::Vec3f> corners, const grf::Vec3d& normal,
-                        std::span<Point> points) {
+void flatten_along_axis(std::span<const Vec3f> corners, const Vec3d& normal, std::span<Point> points) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
@@ -50,15 +49,15 @@ void flatten_along_axis(std::span<const grf::Vec3f> corners, const grf::Vec3d& n
 
 /// Puts the corners into the plane of the polygon's own normal, counter-clockwise: seen along an axis, a
 /// polygon that is not planar can cross itself.
-void flatten(std::span<const grf::Vec3f> corners, std::span<Point> points) {
-  const grf::Vec3d normal = area_normal(corners);
+void flatten(std::span<const Vec3f> corners, std::span<Point> points) {
+  const Vec3d normal = area_normal(corners);
   if (is_planar(corners, normal)) return flatten_along_axis(corners, normal, points);
-  const grf::Vec3d z = normal.normalized();
-  const grf::Vec3d axis = std::abs(z.x) < 0.5 ? grf::Vec3d(1, 0, 0) : grf::Vec3d(0, 1, 0);
-  const grf::Vec3d x = axis.cross(z).normalized();
-  const grf::Vec3d y = z.cross(x);
+  const Vec3d z = normal.normalized();
+  const Vec3d axis = std::abs(z.x) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+  const Vec3d x = axis.cross(z).normalized();
+  const Vec3d y = z.cross(x);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const grf::Vec3d from_first = grf::Vec3d(corners[i]) - grf::Vec3d(corners[0]);
+    const Vec3d from_first = Vec3d(corners[i]) - Vec3d(corners[0]);
     points[i] = {from_first.dot(x), from_first.dot(y)};
   }
 }
@@ -119,7 +118,7 @@ bool is_convex(std::span<const Point> points) {
 
 }  // namespace
 
-void triangulate(std::span<const grf::Vec3f> corners, std::vector<Triangle>& triangles) {
+void triangulate(std::span<const Vec3f> corners, std::vector<Triangle>& triangles) {
   const auto count = static_cast<std::uint32_t>(corners.size());
   if (count == 3) return fan(count, triangles);
   if (count == 4) {  // most polygons are: they do without memory from the heap
@@ -137,4 +136,4 @@ void triangulate(std::span<const grf::Vec3f> corners, std::vector<Triangle>& tri
   }
 }
 
-}  // namespace transport
+}  // namespace grf
