@@ -19,54 +19,14 @@ namespace {
 
 constexpr std::size_t VerticesOfABox = 256;
 
-/// For each vertex, the first one at the same place: seams of normals are no holes.
-std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
-  struct Hash {
-    std::size_t operator()(const Vec3f& v) const {
-      const std::hash<float> hash;
-      return hash(v.x + 0.0F) ^ (hash(v.y + 0.0F) * 31) ^ (hash(v.z + 0.0F) * 1009);
-    }
-  };
-  std::unordered_map<Vec3f, std::uint32_t, Hash> places;
-  places.reserve(mesh.positions.size());
-  std::vector<std::uint32_t> first;
-  first.reserve(mesh.positions.size());
-  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
-    first.push_back(places.emplace(mesh.positions[i], i).first->second);
-  }
-  return first;
-}
-
 /// What is the same of a mesh wherever it is placed.
 struct MeshFigures {
   std::size_t triangles = 0;
-  std::size_t boundary_edges = 0;
-  std::size_t nonmanifold_edges = 0;
+  Topology topology;
   std::vector<Box3f> boxes;  ///< of each so many vertices
   double area = 0;
   bool emits = false;
 };
-
-void count_edges(const Mesh& mesh, MeshFigures& figures) {
-  const std::vector<std::uint32_t> place = first_at_place(mesh);
-  std::vector<std::uint64_t> edges;
-  edges.reserve(mesh.corners.size());
-  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    const auto face = mesh.face(i);
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const std::uint64_t a = place[face[k]];
-      const std::uint64_t b = place[face[(k + 1) % face.size()]];
-      if (a != b) edges.push_back(std::min(a, b) << 32U | std::max(a, b));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();) {
-    const auto last = std::upper_bound(first, edges.end(), *first);
-    if (last - first == 1) ++figures.boundary_edges;
-    if (last - first > 2) ++figures.nonmanifold_edges;
-    first = last;
-  }
-}
 
 void add_place(const Vec3f& position, const Matrix44d& to_world, Box3f& bounds) {
   bounds.extendBy(Vec3f(Vec3d(position) * to_world));
@@ -101,6 +61,11 @@ std::optional<double> uniform_scale(const Matrix44d& to_world) {
     if (!(std::abs(error) <= Tolerance * scale2)) return std::nullopt;
   }
   return std::sqrt(scale2);
+}
+
+/// A mesh without a name goes by that of its definition.
+std::string name_of(const Mesh& mesh, const Placement& placement) {
+  return mesh.name.empty() && placement.instance_of != nullptr ? placement.instance_of->name : mesh.name;
 }
 
 class Counter {
@@ -141,13 +106,20 @@ class Counter {
   void add(const Mesh& mesh, const Placement& placement, bool is_light) {
     const auto [known, is_new] = figures_.try_emplace(&mesh);
     MeshFigures& figures = known->second;
-    if (is_new) figures = figures_of(mesh);
+    if (is_new) {
+      figures = figures_of(mesh);
+      summary_.different_meshes.push_back(
+          {name_of(mesh, placement), mesh.positions.size(), mesh.face_count(), figures.topology});
+    }
     ++(is_light ? summary_.lights : summary_.meshes);
     summary_.vertices += mesh.positions.size();
     summary_.faces += mesh.face_count();
     summary_.triangles += figures.triangles;
-    summary_.boundary_edges += figures.boundary_edges;
-    summary_.nonmanifold_edges += figures.nonmanifold_edges;
+    const Topology& topology = figures.topology;
+    summary_.boundary_edges += topology.boundary_edges;
+    summary_.boundary_loops += topology.boundary_loops;
+    summary_.nonmanifold_edges += topology.nonmanifold_edges;
+    summary_.nonmanifold_vertices += topology.nonmanifold_vertices;
     if (figures.emits && !is_light) ++summary_.lights;
     const auto scale = uniform_scale(placement.to_world);
     summary_.area += scale ? *scale * *scale * figures.area : area_of(mesh, placement.to_world);
@@ -174,7 +146,7 @@ class Counter {
       if (i % VerticesOfABox == 0) figures.boxes.emplace_back();
       figures.boxes.back().extendBy(mesh.positions[i]);
     }
-    count_edges(mesh, figures);
+    figures.topology = topology_of(mesh);
     const std::vector<bool> is_used = used_surfaces(mesh);
     for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
       if (!is_used[i]) continue;

@@ -1,0 +1,146 @@
+#include "grf/topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace grf {
+namespace {
+
+/// Counts sets among corners.
+std::size_t count_sets(CornerSets& sets, const std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> all;
+  all.reserve(corners.size());
+  for (const std::uint32_t corner : corners) all.push_back(sets.set_of(corner));
+  std::sort(all.begin(), all.end());
+  return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+}
+
+/// Vertices of more than one fan of faces, but for those in `left_out`.
+std::size_t count_nonmanifold_vertices(const Mesh& mesh, std::span<const std::uint32_t> places,
+                                       CornerSets& fans, const std::vector<bool>& left_out) {
+  constexpr std::uint32_t None = ~0U;
+  std::vector<std::uint32_t> fan_at(mesh.positions.size(), None);
+  std::vector<bool> counted = left_out;
+  std::size_t count = 0;
+  for (std::uint32_t corner = 0; corner < mesh.corners.size(); ++corner) {
+    const std::uint32_t place = places[mesh.corners[corner]];
+    const std::uint32_t fan = fans.set_of(corner);
+    if (fan_at[place] == None) fan_at[place] = fan;
+    if (fan_at[place] == fan || counted[place]) continue;
+    counted[place] = true;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
+  struct Hash {
+    std::size_t operator()(const Vec3f& v) const {
+      const std::hash<float> hash;
+      return hash(v.x + 0.0F) ^ (hash(v.y + 0.0F) * 31) ^ (hash(v.z + 0.0F) * 1009);
+    }
+  };
+  std::unordered_map<Vec3f, std::uint32_t, Hash> places;
+  places.reserve(mesh.positions.size());
+  std::vector<std::uint32_t> first;
+  first.reserve(mesh.positions.size());
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+    first.push_back(places.emplace(mesh.positions[i], i).first->second);
+  }
+  return first;
+}
+
+std::vector<FaceEdge> edges_of_faces(const Mesh& mesh, std::span<const std::uint32_t> places) {
+  std::vector<FaceEdge> edges;
+  edges.reserve(mesh.corners.size());
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    const auto corners = mesh.face(face);
+    for (std::uint32_t k = 0; k < corners.size(); ++k) {
+      const std::uint64_t a = places[corners[k]];
+      const std::uint64_t b = places[corners[(k + 1) % corners.size()]];
+      if (a == b) continue;
+      edges.push_back({std::min(a, b) << 32U | std::max(a, b), face, mesh.face_offsets[face] + k});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+    return std::tie(a.places, a.corner) < std::tie(b.places, b.corner);
+  });
+  return edges;
+}
+
+void for_each_edge(std::span<const FaceEdge> edges,
+                   const std::function<void(std::span<const FaceEdge> of_faces)>& action) {
+  for (std::size_t first = 0; first < edges.size();) {
+    std::size_t last = first;
+    while (last < edges.size() && edges[last].places == edges[first].places) ++last;
+    action(edges.subspan(first, last - first));
+    first = last;
+  }
+}
+
+std::uint32_t end_corner(const Mesh& mesh, const FaceEdge& edge) {
+  const std::uint32_t next = edge.corner + 1;
+  return next == mesh.face_offsets[edge.face + 1] ? mesh.face_offsets[edge.face] : next;
+}
+
+CornerSets::CornerSets(std::size_t corners) : parent_(corners) {
+  std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+std::uint32_t CornerSets::set_of(std::uint32_t corner) {
+  while (parent_[corner] != corner) {
+    parent_[corner] = parent_[parent_[corner]];  // halves the way for the next time
+    corner = parent_[corner];
+  }
+  return corner;
+}
+
+void CornerSets::join(std::uint32_t a, std::uint32_t b) {
+  a = set_of(a);
+  b = set_of(b);
+  parent_[std::max(a, b)] = std::min(a, b);
+}
+
+void CornerSets::join_at_edge(const Mesh& mesh, std::span<const std::uint32_t> places, const FaceEdge& a,
+                              const FaceEdge& b) {
+  const bool is_alike = places[mesh.corners[a.corner]] == places[mesh.corners[b.corner]];
+  const std::uint32_t end_a = end_corner(mesh, a);
+  const std::uint32_t end_b = end_corner(mesh, b);
+  join(a.corner, is_alike ? b.corner : end_b);
+  join(end_a, is_alike ? end_b : b.corner);
+}
+
+Topology topology_of(const Mesh& mesh) {
+  const std::vector<std::uint32_t> places = first_at_place(mesh);
+  const std::vector<FaceEdge> edges = edges_of_faces(mesh, places);
+  Topology topology;
+  CornerSets fans(mesh.corners.size());
+  std::vector<bool> at_nonmanifold_edge(mesh.positions.size());
+  std::vector<FaceEdge> boundary;
+  for_each_edge(edges, [&](std::span<const FaceEdge> of_faces) {
+    if (of_faces.size() == 1) boundary.push_back(of_faces.front());
+    if (of_faces.size() > 2) {
+      ++topology.nonmanifold_edges;
+      at_nonmanifold_edge[of_faces.front().places >> 32U] = true;
+      at_nonmanifold_edge[of_faces.front().places & 0xFFFFFFFFU] = true;
+    }
+    for (const FaceEdge& other : of_faces.subspan(1)) {
+      fans.join_at_edge(mesh, places, of_faces.front(), other);
+    }
+  });
+  topology.boundary_edges = boundary.size();
+  topology.nonmanifold_vertices = count_nonmanifold_vertices(mesh, places, fans, at_nonmanifold_edge);
+  std::vector<std::uint32_t> begins;
+  for (const FaceEdge& edge : boundary) {
+    fans.join(edge.corner, end_corner(mesh, edge));
+    begins.push_back(edge.corner);
+  }
+  topology.boundary_loops = count_sets(fans, begins);
+  return topology;
+}
+
+}  // namespace grf
