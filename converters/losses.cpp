@@ -77,7 +77,7 @@ void Losses::report(const grf::SourceLocation& location, grf::Diagnostics& diagn
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     if (counts_[i] == 0) continue;
     const LossText text = text_of(static_cast<Loss>(i));
-    diagnostics.warning(location, fmt::format("{}: {}", counted(counts_[i], text.one, text.many), text.why));
+    diagnostics.loss(location, fmt::format("{}: {}", counted(counts_[i], text.one, text.many), text.why));
   }
 }
 

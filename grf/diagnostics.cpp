@@ -165,6 +165,11 @@ void Diagnostics::warning(SourceLocation location, std::string_view message) {
   add(Severity::Warning, std::move(location), message);
 }
 
+void Diagnostics::loss(SourceLocation location, std::string_view message) {
+  losses_.emplace_back(message);
+  add(Severity::Warning, std::move(location), message);
+}
+
 void Diagnostics::note(SourceLocation location, std::string_view message) {
   add(Severity::Note, std::move(location), message);
 }

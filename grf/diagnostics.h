@@ -33,6 +33,8 @@ class Diagnostics {
 
   void error(SourceLocation location, std::string_view message);
   void warning(SourceLocation location, std::string_view message);
+  /// A warning that something of the input is not in what was made of it.
+  void loss(SourceLocation location, std::string_view message);
   /// Says something that is neither right nor wrong, such as the name of a file that was rewritten.
   void note(SourceLocation location, std::string_view message);
 
@@ -43,6 +45,8 @@ class Diagnostics {
   /// True once MaximumErrors were reported: whoever is reading may stop.
   bool is_full() const { return kept_errors_ >= MaximumErrors; }
   const std::vector<Diagnostic>& entries() const { return entries_; }
+  /// The messages of all losses, which are among the entries too.
+  const std::vector<std::string>& losses() const { return losses_; }
 
   /// What is said is about files: this takes down one that was read.
   void add_file(const std::string& path) { files_.insert(path); }
@@ -57,6 +61,7 @@ class Diagnostics {
   void add(Severity severity, SourceLocation location, std::string_view message);
 
   std::vector<Diagnostic> entries_;
+  std::vector<std::string> losses_;
   std::set<std::string> files_;
   std::size_t error_count_ = 0;
   std::size_t warning_count_ = 0;

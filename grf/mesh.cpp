@@ -5,20 +5,6 @@
 
 namespace grf {
 
-namespace {
-
-std::uint32_t copy_vertex(const Mesh& from, std::uint32_t vertex, Mesh& to) {
-  const auto copy = static_cast<std::uint32_t>(to.positions.size());
-  to.positions.push_back(from.positions[vertex]);
-  if (from.normals.has(vertex)) to.normals.set(copy, from.normals[vertex]);
-  if (from.colours.has(vertex)) to.colours.set(copy, from.colours[vertex]);
-  if (from.uvs.has(vertex)) to.uvs.set(copy, from.uvs[vertex]);
-  if (from.irradiance.has(vertex)) to.irradiance.set(copy, from.irradiance[vertex]);
-  return copy;
-}
-
-}  // namespace
-
 void Mesh::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index) {
   corners.insert(corners.end(), face_corners.begin(), face_corners.end());
   face_offsets.push_back(static_cast<std::uint32_t>(corners.size()));
@@ -62,6 +48,16 @@ std::vector<bool> used_surfaces(const Mesh& mesh) {
   std::vector<bool> used(mesh.surfaces.size());
   for (const std::uint32_t surface : mesh.surface_of_face) used[surface] = true;
   return used;
+}
+
+std::uint32_t copy_vertex(const Mesh& from, std::uint32_t vertex, Mesh& to) {
+  const auto copy = static_cast<std::uint32_t>(to.positions.size());
+  to.positions.push_back(from.positions[vertex]);
+  if (from.normals.has(vertex)) to.normals.set(copy, from.normals[vertex]);
+  if (from.colours.has(vertex)) to.colours.set(copy, from.colours[vertex]);
+  if (from.uvs.has(vertex)) to.uvs.set(copy, from.uvs[vertex]);
+  if (from.irradiance.has(vertex)) to.irradiance.set(copy, from.irradiance[vertex]);
+  return copy;
 }
 
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {

@@ -124,6 +124,9 @@ struct Mesh {
 /// Which of a mesh's surfaces its faces have.
 std::vector<bool> used_surfaces(const Mesh& mesh);
 
+/// Appends a vertex of another mesh, with all that it has, and gives its index.
+std::uint32_t copy_vertex(const Mesh& from, std::uint32_t vertex, Mesh& to);
+
 /// A mesh of some faces of another one, in that order, and of the vertices that they use. Its own surface is
 /// the first face's; it has no name and no comments.
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces);

@@ -1,0 +1,108 @@
+#include "converters/mesh_operations/rebuild.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+#include "grf/topology.h"
+
+namespace convert {
+namespace {
+
+/// The place of a vertex, the bits of normal, colour and texture coordinates, and which of these there are.
+using Key = std::array<std::uint32_t, 10>;
+
+// FNV-1a on words, with a last mix since the bits of round numbers differ in their upper half alone.
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const std::uint32_t word : key) hash = (hash ^ word) * 0x100000001b3ULL;
+    return hash ^ (hash >> 32U);
+  }
+};
+
+Key key_of(const grf::Mesh& mesh, std::uint32_t vertex, std::uint32_t place) {
+  Key key = {place};
+  std::size_t i = 1;
+  const auto put = [&](const auto& values, unsigned flag) {
+    if (!values.has(vertex)) return;
+    key.back() |= flag;
+    const auto& value = values[vertex];
+    for (unsigned k = 0; k < value.dimensions(); ++k) {
+      key[i++] = std::bit_cast<std::uint32_t>(value[static_cast<int>(k)]);
+    }
+  };
+  put(mesh.normals, 1);
+  put(mesh.colours, 2);
+  put(mesh.uvs, 4);
+  return key;
+}
+
+bool have_same_irradiance(const grf::Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+  if (mesh.irradiance.has(a) != mesh.irradiance.has(b)) return false;
+  return !mesh.irradiance.has(a) || mesh.irradiance[a] == mesh.irradiance[b];
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh) {
+  const std::vector<std::uint32_t> places = grf::first_at_place(mesh);
+  std::unordered_map<Key, std::uint32_t, KeyHash> known;
+  known.reserve(mesh.positions.size());
+  std::vector<std::uint32_t> first;
+  first.reserve(mesh.positions.size());
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+    const std::uint32_t candidate = known.emplace(key_of(mesh, i, places[i]), i).first->second;
+    first.push_back(have_same_irradiance(mesh, candidate, i) ? candidate : i);
+  }
+  return first;
+}
+
+Rebuild::Rebuild(const grf::Mesh& source) : source_(source), mesh_(without_geometry(source)) {
+  mesh_.corners.reserve(source.corners.size());
+  mesh_.face_offsets.reserve(source.face_offsets.size());
+  mesh_.surface_of_face.reserve(source.surface_of_face.size());
+}
+
+void Rebuild::add_face(std::span<const std::uint32_t> corners, std::uint32_t surface) {
+  mesh_.add_face(corners, surface);
+}
+
+grf::Mesh Rebuild::take() {
+  std::vector<bool> is_used(source_.positions.size());
+  for (const std::uint32_t corner : mesh_.corners) is_used[corner] = true;
+  std::vector<std::uint32_t> copies(source_.positions.size());
+  for (std::uint32_t i = 0; i < is_used.size(); ++i) {
+    if (is_used[i]) copies[i] = grf::copy_vertex(source_, i, mesh_);
+  }
+  for (std::uint32_t& corner : mesh_.corners) corner = copies[corner];
+  mesh_.free_spare_memory();
+  return std::move(mesh_);
+}
+
+grf::Mesh without_geometry(const grf::Mesh& mesh) {
+  grf::Mesh empty;
+  empty.name = mesh.name;
+  empty.comments = mesh.comments;
+  empty.surfaces = mesh.surfaces;
+  return empty;
+}
+
+void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action) {
+  for (grf::Block& block : list.blocks) {
+    if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&block.content)) action(*mesh);
+    if (auto* light = std::get_if<grf::MeshLight>(&block.content)) action(light->mesh);
+    if (auto* transform = std::get_if<grf::Transform>(&block.content)) for_each_mesh(transform->body, action);
+    auto* scope = std::get_if<grf::DefinitionScope>(&block.content);
+    if (scope == nullptr) continue;
+    for (grf::Definition& definition : scope->definitions) {
+      if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body)) action(*mesh);
+    }
+    for_each_mesh(scope->body, action);
+  }
+}
+
+}  // namespace convert

@@ -1,0 +1,42 @@
+// What the mesh operations have in common.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "grf/scene.h"
+
+namespace convert {
+
+/// For each vertex, the first one that is like it: at the same place, with the same normal, colour, texture
+/// coordinates and irradiance, bit for bit.
+std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh);
+
+/// Faces of a mesh with other corners, before they are a mesh themselves. The name, the comments and the
+/// surfaces are those of the mesh.
+class Rebuild {
+ public:
+  /// The mesh outlives this.
+  explicit Rebuild(const grf::Mesh& source);
+
+  /// Corners are vertices of the source.
+  void add_face(std::span<const std::uint32_t> corners, std::uint32_t surface);
+
+  /// The mesh of these faces. It has the vertices that they use, in the order of the source.
+  grf::Mesh take();
+
+ private:
+  const grf::Mesh& source_;
+  grf::Mesh mesh_;
+};
+
+/// A mesh without vertices and faces that is else like another one.
+grf::Mesh without_geometry(const grf::Mesh& mesh);
+
+/// Does something with each mesh and mesh light of the blocks and of their definitions. Included files stay
+/// as they are.
+void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);
+
+}  // namespace convert

@@ -1,0 +1,121 @@
+#include "converters/mesh_operations/weld.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "converters/mesh_operations/rebuild.h"
+#include "grf/topology.h"
+
+namespace convert {
+namespace {
+
+/// Vertices that stay where they are, none nearer to another than a distance, in cells of twice that: what is
+/// near to a point is in one of eight cells.
+class Grid {
+ public:
+  Grid(const grf::Mesh& mesh, double distance) : mesh_(mesh), distance_(distance) {}
+
+  /// The nearest of the vertices that stay, if it is near enough; else this one, which stays from now on.
+  std::uint32_t nearest_or_add(std::uint32_t vertex) {
+    const grf::Vec3d position(mesh_.positions[vertex]);
+    const grf::Vec3d scaled = position / (2 * distance_);
+    const Cell own = {std::floor(scaled.x), std::floor(scaled.y), std::floor(scaled.z)};
+    std::uint32_t nearest = vertex;
+    double least2 = distance_ * distance_;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const auto vertices = cells_.find(neighbour(own, scaled, corner));
+      if (vertices == cells_.end()) continue;
+      for (const std::uint32_t other : vertices->second) {
+        const double distance2 = (grf::Vec3d(mesh_.positions[other]) - position).length2();
+        if (distance2 >= least2) continue;
+        least2 = distance2;
+        nearest = other;
+      }
+    }
+    if (nearest == vertex) cells_[own].push_back(vertex);
+    return nearest;
+  }
+
+ private:
+  using Cell = std::array<double, 3>;  // whole numbers, which can be too large for an integer
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const {
+      const std::hash<double> hash;
+      return (hash(cell[0]) * 31 + hash(cell[1])) * 1009 + hash(cell[2]);
+    }
+  };
+
+  /// Of the eight cells: along each axis the own one, or the one on the side of the half where the point is.
+  static Cell neighbour(const Cell& own, const grf::Vec3d& scaled, unsigned corner) {
+    Cell cell = own;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1U) == 0) continue;
+      cell[axis] += scaled[static_cast<int>(axis)] - own[axis] < 0.5 ? -1 : 1;
+    }
+    return cell;
+  }
+
+  const grf::Mesh& mesh_;
+  double distance_;
+  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
+};
+
+/// For each vertex, the one to whose place it goes.
+std::vector<std::uint32_t> places_after_welding(const grf::Mesh& mesh, double distance) {
+  std::vector<std::uint32_t> places = grf::first_at_place(mesh);
+  if (distance <= 0) return places;
+  Grid grid(mesh, distance);
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    places[i] = places[i] == i ? grid.nearest_or_add(i) : places[places[i]];
+  }
+  return places;
+}
+
+/// Leaves out corners at the place of the one before.
+void drop_repeated(std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& places) {
+  const auto same_place = [&](std::uint32_t a, std::uint32_t b) { return places[a] == places[b]; };
+  corners.erase(std::unique(corners.begin(), corners.end(), same_place), corners.end());
+  while (corners.size() > 1 && same_place(corners.front(), corners.back())) corners.pop_back();
+}
+
+std::size_t different_places(const std::vector<std::uint32_t>& corners,
+                             const std::vector<std::uint32_t>& places) {
+  std::set<std::uint32_t> different;
+  for (const std::uint32_t corner : corners) different.insert(places[corner]);
+  return different.size();
+}
+
+}  // namespace
+
+Welded weld(const grf::Mesh& mesh, double distance) {
+  const std::vector<std::uint32_t> places = places_after_welding(mesh, distance);
+  grf::Mesh moved = mesh;
+  for (std::uint32_t i = 0; i < places.size(); ++i) moved.positions[i] = mesh.positions[places[i]];
+  const std::vector<std::uint32_t> alike = first_alike(moved);
+  Welded welded;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    if (places[i] != i || alike[i] != i) ++welded.merged_vertices;
+  }
+  Rebuild rebuild(moved);
+  std::vector<std::uint32_t> corners;
+  for (std::size_t face = 0; face < moved.face_count(); ++face) {
+    corners.clear();
+    for (const std::uint32_t corner : moved.face(face)) corners.push_back(alike[corner]);
+    drop_repeated(corners, places);
+    if (corners.size() < 3 || (corners.size() > 3 && different_places(corners, places) < 3)) {
+      ++welded.collapsed_faces;
+    } else {
+      rebuild.add_face(corners, moved.surface_of_face[face]);
+    }
+  }
+  welded.mesh = rebuild.take();
+  return welded;
+}
+
+}  // namespace convert
