@@ -36,8 +36,11 @@ bool is_combine(const BrdfModel& brdf) { return same_keyword(brdf.keyword, "comb
 
 class Check {
  public:
-  Check(const Catalogue& catalogue, Diagnostics& diagnostics)
-      : brdfs_{catalogue.brdfs, "BRDF"}, pdfs_{catalogue.pdfs, "PDF"}, diagnostics_(diagnostics) {}
+  Check(const Catalogue& catalogue, Diagnostics& diagnostics, const std::set<std::string>& images_to_come)
+      : brdfs_{catalogue.brdfs, "BRDF"},
+        pdfs_{catalogue.pdfs, "PDF"},
+        diagnostics_(diagnostics),
+        known_images_(images_to_come) {}
 
   void run(const Scene& scene) {
     SceneVisitor visitor;
@@ -252,7 +255,7 @@ class Check {
   void check_image(const Texture& texture) {
     const std::string path = path_of(texture.location, texture.file);
     std::error_code error;
-    if (std::filesystem::is_regular_file(path, error) || !missing_images_.insert(path).second) return;
+    if (std::filesystem::is_regular_file(path, error) || !known_images_.insert(path).second) return;
     diagnostics_.warning(texture.location, fmt::format("there is no image '{}'", path));
   }
 
@@ -320,7 +323,7 @@ class Check {
   LightCheck lights_;
   std::map<std::string, LargestAlbedo> largest_albedos_;  ///< of the texts of BRDFs
   std::set<std::string> files_with_default_;
-  std::set<std::string> missing_images_;
+  std::set<std::string> known_images_;  ///< that are missed no more: reported, or to come
   std::vector<const Definition*> definitions_;
   std::set<const Definition*> visited_;
   std::set<const Definition*> used_;
@@ -331,9 +334,10 @@ class Check {
 
 }  // namespace
 
-bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics) {
+bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics,
+           const std::set<std::string>& images_to_come) {
   const std::size_t errors_before = diagnostics.error_count();
-  Check(catalogue, diagnostics).run(scene);
+  Check(catalogue, diagnostics, images_to_come).run(scene);
   return diagnostics.error_count() == errors_before;
 }
 

@@ -14,14 +14,18 @@ namespace {
 /// How names in one file read in another.
 class Names {
  public:
-  Names(const std::string& from, const std::string& to) : from_(from), to_(to), to_folder_(folder_of(to)) {
+  Names(const std::string& from, const std::string& to,
+        const std::map<std::string, std::string>& renamed = {})
+      : from_(from), to_(to), to_folder_(folder_of(to)), renamed_(renamed) {
     moves_ = folder_of(from) != to_folder_;
   }
 
   /// False: names read alike in both.
-  bool moves() const { return moves_; }
+  bool moves() const { return moves_ || !renamed_.empty(); }
 
   std::string moved(const std::string& name) const {
+    const auto renamed = renamed_.find(name);
+    if (renamed != renamed_.end()) return renamed->second;
     if (!moves_ || name.empty() || is_absolute(name)) return name;
     const std::filesystem::path target = canonical_path(path_beside(from_, name));
     const std::filesystem::path relative = target.lexically_relative(to_folder_);
@@ -42,6 +46,7 @@ class Names {
   std::string from_;
   std::string to_;
   std::filesystem::path to_folder_;
+  std::map<std::string, std::string> renamed_;
   bool moves_ = false;
 };
 
@@ -153,8 +158,9 @@ class Flattener {
 
 }  // namespace
 
-void relocate(Scene& scene, const std::string& from, const std::string& to) {
-  const Names names(from, to);
+void relocate(Scene& scene, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved) {
+  const Names names(from, to, moved);
   if (names.moves()) Mover(names, false).move(scene.contents);
 }
 

@@ -1,6 +1,7 @@
 // Moving a scene's text to another folder, or the texts of several files into one.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "grf/scene.h"
@@ -8,8 +9,10 @@
 namespace grf {
 
 /// Names files as they have to be named from the file `to`, where the scene named them from the file `from`:
-/// includes, textures, BRDFs and their data. Names that are absolute stay as they are.
-void relocate(Scene& scene, const std::string& from, const std::string& to);
+/// includes, textures, BRDFs and their data. Names that are absolute stay as they are. The files that are
+/// keys of `moved` go to the new folder themselves, and get the names that are their values.
+void relocate(Scene& scene, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved = {});
 
 /// The scene as one file, called `path` as the scene was: blocks of included files stand in the place of the
 /// include, BRDFs that had files of their own are written out. Comments stay where they were.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,6 +17,8 @@
 
 namespace grf {
 namespace {
+
+constexpr std::string_view TemporaryExtension = ".new";
 
 /// A file descriptor that closes itself.
 class Descriptor {
@@ -103,7 +106,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 /// finding those out from the umask would need to change that, which other threads would notice.
 int create_beside(const std::string& target, mode_t mode, std::string& path) {
   for (unsigned attempt = 0;; ++attempt) {
-    path = fmt::format("{}.{}-{}.new", target, ::getpid(), attempt);
+    path = fmt::format("{}.{}-{}{}", target, ::getpid(), attempt, TemporaryExtension);
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
   }
@@ -176,6 +179,44 @@ bool replace_file(const std::string& path, const std::function<bool(const FileWr
     return fail("write the file");
   }
   return true;
+}
+
+Creation create_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {
+  const std::string target = canonical_path(path);
+  const auto fail = [&](const char* what) {
+    diagnostics.error(whole_file(path), fmt::format("cannot {}: {}", what, reason()));
+    return Creation::Failed;
+  };
+  struct stat old = {};
+  if (::lstat(target.c_str(), &old) == 0) return Creation::Exists;
+  std::string temporary;
+  Descriptor file(create_beside(target, 0666, temporary));
+  if (file.value() < 0) return fail("create the file");
+  const bool written = write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close();
+  // Unlike renaming, linking fails where there is such a file by now; FAT has no links.
+  const bool created = written && (::link(temporary.c_str(), target.c_str()) == 0 ||
+                                   (errno == EPERM && ::rename(temporary.c_str(), target.c_str()) == 0));
+  const int why = errno;
+  ::unlink(temporary.c_str());
+  errno = why;
+  if (created) return Creation::Done;
+  return written && why == EEXIST ? Creation::Exists : fail("write the file");
+}
+
+void remove_temporary_files(const std::string& folder, int process) {
+  const std::string mark = fmt::format(".{}-", process);
+  std::error_code error;
+  std::vector<std::filesystem::path> left;
+  for (std::filesystem::directory_iterator entry(folder, error);
+       !error && entry != std::filesystem::end(entry); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const std::size_t at = name.rfind(mark);
+    const bool is_one =
+        at != std::string::npos && name.ends_with(TemporaryExtension) &&
+        name.find_first_not_of("0123456789", at + mark.size()) == name.size() - TemporaryExtension.size();
+    if (is_one) left.push_back(entry->path());
+  }
+  for (const std::filesystem::path& path : left) std::filesystem::remove(path, error);
 }
 
 std::string path_beside(const std::string& naming_file, std::string_view name) {

@@ -36,6 +36,15 @@ using FileWriter = std::function<bool(std::string_view bytes)>;
 bool replace_file(const std::string& path, const std::function<bool(const FileWriter& write)>& fill,
                   Diagnostics& diagnostics);
 
+enum class Creation { Done, Exists, Failed };
+
+/// Makes a file that did not exist, as a whole or not at all. If it exists, it stays as it is, whoever made
+/// it in the meantime, and nothing is said.
+Creation create_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);
+
+/// Removes what a process left in a folder that died while it was replacing or creating files there.
+void remove_temporary_files(const std::string& folder, int process);
+
 /// The path of a file that is named in another one: relative names start at that one's folder, and both
 /// kinds of separators are understood.
 std::string path_beside(const std::string& naming_file, std::string_view name);
