@@ -5,26 +5,45 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "converters/command/file_work.h"
 #include "converters/command/input.h"
 
 namespace convert {
+namespace {
 
-ExitCode check_files(const std::vector<std::string>& paths, bool json, bool quiet) {
-  ExitCode code = ExitCode::Done;
+nlohmann::ordered_json entry_of(const std::string& path, std::size_t errors, std::size_t warnings) {
+  return {{"file", path}, {"errors", errors}, {"warnings", warnings}};
+}
+
+ExitCode check_file(const std::string& path, bool json, bool quiet) {
+  grf::Diagnostics diagnostics;
+  const bool sound = read_input({path, nullptr, {}}, diagnostics).has_value();
+  print(diagnostics, quiet);
+  const std::size_t warnings = diagnostics.warning_count();
+  if (json) print_json(entry_of(path, diagnostics.error_count(), warnings));
+  if (!json && !quiet && sound) fmt::print("{}: sound{}\n", path, warnings > 0 ? ", with warnings" : "");
+  return sound ? ExitCode::Done : ExitCode::BadInput;
+}
+
+}  // namespace
+
+ExitCode check_files(const std::vector<std::string>& paths, bool json, bool quiet, const Limits& limits) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
-  for (const std::string& path : paths) {
-    grf::Diagnostics diagnostics;
-    const bool sound = read_input({path, nullptr, {}}, diagnostics).has_value();
-    if (!sound) code = ExitCode::BadInput;
-    print(diagnostics, quiet);
-    const std::size_t errors = diagnostics.error_count();
-    const std::size_t warnings = diagnostics.warning_count();
-    files.push_back({{"file", path}, {"errors", errors}, {"warnings", warnings}});
-    if (!json && !quiet && sound) fmt::print("{}: sound{}\n", path, warnings > 0 ? ", with warnings" : "");
-  }
-  // A path need not be UTF-8, and a string of JSON must.
-  const auto handler = nlohmann::ordered_json::error_handler_t::replace;
-  if (json) fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2, ' ', false, handler));
+  FileWork work;
+  work.inputs = paths;
+  work.limits = limits;
+  work.work = [&](std::size_t file) { return check_file(paths[file], json, quiet); };
+  work.done = [&](const FileWork::Result& result) {
+    if (!json) {
+      fmt::print("{}", result.out);
+    } else if (result.out.empty()) {
+      files.push_back(entry_of(paths[result.file], 1, 0));
+    } else {
+      files.push_back(nlohmann::ordered_json::parse(result.out));
+    }
+  };
+  const ExitCode code = run(work);
+  if (json && code != ExitCode::Interrupted) print_json({{"files", files}});
   return code;
 }
 

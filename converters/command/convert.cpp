@@ -1,9 +1,15 @@
 #include "converters/command/convert.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "converters/embedded_files.h"
+#include "converters/mesh_operations/scene_placement.h"
 #include "converters/wording.h"
 #include "grf/grf2008.h"
 #include "grf/relocate.h"
@@ -21,67 +27,129 @@ std::string writable_formats() {
   return names;
 }
 
-/// What is wrong with a format as one to write, or an empty string.
-std::string why_not_written(const Format* format, const std::string& path) {
-  if (format == nullptr) {
-    return fmt::format("the name '{}' does not say its format: give it by --to ({})", path,
-                       writable_formats());
-  }
-  if (format->write != nullptr) return "";
-  return fmt::format("{} files are not written; what is: {}", format->name, writable_formats());
-}
-
 bool is_same_file(const std::string& a, const std::string& b) {
   return grf::canonical_path(a) == grf::canonical_path(b);
 }
 
-/// The scene as it is to be written, or nothing after an error.
-std::optional<grf::Scene> prepared(const Input& input, const ConvertOptions& options,
-                                   grf::Diagnostics& diagnostics) {
-  grf::Scene scene = options.flat ? grf::flatten(input.scene, options.input.path) : input.scene;
-  grf::relocate(scene, options.input.path, options.output);
-  if (!options.grf2008) return scene;
-  return grf::to_grf2008(scene, options.output, diagnostics);
+bool has_includes(const grf::BlockList& list) {
+  return std::any_of(list.blocks.begin(), list.blocks.end(), [](const grf::Block& block) {
+    if (const auto* transform = std::get_if<grf::Transform>(&block.content))
+      return has_includes(transform->body);
+    if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content))
+      return has_includes(scope->body);
+    return std::holds_alternative<grf::Include>(block.content);
+  });
 }
 
-void print_result(const grf::Scene& scene, const std::string& path) {
+/// The scene with what the options do to it, still named from the input.
+grf::Scene changed(grf::Scene scene, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
+  const std::string& path = options.input.path;
+  const grf::SourceLocation location = grf::whole_file(path);
+  // Meshes of included files are other files, which nobody asked to change.
+  const bool joins_files = options.operations.any() && !options.flat && has_includes(scene.contents);
+  if (joins_files) diagnostics.note(location, "meshes are changed: all files are written as one");
+  if (options.flat || joins_files) scene = grf::flatten(scene, path);
+  apply(options.operations, scene, location, diagnostics);
+  place(scene, options.placement, location);
+  return scene;
+}
+
+/// Writes the scene with the files that stood inside the input; nothing after an error.
+std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
+                                      const ConvertOptions& options, grf::Diagnostics& diagnostics) {
+  auto files = write_embedded_files(embedded, options.output, diagnostics);
+  if (!files) return std::nullopt;
+  grf::relocate(scene, options.input.path, options.output, files->names);
+  const auto old_grammar =
+      options.grf2008 ? grf::to_grf2008(scene, options.output, diagnostics) : std::nullopt;
+  const bool is_ready = !options.grf2008 || old_grammar;
+  const grf::Scene& written = old_grammar ? *old_grammar : scene;
+  if (is_ready && output_format(options)->write(written, options.output, diagnostics)) return files;
+  remove_created(*files);
+  return std::nullopt;
+}
+
+struct Counts {
   std::size_t meshes = 0;
   std::size_t faces = 0;
+};
+
+Counts counts_of(const grf::Scene& scene) {
+  Counts counts;
   grf::SceneVisitor visitor;
   const auto count = [&](const grf::Mesh& mesh) {
-    ++meshes;
-    faces += mesh.face_count();
+    ++counts.meshes;
+    counts.faces += mesh.face_count();
   };
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) { count(mesh); };
   visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement&, const grf::Block&) {
     count(*light.mesh);
   };
   grf::visit(scene, visitor);
-  fmt::print("{}: {}, {}\n", path, counted(meshes, "mesh", "meshes"), counted(faces, "face", "faces"));
+  return counts;
+}
+
+void print_result(const ConvertOptions& options, const Counts& counts) {
+  fmt::print("{}: {}, {}{}\n", options.output, counted(counts.meshes, "mesh", "meshes"),
+             counted(counts.faces, "face", "faces"), options.dry_run ? " (not written: --dry-run)" : "");
+}
+
+void print_record(const ConvertOptions& options, const Counts& counts, const WrittenFiles& files,
+                  const grf::Diagnostics& diagnostics) {
+  nlohmann::ordered_json json;
+  json["input"] = options.input.path;
+  json["output"] = options.dry_run ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(options.output);
+  json["format"] = output_format(options)->name;
+  json["meshes"] = counts.meshes;
+  json["faces"] = counts.faces;
+  json["warnings"] = diagnostics.warning_count();
+  json["losses"] = diagnostics.losses();
+  json["files"] = files.paths;
+  print_json(json);
 }
 
 }  // namespace
 
-ExitCode convert_file(const ConvertOptions& options) {
-  const Format* format = options.output_format;
-  if (format == nullptr) format = format_of_name(options.output);
-  const std::string why_not = why_not_written(format, options.output);
-  if (!why_not.empty()) return bad_command_line(why_not);
-  if ((options.flat || options.grf2008) && format->name != "grf") {
-    return bad_command_line(
-        fmt::format("--flatten and --grf2008 are for GRF files, and this is {}", format->name));
+const Format* output_format(const ConvertOptions& options) {
+  return options.output_format != nullptr ? options.output_format : format_of_name(options.output);
+}
+
+std::string problem_of(const ConvertOptions& options) {
+  const Format* format = output_format(options);
+  if (format == nullptr) {
+    return fmt::format("the name '{}' does not say its format: give it by --to ({})", options.output,
+                       writable_formats());
   }
+  if (format->write == nullptr) {
+    return fmt::format("{} files are not written; what is: {}", format->name, writable_formats());
+  }
+  if ((options.flat || options.grf2008) && format->name != "grf") {
+    return fmt::format("--flatten and --grf2008 are for GRF files, and this is {}", format->name);
+  }
+  return {};
+}
+
+ExitCode convert_file(const ConvertOptions& options) {
   grf::Diagnostics diagnostics;
-  const auto input = read_input(options.input, diagnostics);
-  if (input && input->format != format && is_same_file(options.input.path, options.output)) {
+  auto input = read_input(options.input, diagnostics);
+  if (input && input->format != output_format(options) && is_same_file(options.input.path, options.output)) {
     return bad_command_line(
         fmt::format("'{}' would be replaced by a file of another format", options.output));
   }
-  const auto scene = input ? prepared(*input, options, diagnostics) : std::nullopt;
-  const bool written = scene && format->write(*scene, options.output, diagnostics);
+  std::optional<WrittenFiles> files;
+  Counts counts;
+  if (input) {
+    grf::Scene scene = changed(std::move(input->scene), options, diagnostics);
+    counts = counts_of(scene);
+    files = options.dry_run ? WrittenFiles() : write_all(scene, input->files, options, diagnostics);
+  }
   print(diagnostics, options.quiet);
-  if (!written) return ExitCode::BadInput;
-  if (!options.quiet) print_result(*scene, options.output);
+  if (!files) return ExitCode::BadInput;
+  if (options.json) {
+    print_record(options, counts, *files, diagnostics);
+  } else if (!options.quiet) {
+    print_result(options, counts);
+  }
   return ExitCode::Done;
 }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "converters/command/file_work.h"
+#include "converters/wording.h"
 #include "grf/summary.h"
 #include "grf/write.h"
 
@@ -13,6 +15,16 @@ namespace {
 
 nlohmann::ordered_json to_json(const grf::Vec3f& v) {
   return {grf::shortest(v.x), grf::shortest(v.y), grf::shortest(v.z)};
+}
+
+nlohmann::ordered_json to_json(const grf::MeshSummary& mesh) {
+  return {{"name", mesh.name},
+          {"vertices", mesh.vertices},
+          {"faces", mesh.faces},
+          {"boundary_edges", mesh.topology.boundary_edges},
+          {"boundary_loops", mesh.topology.boundary_loops},
+          {"nonmanifold_edges", mesh.topology.nonmanifold_edges},
+          {"nonmanifold_vertices", mesh.topology.nonmanifold_vertices}};
 }
 
 nlohmann::ordered_json to_json(const Format& format, const grf::Summary& summary, std::size_t warnings) {
@@ -34,7 +46,12 @@ nlohmann::ordered_json to_json(const Format& format, const grf::Summary& summary
   }
   json["area"] = summary.area;
   json["boundary_edges"] = summary.boundary_edges;
+  json["boundary_loops"] = summary.boundary_loops;
   json["nonmanifold_edges"] = summary.nonmanifold_edges;
+  json["nonmanifold_vertices"] = summary.nonmanifold_vertices;
+  json["different_meshes"] = nlohmann::ordered_json::array();
+  for (const grf::MeshSummary& mesh : summary.different_meshes)
+    json["different_meshes"].push_back(to_json(mesh));
   json["warnings"] = warnings;
   return json;
 }
@@ -45,6 +62,31 @@ void print_row(std::string_view label, const std::string& value) {
   fmt::print("  {:<18} {}\n", label, value);
 }
 void print_row(std::string_view label, std::size_t count) { print_row(label, fmt::format("{}", count)); }
+
+bool is_closed_manifold(const grf::Topology& topology) {
+  return topology.boundary_edges == 0 && topology.nonmanifold_edges == 0 &&
+         topology.nonmanifold_vertices == 0;
+}
+
+/// Each mesh that has something of the kind, by its name and its place among the meshes.
+void print_topology(const grf::Summary& summary) {
+  print_row("boundary edges", summary.boundary_edges);
+  print_row("boundary loops", summary.boundary_loops);
+  print_row("non-manifold edges", summary.nonmanifold_edges);
+  print_row("non-manifold vertices", summary.nonmanifold_vertices);
+  if (summary.different_meshes.size() < 2) return;
+  for (std::size_t i = 0; i < summary.different_meshes.size(); ++i) {
+    const grf::MeshSummary& mesh = summary.different_meshes[i];
+    const grf::Topology& topology = mesh.topology;
+    if (is_closed_manifold(topology)) continue;
+    const std::string name = mesh.name.empty() ? "" : fmt::format(" '{}'", mesh.name);
+    print_row(
+        fmt::format("  mesh {}{}", i + 1, name),
+        fmt::format("{}, {}, {}", counted(topology.boundary_loops, "boundary loop", "boundary loops"),
+                    counted(topology.nonmanifold_edges, "non-manifold edge", "non-manifold edges"),
+                    counted(topology.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices")));
+  }
+}
 
 void print_table(const std::string& path, const Format& format, const grf::Summary& summary,
                  std::size_t warnings) {
@@ -64,25 +106,33 @@ void print_table(const std::string& path, const Format& format, const grf::Summa
     print_row("size", to_text(summary.bounds.size()));
   }
   print_row("area", fmt::format("{:.6g}", summary.area));
-  print_row("boundary edges", summary.boundary_edges);
-  print_row("non-manifold edges", summary.nonmanifold_edges);
+  print_topology(summary);
   print_row("warnings", warnings);
 }
 
-}  // namespace
-
-ExitCode print_info(const InputOptions& options, bool json, bool quiet) {
+ExitCode print_figures(const InputOptions& options, bool json, bool quiet) {
   grf::Diagnostics diagnostics;
   const auto input = read_input(options, diagnostics);
   print(diagnostics, quiet);
   if (!input) return ExitCode::BadInput;
   const grf::Summary summary = grf::summarize(input->scene);
   if (json) {
-    fmt::print("{}\n", to_json(*input->format, summary, diagnostics.warning_count()).dump(2));
+    print_json(to_json(*input->format, summary, diagnostics.warning_count()));
   } else {
     print_table(options.path, *input->format, summary, diagnostics.warning_count());
   }
   return ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode print_info(const InputOptions& options, bool json, bool quiet, const Limits& limits) {
+  FileWork work;
+  work.inputs = {options.path};
+  work.limits = limits;
+  work.work = [&](std::size_t) { return print_figures(options, json, quiet); };
+  work.done = [](const FileWork::Result& result) { fmt::print("{}", result.out); };
+  return run(work);
 }
 
 }  // namespace convert

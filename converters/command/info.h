@@ -2,10 +2,11 @@
 
 #include "converters/command/input.h"
 #include "converters/command/report.h"
+#include "converters/command/supervisor.h"
 
 namespace convert {
 
 /// `grfconvert info`: the figures of a file, as a table or as one JSON object.
-ExitCode print_info(const InputOptions& options, bool json, bool quiet);
+ExitCode print_info(const InputOptions& options, bool json, bool quiet, const Limits& limits);
 
 }  // namespace convert

@@ -1,19 +1,37 @@
 #include "converters/command/input.h"
 
+#include <set>
 #include <utility>
 
 #include "grf/check.h"
 #include "grf/read.h"
+#include "grf/text_file.h"
 #include "renderer/reflectance/scheme.h"
 
 namespace convert {
+namespace {
+
+/// The paths under which a scene names files that stand inside of its own: those beside it, or mere names
+/// where the scene does not know from where it is.
+std::set<std::string> paths_of(const std::vector<EmbeddedFile>& files, const std::string& path) {
+  std::set<std::string> paths;
+  for (const EmbeddedFile& file : files) {
+    paths.insert(file.name);
+    paths.insert(grf::path_beside(path, file.name));
+  }
+  return paths;
+}
+
+}  // namespace
 
 std::optional<Input> read_input(const InputOptions& options, grf::Diagnostics& diagnostics) {
   const Format* format = options.format;
   if (format == nullptr) format = recognise(options.path, diagnostics);
   if (format == nullptr) return std::nullopt;
   auto import = read(*format, options.path, options.reading, diagnostics);
-  if (!import || !grf::check(import->scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
+  if (!import) return std::nullopt;
+  const std::set<std::string> embedded = paths_of(import->files, options.path);
+  if (!grf::check(import->scene, reflectance::catalogue(), diagnostics, embedded)) return std::nullopt;
   return Input{format, std::move(import->scene), std::move(import->files)};
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace convert {
 
@@ -14,6 +15,11 @@ void print(const grf::Diagnostics& diagnostics, bool quiet) {
   for (const grf::Diagnostic& entry : diagnostics.entries()) {
     if (entry.severity == grf::Severity::Error) fmt::print(stderr, "{}", grf::to_text(entry));
   }
+}
+
+void print_json(const nlohmann::ordered_json& json) {
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  fmt::print("{}\n", json.dump(2, ' ', false, replace));
 }
 
 ExitCode bad_command_line(std::string_view message) {

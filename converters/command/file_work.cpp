@@ -1,0 +1,83 @@
+#include "converters/command/file_work.h"
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "grf/text_file.h"
+
+namespace convert {
+namespace {
+
+std::string size_text(std::uint64_t bytes) {
+  constexpr double Giga = 1U << 30U;
+  constexpr double Mega = 1U << 20U;
+  const auto size = static_cast<double>(bytes);
+  return size < Giga ? fmt::format("{:.4g} MB", size / Mega) : fmt::format("{:.4g} GB", size / Giga);
+}
+
+/// What to tell of a child that did not end by itself.
+std::string why_it_died(const Ending& ending, const Limits& limits) {
+  switch (ending.cause) {
+    case Ending::Cause::OutOfMemory:
+      return limits.memory == 0 ? "out of memory"
+                                : fmt::format("more memory is needed than the {} that --max-memory allows",
+                                              size_text(limits.memory));
+    case Ending::Cause::OutOfTime:
+      return fmt::format("not done after the {:g} s that --max-time allows", limits.seconds);
+    case Ending::Cause::Crashed:
+      return fmt::format("the conversion crashed ({})", ::strsignal(ending.signal));
+    case Ending::Cause::Returned:
+      break;
+  }
+  return {};
+}
+
+std::string folder_of(const std::string& path) {
+  return std::filesystem::path(grf::canonical_path(path)).parent_path().string();
+}
+
+FileWork::Result result_of(std::size_t file, const Ending& ending) {
+  FileWork::Result result;
+  result.file = file;
+  result.has_ended = ending.cause == Ending::Cause::Returned;
+  result.code = result.has_ended ? ending.code : ExitCode::BadInput;
+  if (result.has_ended) result.out = ending.out;
+  return result;
+}
+
+}  // namespace
+
+ExitCode run(const FileWork& work) {
+  ExitCode code = ExitCode::Done;
+  Pieces pieces;
+  pieces.count = work.inputs.size();
+  pieces.at_once = work.at_once;
+  pieces.work = work.work;
+  pieces.ended = [&](std::size_t file, const Ending& ending) {
+    const FileWork::Result result = result_of(file, ending);
+    work.before_errors(result);
+    fmt::print(stderr, "{}", ending.err);
+    if (!result.has_ended) {
+      grf::Diagnostics diagnostics;
+      diagnostics.error(grf::whole_file(work.inputs[file]), why_it_died(ending, work.limits));
+      print(diagnostics, true);
+      if (!work.outputs.empty()) grf::remove_temporary_files(folder_of(work.outputs[file]), ending.process);
+    }
+    if (result.code != ExitCode::Done) code = pieces.count == 1 ? result.code : ExitCode::BadInput;
+    work.done(result);
+  };
+  std::vector<pid_t> left;
+  if (run_supervised(pieces, work.limits, left)) return code;
+  std::set<std::string> folders;
+  for (const std::string& output : work.outputs) folders.insert(folder_of(output));
+  for (const pid_t process : left) {
+    for (const std::string& folder : folders) grf::remove_temporary_files(folder, process);
+  }
+  return ExitCode::Interrupted;
+}
+
+}  // namespace convert

@@ -1,0 +1,267 @@
+#include "converters/command/supervisor.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace convert {
+namespace {
+
+using grf::ExitCode;
+using Clock = std::chrono::steady_clock;
+
+// Sanitizers take terabytes of address space, most of which is never touched.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool LimitsMemory = false;
+#elif defined(__has_feature)
+constexpr bool LimitsMemory = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+constexpr bool LimitsMemory = true;
+#endif
+
+/// A child's exit code where an allocation failed; no ExitCode.
+constexpr int OutOfMemoryCode = 3;
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+/// A file in memory, so that a child can print however much without waiting for a reader.
+class Capture {
+ public:
+  explicit Capture(const char* name) : descriptor_(::memfd_create(name, MFD_CLOEXEC)) {
+    if (descriptor_ < 0) fail("memfd_create");
+  }
+  Capture(Capture&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  Capture(const Capture&) = delete;
+  Capture& operator=(const Capture&) = delete;
+  Capture& operator=(Capture&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~Capture() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  int descriptor() const { return descriptor_; }
+  std::string text() const {
+    std::string text;
+    std::array<char, 65536> part;
+    for (;;) {
+      const ssize_t count = ::pread(descriptor_, part.data(), part.size(), static_cast<off_t>(text.size()));
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return text;
+      text.append(part.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// Holds back the signals that are waited for, and gives back what was before.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    ::sigemptyset(&set_);
+    for (const int signal : {SIGCHLD, SIGINT, SIGTERM}) ::sigaddset(&set_, signal);
+    ::sigprocmask(SIG_BLOCK, &set_, &before_);
+    // Of a child whose signal is ignored nobody would hear.
+    struct sigaction heeded = {};
+    heeded.sa_handler = SIG_DFL;
+    ::sigaction(SIGCHLD, &heeded, &child_before_);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() {
+    ::sigaction(SIGCHLD, &child_before_, nullptr);
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+  void release() const { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+  /// The next signal, or 0 if none comes for so long; for ever if nothing says how long.
+  int wait(std::optional<Clock::duration> longest) const {
+    if (!longest) return std::max(::sigwaitinfo(&set_, nullptr), 0);
+    const auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(*longest).count();
+    constexpr std::int64_t Second = 1'000'000'000;
+    const timespec timeout = {static_cast<time_t>(nanoseconds / Second),
+                              static_cast<long>(nanoseconds % Second)};
+    return std::max(::sigtimedwait(&set_, nullptr, &timeout), 0);
+  }
+
+ private:
+  sigset_t set_ = {};
+  sigset_t before_ = {};
+  struct sigaction child_before_ = {};
+};
+
+struct Child {
+  std::size_t piece = 0;
+  pid_t process = 0;
+  std::optional<Clock::time_point> deadline;
+  bool is_out_of_time = false;
+  Capture out;
+  Capture err;
+};
+
+void limit_resources(const Limits& limits) {
+  const rlimit none = {0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+  if (LimitsMemory && limits.memory > 0) {
+    const rlimit memory = {limits.memory, limits.memory};
+    ::setrlimit(RLIMIT_AS, &memory);
+  }
+}
+
+/// In the child: does the work and ends.
+[[noreturn]] void work_and_exit(const Pieces& pieces, std::size_t piece) {
+  int code = 0;
+  try {
+    code = static_cast<int>(pieces.work(piece));
+  } catch (const std::bad_alloc&) {
+    code = OutOfMemoryCode;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    code = static_cast<int>(ExitCode::BadInput);
+  }
+  std::fflush(nullptr);
+  ::_exit(code);  // what the parent would clean up at its end is not the child's
+}
+
+Ending ending_of(const Child& child, int status) {
+  Ending ending;
+  ending.process = child.process;
+  ending.out = child.out.text();
+  ending.err = child.err.text();
+  if (WIFSIGNALED(status)) {
+    ending.cause = child.is_out_of_time ? Ending::Cause::OutOfTime : Ending::Cause::Crashed;
+    ending.signal = WTERMSIG(status);
+  } else if (WEXITSTATUS(status) == OutOfMemoryCode) {
+    ending.cause = Ending::Cause::OutOfMemory;
+  } else {
+    ending.code = static_cast<ExitCode>(WEXITSTATUS(status));
+  }
+  return ending;
+}
+
+class Supervisor {
+ public:
+  Supervisor(const Pieces& pieces, const Limits& limits) : pieces_(pieces), limits_(limits) {}
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+  ~Supervisor() { end_all(); }
+
+  bool run() {
+    while (next_ < pieces_.count || !children_.empty()) {
+      while (next_ < pieces_.count && children_.size() < std::max<std::size_t>(pieces_.at_once, 1)) start();
+      const int signal = signals_.wait(time_left());
+      if (signal == SIGINT || signal == SIGTERM) return false;
+      end_late_ones();
+      reap();
+    }
+    return true;
+  }
+
+  /// Ends all children there are, and gives their processes.
+  std::vector<pid_t> end_all() {
+    std::vector<pid_t> ended;
+    for (const Child& child : children_) {
+      ::kill(child.process, SIGKILL);
+      while (::waitpid(child.process, nullptr, 0) < 0 && errno == EINTR) {
+      }
+      ended.push_back(child.process);
+    }
+    children_.clear();
+    return ended;
+  }
+
+ private:
+  void start() {
+    std::fflush(nullptr);  // or the child would print once more what waits to be printed
+    Child child{next_++, 0, std::nullopt, false, Capture("out"), Capture("err")};
+    const pid_t parent = ::getpid();
+    child.process = ::fork();
+    if (child.process < 0) fail("fork");
+    if (child.process == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (::getppid() != parent) ::_exit(OutOfMemoryCode);  // the parent died before
+      ::dup2(child.out.descriptor(), STDOUT_FILENO);
+      ::dup2(child.err.descriptor(), STDERR_FILENO);
+      signals_.release();
+      limit_resources(limits_);
+      work_and_exit(pieces_, child.piece);
+    }
+    constexpr double Years = 1e9;  // what a clock can still add
+    const std::chrono::duration<double> longest(std::min(limits_.seconds, Years));
+    if (limits_.seconds > 0) {
+      child.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(longest);
+    }
+    children_.push_back(std::move(child));
+  }
+
+  std::optional<Clock::duration> time_left() const {
+    std::optional<Clock::duration> left;
+    const auto now = Clock::now();
+    for (const Child& child : children_) {
+      if (!child.deadline || child.is_out_of_time) continue;
+      const auto until = std::max(*child.deadline - now, Clock::duration(0));
+      left = left ? std::min(*left, until) : until;
+    }
+    return left;
+  }
+
+  void end_late_ones() {
+    const auto now = Clock::now();
+    for (Child& child : children_) {
+      if (!child.deadline || child.is_out_of_time || now < *child.deadline) continue;
+      child.is_out_of_time = true;
+      ::kill(child.process, SIGKILL);
+    }
+  }
+
+  // One signal can stand for several children.
+  void reap() {
+    for (std::size_t i = 0; i < children_.size();) {
+      int status = 0;
+      if (::waitpid(children_[i].process, &status, WNOHANG) != children_[i].process) {
+        ++i;
+        continue;
+      }
+      std::swap(children_[i], children_.back());
+      const Child child = std::move(children_.back());
+      children_.pop_back();
+      pieces_.ended(child.piece, ending_of(child, status));
+    }
+  }
+
+  const Pieces& pieces_;
+  const Limits& limits_;
+  HeldSignals signals_;
+  std::size_t next_ = 0;
+  std::vector<Child> children_;
+};
+
+}  // namespace
+
+bool run_supervised(const Pieces& pieces, const Limits& limits, std::vector<pid_t>& left) {
+  Supervisor supervisor(pieces, limits);
+  if (supervisor.run()) return true;
+  left = supervisor.end_all();
+  return false;
+}
+
+}  // namespace convert
