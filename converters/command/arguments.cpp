@@ -92,6 +92,7 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
   add_placement_options(app, arguments);
   app.add_option("--jobs", arguments.jobs,
                  "So many files are converted at once (0: as many as there are cores)")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   add_limit_options(app, arguments);
   app.add_flag("--dry-run", arguments.dry_run,
@@ -220,7 +221,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   if (!input) return std::nullopt;
   options.inputs = arguments.inputs;
   options.output = arguments.output;
-  options.jobs = arguments.jobs;
+  options.jobs = static_cast<std::size_t>(arguments.jobs);
   options.progress = arguments.progress;
   options.limits = arguments.limits;
   options.each.input = *input;

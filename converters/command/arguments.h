@@ -27,7 +27,7 @@ struct Arguments {
   double scale = 1;
   std::optional<double> weld;
   std::optional<double> decimate;
-  std::size_t jobs = 1;
+  int jobs = 1;
   Limits limits;
   bool triangulate = false;
   bool flat = false;
