@@ -22,6 +22,15 @@ inline const std::string FacesWithUv =
     "1, 2) end faces "
     "end mesh";
 
+// Sanitizers need more address space than any limit, so that memory is not limited under them.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool LimitsMemory = false;
+#elif defined(__has_feature)
+constexpr bool LimitsMemory = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+constexpr bool LimitsMemory = true;
+#endif
+
 inline Outcome grfconvert(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), GRANADA_BIN_DIR "/grfconvert");
   return run(arguments);

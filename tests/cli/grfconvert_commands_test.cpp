@@ -31,9 +31,10 @@ TEST(GrfconvertInfo, PrintsTheFieldsThatScriptsRelyOn) {
   const auto json = nlohmann::ordered_json::parse(outcome.out);
   std::vector<std::string> names;
   for (const auto& [name, value] : json.items()) names.push_back(name);
-  EXPECT_THAT(names, ElementsAre("format", "meshes", "vertices", "faces", "triangles", "instances", "lights",
-                                 "brdfs", "pdfs", "textures", "bounds", "area", "boundary_edges",
-                                 "nonmanifold_edges", "warnings"));
+  EXPECT_THAT(
+      names, ElementsAre("format", "meshes", "vertices", "faces", "triangles", "instances", "lights", "brdfs",
+                         "pdfs", "textures", "bounds", "area", "boundary_edges", "boundary_loops",
+                         "nonmanifold_edges", "nonmanifold_vertices", "different_meshes", "warnings"));
   EXPECT_EQ(json["format"], "obj");
   EXPECT_EQ(json["meshes"], 1);
   EXPECT_EQ(json["vertices"], 24);
@@ -49,6 +50,26 @@ TEST(GrfconvertInfo, PrintsTheFieldsThatScriptsRelyOn) {
   EXPECT_EQ(json["boundary_edges"], 0);
   EXPECT_EQ(json["nonmanifold_edges"], 0);
   EXPECT_EQ(json["warnings"], 1) << "of the material that the library does not define";
+}
+
+TEST(GrfconvertInfo, ReportsHolesAndNonManifoldPartsOfEachMesh) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("t.obj",
+                                       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\n"
+                                       "o tetrahedron\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+                                       "o tie\nf 1 2 3\nf 1 5 6\n"
+                                       "o fins\nf 1 2 3\nf 2 1 4\nf 1 2 6\n");
+  const auto json = nlohmann::json::parse(grfconvert({"info", "--json", input}).out);
+  EXPECT_EQ(json["boundary_loops"], 2 + 1) << "the fins hang together at their edge";
+  EXPECT_EQ(json["nonmanifold_edges"], 1);
+  EXPECT_EQ(json["nonmanifold_vertices"], 1);
+  ASSERT_EQ(json["different_meshes"].size(), 3U);
+  EXPECT_EQ(json["different_meshes"][1], nlohmann::json::parse(R"({"name": "tie", "vertices": 5, "faces": 2,
+      "boundary_edges": 6, "boundary_loops": 2, "nonmanifold_edges": 0, "nonmanifold_vertices": 1})"));
+  const std::string text = grfconvert({"info", input}).out;
+  EXPECT_THAT(text, Not(HasSubstr("'tetrahedron'"))) << "nothing is wrong with it";
+  EXPECT_THAT(text, HasSubstr("  mesh 2 'tie'     2 boundary loops, 0 non-manifold edges, 1 non-manifold "
+                              "vertex\n"));
 }
 
 TEST(GrfconvertInfo, KeepsNumbersAsShortAsTheyAreInTheFile) {

@@ -199,6 +199,9 @@ TEST(Check, WarnsOfImagesThatAreMissingAndOfCornersWithoutUv) {
   EXPECT_EQ(diagnostics.entries()[0].message, "there is no image '" + folder.path("gone.png") + "'");
   EXPECT_EQ(diagnostics.entries()[1].message,
             "2 faces with a texture have corners without uv: it is (0, 0) there");
+  Diagnostics unmissed;
+  EXPECT_TRUE(check(*scene, catalogue(), unmissed, {folder.path("gone.png")}));
+  EXPECT_EQ(unmissed.entries().size(), 1U) << "the image is to come";
 }
 
 TEST(CheckOfTermsOfCombine, ReportsWhatNoTextCanHave) {

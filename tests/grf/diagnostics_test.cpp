@@ -27,6 +27,15 @@ std::string error_at(const SourceLocation& location) {
   return diagnostics.to_text();
 }
 
+TEST(Diagnostics, KeepsLossesAsWarningsAndByThemselves) {
+  Diagnostics diagnostics;
+  diagnostics.warning({}, "dim");
+  diagnostics.loss({}, "lost");
+  EXPECT_EQ(diagnostics.losses(), std::vector<std::string>{"lost"});
+  EXPECT_EQ(diagnostics.warning_count(), 2U);
+  EXPECT_EQ(diagnostics.to_text(), "warning: dim\nwarning: lost\n");
+}
+
 TEST(Diagnostics, NameFileLineAndColumnAndPointAtThePlace) {
   const Source source("one\ntwo three\nfour");
   EXPECT_EQ(error_at(source.at(2, 5)),

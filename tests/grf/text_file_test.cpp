@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/support/temporary_folder.h"
@@ -204,6 +205,38 @@ TEST_F(TextFile, IsNotWrittenWhereSomethingElseIs) {
   EXPECT_EQ(failure_to_replace("pipe", "new"), "cannot write the file: it is a pipe");
   EXPECT_EQ(failure_to_replace("nowhere/file", "new"), "cannot create the file: No such file or directory");
   EXPECT_THAT(folder.names(), ElementsAre("folder", "pipe"));
+}
+
+TEST_F(TextFile, IsCreatedOnceAlone) {
+  Diagnostics diagnostics;
+  const std::string path = folder.path("new");
+  EXPECT_EQ(create_file(path, "first", diagnostics), Creation::Done);
+  EXPECT_EQ(create_file(path, "second", diagnostics), Creation::Exists);
+  EXPECT_EQ(test::bytes_of(path), "first");
+  EXPECT_THAT(folder.names(), ElementsAre("new"));
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(create_file(folder.path("nowhere/file"), "", diagnostics), Creation::Failed);
+  EXPECT_EQ(diagnostics.entries().back().message, "cannot create the file: No such file or directory");
+}
+
+TEST_F(TextFile, LeavesNothingWhereItsProcessDied) {
+  Diagnostics diagnostics;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    replace_file(
+        folder.path("file"), [](const FileWriter& write) { return write("half") && ::raise(SIGKILL) == 0; },
+        diagnostics);
+    ::_exit(0);
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  ASSERT_EQ(folder.names().size(), 1U) << "the temporary file";
+  folder.add("file.1-0.new", "of another process");
+  folder.add("file." + std::to_string(child) + "-x.new", "of nobody");
+  folder.add("file." + std::to_string(child) + "-1", "of nobody");
+  remove_temporary_files(folder.path(), child);
+  EXPECT_EQ(folder.names().size(), 3U);
+  EXPECT_FALSE(fs::exists(folder.path("file." + std::to_string(child) + "-0.new")));
+  remove_temporary_files(folder.path("nowhere"), child);
 }
 
 TEST(Paths, AreBesideTheFileThatNamesThem) {

@@ -1,0 +1,220 @@
+// What becomes of children that crash, hang or eat memory.
+#include "converters/command/supervisor.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "converters/command/file_work.h"
+#include "grf/text_file.h"
+#include "tests/cli/grfconvert.h"
+#include "tests/support/temporary_folder.h"
+
+namespace convert {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+[[noreturn]] void hang() {
+  for (;;) ::pause();
+}
+
+/// How each of some pieces of work ended.
+std::map<std::size_t, Ending> endings_of(const std::vector<std::function<ExitCode()>>& work,
+                                         const Limits& limits = {}, std::size_t at_once = 1) {
+  std::map<std::size_t, Ending> endings;
+  Pieces pieces;
+  pieces.count = work.size();
+  pieces.at_once = at_once;
+  pieces.work = [&](std::size_t piece) { return work[piece](); };
+  pieces.ended = [&](std::size_t piece, const Ending& ending) {
+    EXPECT_TRUE(endings.emplace(piece, ending).second);
+  };
+  std::vector<pid_t> left;
+  EXPECT_TRUE(run_supervised(pieces, limits, left));
+  EXPECT_TRUE(left.empty());
+  return endings;
+}
+
+Ending ending_of(const std::function<ExitCode()>& work, const Limits& limits = {}) {
+  return endings_of({work}, limits).at(0);
+}
+
+TEST(Supervisor, HandsOverWhatTheChildReturnsAndPrints) {
+  const Ending ending = ending_of([] {
+    std::printf("out\n");
+    std::fprintf(stderr, "%s", std::string(1'000'000, 'e').c_str());
+    return ExitCode::BadCommandLine;
+  });
+  EXPECT_EQ(ending.cause, Ending::Cause::Returned);
+  EXPECT_EQ(ending.code, ExitCode::BadCommandLine);
+  EXPECT_EQ(ending.out, "out\n");
+  EXPECT_EQ(ending.err.size(), 1'000'000U);
+  EXPECT_NE(ending.process, ::getpid());
+}
+
+TEST(Supervisor, SurvivesCrashes) {
+  for (const int signal : {SIGABRT, SIGKILL, SIGFPE}) {
+    const Ending ending = ending_of([signal] {
+      std::printf("before");
+      std::fflush(stdout);
+      std::signal(signal, SIG_DFL);
+      ::raise(signal);
+      return ExitCode::Done;
+    });
+    EXPECT_EQ(ending.cause, Ending::Cause::Crashed);
+    EXPECT_EQ(ending.signal, signal);
+    EXPECT_EQ(ending.out, "before");
+  }
+}
+
+TEST(Supervisor, TellsExceptionsApart) {
+  const Ending memory = ending_of([]() -> ExitCode { throw std::bad_alloc(); });
+  EXPECT_EQ(memory.cause, Ending::Cause::OutOfMemory);
+  const Ending other = ending_of([]() -> ExitCode { throw std::runtime_error("what it was"); });
+  EXPECT_EQ(other.cause, Ending::Cause::Returned);
+  EXPECT_EQ(other.code, ExitCode::BadInput);
+  EXPECT_EQ(other.err, "error: what it was\n");
+}
+
+TEST(Supervisor, EndsWhatHangs) {
+  const auto start = std::chrono::steady_clock::now();
+  Limits limits;
+  limits.seconds = 0.2;
+  const auto endings = endings_of({[]() -> ExitCode { hang(); }, [] { return ExitCode::Done; }}, limits);
+  EXPECT_EQ(endings.at(0).cause, Ending::Cause::OutOfTime);
+  EXPECT_EQ(endings.at(1).cause, Ending::Cause::Returned) << "the others are done all the same";
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Supervisor, LimitsMemory) {
+  if (!test::LimitsMemory) GTEST_SKIP();
+  const auto eat = [] {
+    std::vector<std::string> eaten;
+    for (int i = 0; i < 100; ++i) eaten.emplace_back(10U << 20U, 'x');
+    return eaten.size() == 100 ? ExitCode::Done : ExitCode::BadInput;
+  };
+  Limits limits;
+  limits.memory = 400U << 20U;
+  EXPECT_EQ(ending_of(eat, limits).cause, Ending::Cause::OutOfMemory);
+  limits.memory = 0;
+  EXPECT_EQ(ending_of(eat, limits).cause, Ending::Cause::Returned);
+}
+
+TEST(Supervisor, LeavesNoCoreDumps) {
+  const Ending ending = ending_of([] {
+    rlimit limit = {};
+    ::getrlimit(RLIMIT_CORE, &limit);
+    return limit.rlim_cur == 0 && limit.rlim_max == 0 ? ExitCode::Done : ExitCode::BadInput;
+  });
+  EXPECT_EQ(ending.code, ExitCode::Done);
+}
+
+TEST(Supervisor, RunsSeveralAtOnceAndNoMore) {
+  const test::TemporaryFolder folder;
+  const auto work = [&folder]() {
+    const std::string own = folder.path(std::to_string(::getpid()));
+    folder.add(std::to_string(::getpid()), "");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::printf("%zu", folder.names().size());
+    return std::remove(own.c_str()) == 0 ? ExitCode::Done : ExitCode::BadInput;
+  };
+  const std::vector<std::function<ExitCode()>> nine(9, work);
+  int most = 0;
+  for (const auto& [piece, ending] : endings_of(nine, {}, 3)) most = std::max(most, std::stoi(ending.out));
+  EXPECT_EQ(most, 3);
+  for (const auto& [piece, ending] : endings_of(nine, {}, 1)) EXPECT_EQ(ending.out, "1");
+}
+
+TEST(Supervisor, EndsTheOthersIfItsCallerThrows) {
+  Pieces pieces;
+  pieces.count = 2;
+  pieces.at_once = 2;
+  pieces.work = [](std::size_t piece) -> ExitCode {
+    if (piece == 1) hang();
+    return ExitCode::Done;
+  };
+  pieces.ended = [](std::size_t, const Ending&) { throw std::runtime_error("enough"); };
+  std::vector<pid_t> left;
+  EXPECT_THROW(run_supervised(pieces, {}, left), std::runtime_error);
+  EXPECT_LT(::waitpid(-1, nullptr, WNOHANG), 0) << "there is no child any more";
+}
+
+/// Files of which the work hangs, dies or returns while it writes its output.
+class FilesThatFail : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+
+  FileWork work_for(const std::vector<std::string>& names) {
+    FileWork work;
+    work.inputs = names;
+    for (const std::string& name : names) work.outputs.push_back(folder_.path(name));
+    work.work = [this, names](std::size_t file) { return write(names[file]); };
+    work.done = [this](const FileWork::Result& result) { results_.push_back(result); };
+    return work;
+  }
+
+  ExitCode write(const std::string& name) const {
+    grf::Diagnostics diagnostics;
+    grf::replace_file(
+        folder_.path(name),
+        [&](const grf::FileWriter& writer) {
+          writer("half");
+          if (name == "hangs") hang();
+          if (name == "dies") ::raise(SIGKILL);
+          return writer(" and half");
+        },
+        diagnostics);
+    return ExitCode::Done;
+  }
+
+  std::vector<FileWork::Result> results_;
+};
+
+TEST_F(FilesThatFail, LeaveNothingHalfWritten) {
+  FileWork work = work_for({"dies", "hangs", "good"});
+  work.limits.seconds = 0.3;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(work), ExitCode::BadInput);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "dies: error: the conversion crashed (Killed)\n"
+            "hangs: error: not done after the 0.3 s that --max-time allows\n");
+  EXPECT_THAT(folder_.names(), ElementsAre("good"));
+  EXPECT_EQ(test::bytes_of(folder_.path("good")), "half and half");
+  ASSERT_EQ(results_.size(), 3U);
+  EXPECT_FALSE(results_[0].has_ended || results_[1].has_ended);
+  EXPECT_TRUE(results_[2].has_ended);
+}
+
+TEST_F(FilesThatFail, AreEndedByASignal) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    FileWork work = work_for({"good", "hangs", "never"});
+    const pid_t parent = ::fork();
+    ASSERT_GE(parent, 0);
+    if (parent == 0) ::_exit(static_cast<int>(run(work)));
+    // Once the second child writes, it hangs.
+    while (folder_.names().size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ::kill(parent, signal);
+    int status = 0;
+    ASSERT_EQ(::waitpid(parent, &status, 0), parent);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_THAT(folder_.names(), ElementsAre("good"));
+  }
+}
+
+}  // namespace
+}  // namespace convert
