@@ -10,6 +10,8 @@
 #include "converters/bare_faces.h"
 #include "converters/grf_format.h"
 #include "converters/obj/obj.h"
+#include "converters/ply/ply.h"
+#include "converters/stl/stl.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 
@@ -48,7 +50,7 @@ std::string readable_formats() {
 }  // namespace
 
 std::span<const Format> formats() {
-  static const std::array<Format, 2> all = {grf_format(), obj_format()};
+  static const std::array all = {grf_format(), obj_format(), ply_format(), ply_ascii_format(), stl_format()};
   return all;
 }
 

@@ -57,7 +57,7 @@ std::span<const Format> formats();
 /// The format with a name, or null.
 const Format* find_format(std::string_view name);
 
-/// The format that the extension of a file's name stands for, or null.
+/// The first format that the extension of a file's name stands for, or null.
 const Format* format_of_name(const std::string& path);
 
 /// The format of a file that exists: by its content, or else by its name. Null after an error.

@@ -67,6 +67,29 @@ LossText text_of(Loss loss) {
       return {"vertex lost its irradiance", "vertices lost their irradiance", "the format has none"};
     case Loss::AreaLight:
       return {"light was left out", "lights were left out", "the format has none with an area"};
+    case Loss::Emission:
+      return {"face lost its emission", "faces lost their emission", "the format has none"};
+    case Loss::FaceColour:
+      return {"face lost its colour", "faces lost their colour", "the format has none"};
+    case Loss::Normal:
+      return {"vertex lost its normal", "vertices lost their normal", "the format has none"};
+    case Loss::Polygon:
+      return {"polygon was cut into triangles", "polygons were cut into triangles", "the format has none"};
+    case Loss::LooseVertex:
+      return {"vertex without a face was left out", "vertices without a face were left out",
+              "the format has faces alone"};
+    case Loss::MeshName:
+      return {"mesh lost its name", "meshes lost their name", "the format has none"};
+    case Loss::Alpha:
+      return {"vertex or face lost its alpha", "vertices or faces lost their alpha",
+              "GRF surfaces are opaque"};
+    case Loss::BadNormal:
+      return {"vertex lost its normal", "vertices lost their normal", "it is no finite number"};
+    case Loss::VertexUv:
+      return {"vertex lost its texture coordinates", "vertices lost their texture coordinates",
+              "they are no finite numbers"};
+    case Loss::Edge:
+      return {"edge was left out", "edges were left out", "GRF has faces alone"};
   }
   return {};
 }
@@ -78,6 +101,16 @@ void Losses::report(const grf::SourceLocation& location, grf::Diagnostics& diagn
     if (counts_[i] == 0) continue;
     const LossText text = text_of(static_cast<Loss>(i));
     diagnostics.loss(location, fmt::format("{}: {}", counted(counts_[i], text.one, text.many), text.why));
+  }
+}
+
+void Losses::report_written(const grf::SourceLocation& location, std::string_view format,
+                            grf::Diagnostics& diagnostics) const {
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (counts_[i] == 0) continue;
+    const LossText text = text_of(static_cast<Loss>(i));
+    diagnostics.warning(location,
+                        fmt::format("{}: {} has none", counted(counts_[i], text.one, text.many), format));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "grf/diagnostics.h"
 
@@ -33,17 +34,35 @@ enum class Loss {
   SamplingScheme,
   Irradiance,
   AreaLight,
+  Emission,
+  // What some formats that are written lack.
+  FaceColour,
+  Normal,
+  Polygon,
+  LooseVertex,
+  MeshName,
+  // What PLY files have.
+  Alpha,
+  BadNormal,
+  VertexUv,
+  Edge,
 };
 
 class Losses {
  public:
   void add(Loss loss, std::size_t count = 1) { counts_[static_cast<std::size_t>(loss)] += count; }
 
+  std::size_t count(Loss loss) const { return counts_[static_cast<std::size_t>(loss)]; }
+
   /// "12 faces lost their texture: ...", a warning for each kind that occurred.
   void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
 
+  /// The same of a file that is written in a format: what was lost, that format has not.
+  void report_written(const grf::SourceLocation& location, std::string_view format,
+                      grf::Diagnostics& diagnostics) const;
+
  private:
-  std::array<std::size_t, static_cast<std::size_t>(Loss::AreaLight) + 1> counts_ = {};
+  std::array<std::size_t, static_cast<std::size_t>(Loss::Edge) + 1> counts_ = {};
 };
 
 }  // namespace convert

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <fmt/format.h>
 

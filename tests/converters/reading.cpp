@@ -1,7 +1,9 @@
 #include "tests/converters/reading.h"
 
+#include <stdexcept>
 #include <utility>
 
+#include "grf/read.h"
 #include "grf/visit.h"
 #include "grf/write.h"
 
@@ -22,6 +24,13 @@ Reading read_obj_text(std::string_view obj, std::string_view mtl, const ReadOpti
   const test::TemporaryFolder folder;
   if (!mtl.empty()) folder.add("model.mtl", mtl);
   return read_path(folder.add("model.obj", obj), options);
+}
+
+grf::Scene scene_of_grf(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  auto scene = grf::read_text(text, "scene.grf", diagnostics);
+  if (!scene) throw std::runtime_error(diagnostics.to_text());
+  return std::move(*scene);
 }
 
 std::vector<grf::Mesh> meshes_of(const grf::Scene& scene) {

@@ -27,6 +27,9 @@ Reading read_path(const std::string& path, const ReadOptions& options = {});
 /// Reads OBJ text from a file `model.obj`, with `model.mtl` beside it if there is text for one.
 Reading read_obj_text(std::string_view obj, std::string_view mtl = {}, const ReadOptions& options = {});
 
+/// The scene of GRF text that is right.
+grf::Scene scene_of_grf(const std::string& text);
+
 /// All meshes of a scene, in order.
 std::vector<grf::Mesh> meshes_of(const grf::Scene& scene);
 

@@ -1,0 +1,177 @@
+#include "converters/ply/read_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "converters/ply/ply_elements.h"
+#include "converters/ply/ply_header.h"
+#include "converters/ply/ply_layout.h"
+#include "converters/ply/ply_mesh.h"
+#include "converters/ply/ply_openmesh.h"
+#include "converters/wording.h"
+#include "grf/text_file.h"
+
+namespace convert {
+namespace {
+
+bool is_face_element(const PlyElement& element) {
+  return element.name == "face" || element.name == "tristrips";
+}
+
+class PlyReader {
+ public:
+  PlyReader(const PlySource& source, const PlyHeader& header, const ReadOptions& options,
+            grf::Diagnostics& diagnostics)
+      : source_(source), header_(header), options_(options), diagnostics_(diagnostics) {}
+
+  std::optional<grf::Scene> run();
+
+ private:
+  std::unique_ptr<PlyMesh> empty_mesh() const;
+  bool check_elements();
+  bool check_vertices(const PlyElement& vertices);
+  void add_elements_left_out(PlyMesh& mesh);
+  void warn_of_unread();
+  void warn_of_rest(std::size_t end);
+
+  bool fail(const grf::SourceLocation& location, const std::string& message) {
+    diagnostics_.error(location, message);
+    return false;
+  }
+
+  const PlySource& source_;
+  const PlyHeader& header_;
+  const ReadOptions& options_;
+  grf::Diagnostics& diagnostics_;
+};
+
+std::optional<grf::Scene> PlyReader::run() {
+  if (!check_elements()) return std::nullopt;
+  auto mesh = empty_mesh();
+  std::size_t end = 0;
+  if (!openmesh_reads(header_) || !read_ply_by_openmesh(source_, header_, *mesh, end)) {
+    mesh = empty_mesh();
+    if (!read_ply_elements(source_, header_, *mesh, end, diagnostics_)) return std::nullopt;
+  }
+  if (mesh->face_count() == 0) {
+    fail(source_.whole_file(), "no face of the file has three corners or more, and nothing else can be kept");
+    return std::nullopt;
+  }
+  warn_of_unread();
+  warn_of_rest(end);
+  add_elements_left_out(*mesh);
+  return mesh->take(source_.whole_file(), diagnostics_);
+}
+
+// A face that the file has room for, but not for three corners of it, needs none in memory.
+std::unique_ptr<PlyMesh> PlyReader::empty_mesh() const {
+  auto mesh = std::make_unique<PlyMesh>(header_, options_);
+  const PlyElement* faces = header_.find("face");
+  std::uint64_t triangles = 0;
+  if (faces != nullptr && faces->count > 0) {
+    const bool is_text = header_.encoding == PlyEncoding::Ascii;
+    const std::size_t of_corner = is_text ? 2 : size_of(face_layout(*faces).corners->type);
+    const std::uint64_t of_triangle = faces->fewest_bytes(header_.encoding) + 3 * of_corner;
+    triangles = std::min<std::uint64_t>(faces->count, source_.bytes->size() / of_triangle);
+  }
+  mesh->reserve(header_.find("vertex")->count, triangles);
+  return mesh;
+}
+
+bool PlyReader::check_elements() {
+  const PlyElement* vertices = header_.find("vertex");
+  if (vertices == nullptr) return fail(source_.whole_file(), "the header names no element 'vertex'");
+  const bool has_faces =
+      std::any_of(header_.elements.begin(), header_.elements.end(),
+                  [](const PlyElement& element) { return is_face_element(element) && element.count > 0; });
+  if (!has_faces) {
+    return fail(source_.whole_file(),
+                fmt::format("the file is a cloud of {}: it has no faces, and nothing else can be kept",
+                            counted(vertices->count, "point", "points")));
+  }
+  for (const PlyElement& element : header_.elements) {
+    if (!is_face_element(element) || element.count == 0 || face_layout(element).corners != nullptr) continue;
+    return fail(element.location,
+                fmt::format("elements '{}' have no list 'vertex_indices' of integers", element.name));
+  }
+  return check_vertices(*vertices);
+}
+
+bool PlyReader::check_vertices(const PlyElement& vertices) {
+  const PlyLayout layout = vertex_layout(vertices);
+  constexpr std::array<std::pair<PlySlot, char>, 3> Axes = {
+      {{PlySlot::X, 'x'}, {PlySlot::Y, 'y'}, {PlySlot::Z, 'z'}}};
+  for (const auto& [slot, name] : Axes) {
+    if (!layout.has(slot)) {
+      return fail(vertices.location, fmt::format("elements 'vertex' have no property '{}'", name));
+    }
+  }
+  if (vertices.count < std::numeric_limits<std::uint32_t>::max()) return true;
+  return fail(vertices.location, "there are more vertices than a mesh can have");
+}
+
+// The first of them that a name belongs to are read; the names of others are said.
+void PlyReader::warn_of_unread() {
+  std::vector<std::string> names;
+  for (const PlyElement& element : header_.elements) {
+    const bool is_vertex = element.name == "vertex";
+    if (element.count == 0 || (!is_vertex && !is_face_element(element))) continue;
+    const PlyLayout layout = is_vertex ? vertex_layout(element) : face_layout(element);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (layout.meanings[i].slot || layout.meanings[i].list) continue;
+      names.push_back(fmt::format("{} of {}", element.properties[i].name, element.name));
+    }
+  }
+  if (names.empty()) return;
+  diagnostics_.warning(source_.whole_file(),
+                       fmt::format("{} not read: {}",
+                                   counted(names.size(), "property was", "properties were"), listed(names)));
+}
+
+void PlyReader::add_elements_left_out(PlyMesh& mesh) {
+  for (const PlyElement& element : header_.elements) {
+    if (element.count == 0 || element.name == "vertex" || is_face_element(element)) continue;
+    if (element.name == "edge") {
+      mesh.add(Loss::Edge, element.count);
+      continue;
+    }
+    diagnostics_.warning(element.location,
+                         fmt::format("{} not read: '{}'",
+                                     counted(element.count, "element was", "elements were"), element.name));
+  }
+}
+
+void PlyReader::warn_of_rest(std::size_t end) {
+  std::string_view rest = std::string_view(*source_.bytes).substr(end);
+  if (header_.encoding == PlyEncoding::Ascii) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n\f\v"), rest.size()));
+  }
+  if (rest.empty()) return;
+  diagnostics_.warning(source_.whole_file(),
+                       fmt::format("{} behind the last element: the header may have a wrong count",
+                                   counted(rest.size(), "byte stands", "bytes stand")));
+}
+
+}  // namespace
+
+std::optional<Import> read_ply(const std::string& path, const ReadOptions& options,
+                               grf::Diagnostics& diagnostics) {
+  PlySource source;
+  source.bytes = grf::read_file(path, diagnostics);
+  if (!source.bytes) return std::nullopt;
+  source.file = std::make_shared<grf::SourceFile>(grf::SourceFile{path, {}, source.bytes});
+  const auto header = read_ply_header(source, diagnostics);
+  if (!header) return std::nullopt;
+  auto scene = PlyReader(source, *header, options, diagnostics).run();
+  if (!scene) return std::nullopt;
+  return Import{std::move(*scene), {}};
+}
+
+}  // namespace convert

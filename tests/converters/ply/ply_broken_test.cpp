@@ -1,0 +1,148 @@
+// PLY files that are broken: one clear error, with the line, or the byte of a binary file.
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/converters/ply/ply_bytes.h"
+#include "tests/converters/reading.h"
+
+namespace convert {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string Begin = "ply\nformat ascii 1.0\n";
+const std::string Vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string Face = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string Header = Begin + Vertices + Face + "end_header\n";
+const std::string Triangle = "0 0 0\n1 0 0\n0 1 0\n";
+
+/// The one error of a file.
+std::string error_of(std::string_view bytes) {
+  const test::TemporaryFolder folder;
+  const Reading reading = read_path(folder.add("model.ply", bytes));
+  EXPECT_FALSE(reading.scene.has_value());
+  EXPECT_EQ(reading.diagnostics.error_count(), 1U) << reading.text();
+  return reading.text();
+}
+
+TEST(BrokenPly, TextSaysTheLine) {
+  EXPECT_THAT(
+      error_of(Header + "0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n"),
+      HasSubstr("model.ply:11:3: error: vertex 2 of 3: found 'zero', expected a number of the type float"));
+  EXPECT_THAT(error_of(Header + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"),
+              HasSubstr("model.ply:11:3: error: vertex 2 of 3: y is nan, expected a finite number"));
+  EXPECT_THAT(error_of(Header + "0 0 0\n1 1e39 0\n0 1 0\n3 0 1 2\n"),
+              HasSubstr("11:3: error: vertex 2 of 3: found '1e39'"));
+  EXPECT_THAT(error_of(Header + Triangle + "3 0 1 3\n"),
+              HasSubstr("model.ply:13:7: error: face 1 of 1: there is no vertex 3: the file has 3"));
+  EXPECT_THAT(error_of(Header + Triangle + "3 0 -1 2\n"),
+              HasSubstr("13:5: error: face 1 of 1: there is no vertex -1"));
+  EXPECT_THAT(error_of(Header + Triangle + "3 0 1  \n"), HasSubstr("face 1 of 1: the file ends here"));
+  EXPECT_THAT(error_of(Header + Triangle + "3 0 1.5 2\n"),
+              HasSubstr("13:5: error: face 1 of 1: found '1.5'"));
+  EXPECT_THAT(error_of(Header + Triangle + "300 0 1 2\n"),
+              HasSubstr("found '300', expected a number of the type uchar"));
+  EXPECT_THAT(error_of(Header + Triangle + "200 0 1 2\n"),
+              HasSubstr("a list of 200 values, for which the file is too short"));
+  EXPECT_THAT(error_of(Header + Triangle + "2 0 1\n"), HasSubstr("no face of the file has three corners"));
+}
+
+TEST(BrokenPly, BinarySaysTheByte) {
+  PlyBytes file("binary_little_endian");
+  for (const auto* line : {"element vertex 3", "property float x", "property float y", "property float z",
+                           "element face 2", "property list uchar int vertex_indices", "end_header"}) {
+    file.line(line);
+  }
+  const std::size_t body = file.bytes().size();
+  for (int i = 0; i < 9; ++i) file.put(static_cast<float>(i));
+  PlyBytes wrong = file;
+  for (int face = 0; face < 2; ++face) {
+    file.put(std::uint8_t{3}).put(std::int32_t{0}).put(std::int32_t{1}).put(std::int32_t{2});
+    wrong.put(std::uint8_t{3}).put(std::int32_t{0}).put(std::int32_t{1}).put(std::int32_t{2 + face});
+  }
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(read_path(folder.add("sound.ply", file.bytes())).text(), "");
+  EXPECT_THAT(error_of(wrong.bytes()),
+              HasSubstr(fmt::format("face 2 of 2, at byte {}: there is no vertex 3", body + 36 + 13 + 9)));
+  for (std::size_t size = 0; size < file.bytes().size(); ++size) error_of(file.bytes().substr(0, size));
+  EXPECT_THAT(error_of(file.bytes().substr(0, file.bytes().size() - 5)),
+              HasSubstr(fmt::format("face 2 of 2, at byte {}: a list of 3 values, for which the file is too short",
+                                    body + 36 + 13)));
+  const Reading longer = read_path(folder.add("longer.ply", file.bytes() + "ab"));
+  EXPECT_THAT(longer.text(), HasSubstr("warning: 2 bytes stand behind the last element"));
+}
+
+TEST(BrokenPly, TextThatWasCutOffIsNoModel) {
+  const std::string text = Header + Triangle + "3 0 1 2";
+  for (std::size_t size = 0; size < text.size(); ++size) error_of(text.substr(0, size));
+}
+
+TEST(BrokenPly, HeadersSayTheLineAndColumn) {
+  EXPECT_THAT(error_of("ply\n"), HasSubstr("the file ends inside its header"));
+  EXPECT_THAT(error_of("ply\nformat text 1.0\n"),
+              HasSubstr("model.ply:2:8: error: expected 'format' and one of"));
+  EXPECT_THAT(error_of("ply\nformat ascii 2.0\n"),
+              HasSubstr("model.ply:2:14: error: expected the version 1.0"));
+  EXPECT_THAT(error_of("ply\nend_header\n"), HasSubstr("the header does not say its format"));
+  EXPECT_THAT(error_of(Begin + "element vertex many\n"),
+              HasSubstr("model.ply:3:16: error: found 'many', expected a count"));
+  EXPECT_THAT(error_of(Begin + "element vertex\n"),
+              HasSubstr("3:1: error: expected 'element', its name and its count"));
+  EXPECT_THAT(error_of(Begin + "property float x\n"),
+              HasSubstr("3:1: error: this property belongs to no element"));
+  EXPECT_THAT(error_of(Begin + "element vertex 3\nproperty int64 x\n"),
+              HasSubstr("4:10: error: 'int64' is no type of PLY"));
+  EXPECT_THAT(error_of(Begin + "element face 3\nproperty list float int a\n"),
+              HasSubstr("4:15: error: a list is counted by an integer"));
+  EXPECT_THAT(
+      error_of(Begin + "element vertex 3\npropety float x\n"),
+      HasSubstr("4:1: error: found 'propety', expected a word of PLY headers: did you mean 'property'"));
+  EXPECT_THAT(error_of(Begin + Vertices + "property float x\n" + Face + "end_header\n"),
+              HasSubstr("3:1: error: elements 'vertex' have two properties 'x'"));
+  EXPECT_THAT(error_of(Begin + Vertices + Vertices),
+              HasSubstr("7:9: error: there are elements 'vertex' already"));
+}
+
+TEST(BrokenPly, HeadersMustNameVerticesAndFaces) {
+  EXPECT_THAT(error_of(Begin + Vertices + "end_header\n" + Triangle),
+              HasSubstr("the file is a cloud of 3 points: it has no faces"));
+  EXPECT_THAT(error_of(Begin + Face + "end_header\n3 0 0 0\n"),
+              HasSubstr("the header names no element 'vertex'"));
+  EXPECT_THAT(error_of(Begin + "element vertex 1\nproperty float x\nproperty float z\n" + Face +
+                       "end_header\n0 0\n3 0 0 0\n"),
+              HasSubstr("model.ply:3:1: error: elements 'vertex' have no property 'y'"));
+  EXPECT_THAT(
+      error_of(Begin + Vertices + "element face 1\nproperty int corners\nend_header\n" + Triangle + "0\n"),
+      HasSubstr("elements 'face' have no list 'vertex_indices'"));
+}
+
+// What a count says is not believed before there are so many bytes.
+TEST(BrokenPly, CountsThatTheSizeDoesNotBearOut) {
+  for (const auto* count : {"1000", "4294967295", "4294967296", "18446744073709551615"}) {
+    const std::string face = fmt::format("element face {}\nproperty list uchar int vertex_indices\n", count);
+    EXPECT_THAT(error_of(Begin + Vertices + face + "end_header\n" + Triangle + "3 0 1 2\n"),
+                HasSubstr(fmt::format("7:1: error: the file is too short for {} elements 'face'", count)));
+  }
+  EXPECT_THAT(error_of(Begin + "element vertex 18446744073709551616\n"), HasSubstr("expected a count"));
+  PlyBytes list("binary_big_endian");
+  for (const auto* line : {"element vertex 1", "property float x", "property float y", "property float z",
+                           "element face 1", "property list uint uint vertex_indices", "end_header"}) {
+    list.line(line);
+  }
+  list.put(0.0F).put(0.0F).put(0.0F).put(std::uint32_t{0xFFFFFFFF}).put(std::uint32_t{0});
+  EXPECT_THAT(error_of(list.bytes()),
+              HasSubstr("a list of 4294967295 values, for which the file is too short"));
+}
+
+TEST(BrokenPly, ElementsWithoutPropertiesCostNothing) {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      Begin + Vertices + Face + "element nothing 18446744073709551615\nend_header\n" + Triangle;
+  EXPECT_TRUE(read_path(folder.add("a.ply", text + "3 0 1 2\n")).scene.has_value());
+}
+
+}  // namespace
+}  // namespace convert
