@@ -68,9 +68,10 @@ TEST(BrokenPly, BinarySaysTheByte) {
   EXPECT_THAT(error_of(wrong.bytes()),
               HasSubstr(fmt::format("face 2 of 2, at byte {}: there is no vertex 3", body + 36 + 13 + 9)));
   for (std::size_t size = 0; size < file.bytes().size(); ++size) error_of(file.bytes().substr(0, size));
-  EXPECT_THAT(error_of(file.bytes().substr(0, file.bytes().size() - 5)),
-              HasSubstr(fmt::format("face 2 of 2, at byte {}: a list of 3 values, for which the file is too short",
-                                    body + 36 + 13)));
+  EXPECT_THAT(
+      error_of(file.bytes().substr(0, file.bytes().size() - 5)),
+      HasSubstr(fmt::format("face 2 of 2, at byte {}: a list of 3 values, for which the file is too short",
+                            body + 36 + 13)));
   const Reading longer = read_path(folder.add("longer.ply", file.bytes() + "ab"));
   EXPECT_THAT(longer.text(), HasSubstr("warning: 2 bytes stand behind the last element"));
 }

@@ -78,7 +78,9 @@ std::string odd_file(std::string_view encoding) {
   for (int i = 0; i < 3; ++i) {
     file.put(std::uint8_t{255}).put(0.5 * i).put(1.0F).put(std::uint16_t{2});
     file.put(std::int16_t{-3}).put(std::int16_t{4}).put(0.25F).put(std::int32_t{-i}).put(0.125F).put(0.0F);
-    file.put(static_cast<std::uint8_t>(51 * i)).put(static_cast<std::uint16_t>(i == 1 ? 1 : 65535)).put(std::uint8_t{0});
+    file.put(static_cast<std::uint8_t>(51 * i))
+        .put(static_cast<std::uint16_t>(i == 1 ? 1 : 65535))
+        .put(std::uint8_t{0});
     file.put(0.75).put(0.25F).end();
   }
   file.put(std::int8_t{1}).put(1.5).end().put(std::int8_t{0}).end();
