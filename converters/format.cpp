@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "converters/bare_faces.h"
+#include "converters/gltf/gltf.h"
 #include "converters/grf_format.h"
 #include "converters/obj/obj.h"
 #include "converters/ply/ply.h"
@@ -50,7 +51,8 @@ std::string readable_formats() {
 }  // namespace
 
 std::span<const Format> formats() {
-  static const std::array all = {grf_format(), obj_format(), ply_format(), ply_ascii_format(), stl_format()};
+  static const std::array all = {grf_format(),  obj_format(), ply_format(), ply_ascii_format(),
+                                 gltf_format(), glb_format(), stl_format()};
   return all;
 }
 

@@ -59,6 +59,29 @@ LossText text_of(Loss loss) {
               "faces lost their further sets of texture coordinates", "GRF has one"};
     case Loss::SingularTransform:
       return {"mesh was left out", "meshes were left out", "a transform without height makes nothing of it"};
+    case Loss::TextureImage:
+      return {"face lost its texture", "faces lost their texture", "the file has no image for it"};
+    case Loss::TextureWrap:
+      return {"face lost how its texture goes on outside the image",
+              "faces lost how their texture goes on outside the image", "textures of GRF repeat"};
+    case Loss::NormalMap:
+      return {"face lost its normal map", "faces lost their normal map", "GRF has none"};
+    case Loss::OcclusionMap:
+      return {"face lost its occlusion map", "faces lost their occlusion map",
+              "light in corners is computed, not painted"};
+    case Loss::Unlit:
+      return {"face was to show its colour without light", "faces were to show their colour without light",
+              "it is matte, as nothing in GRF does so"};
+    case Loss::BackEmission:
+      return {"face lost the emission of its back", "faces lost the emission of their back",
+              "faces of GRF shine from the front"};
+    case Loss::Normal:
+      return {"vertex lost its normal", "vertices lost their normal", "it has no direction"};
+    case Loss::VertexValues:
+      return {"vertex lost values of an application's own", "vertices lost values of an application's own",
+              "GRF has none"};
+    case Loss::VertexAlpha:
+      return {"vertex lost its transparency", "vertices lost their transparency", "GRF surfaces are opaque"};
     case Loss::Brdf:
       return {"face lost its BRDF", "faces lost their BRDF", "the format has none"};
     case Loss::SamplingScheme:

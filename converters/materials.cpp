@@ -20,6 +20,7 @@ grf::Surface Materials::surface(std::size_t material, std::size_t faces, Losses&
   for (const Loss loss : mapped.losses) losses.add(loss, faces);
   grf::Surface surface;
   surface.brdf = grf::Reference{mapped.definition.name, {}};
+  if (mapped.colour) surface.colour = *mapped.colour;
   surface.emission = mapped.emission;
   if (mapped.texture) surface.texture = *mapped.texture;
   return surface;

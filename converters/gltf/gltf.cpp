@@ -1,0 +1,62 @@
+#include "converters/gltf/gltf.h"
+
+#include <algorithm>
+#include <array>
+
+#include "converters/gltf/gltf_file.h"
+#include "converters/gltf/gltf_reader.h"
+#include "converters/gltf/gltf_writer.h"
+#include "grf/text_file.h"
+
+namespace convert {
+namespace {
+
+bool is_glb(std::string_view first_bytes) { return first_bytes.starts_with(GlbMagic); }
+
+/// A JSON object with a name of glTF's first level among the first bytes.
+bool is_gltf(std::string_view first_bytes) {
+  constexpr std::array<std::string_view, 6> Names = {
+      "\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"extensionsUsed\"", "\"animations\"", "\"buffers\""};
+  if (first_bytes.starts_with(grf::ByteOrderMark)) first_bytes.remove_prefix(grf::ByteOrderMark.size());
+  first_bytes.remove_prefix(std::min(first_bytes.find_first_not_of(" \t\r\n"), first_bytes.size()));
+  return first_bytes.starts_with('{') && std::any_of(Names.begin(), Names.end(), [&](std::string_view name) {
+           return first_bytes.find(name) != std::string_view::npos;
+         });
+}
+
+Format common() {
+  Format format;
+  format.read = read_gltf;
+  format.keeps =
+      "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
+      "texture coordinates, vertex colours, textures, names, transforms, instances, materials, emission";
+  format.loses =
+      "maps other than of the base colour, transparency, points, lines, cameras, point lights, animations; "
+      "for "
+      "other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
+  return format;
+}
+
+}  // namespace
+
+Format gltf_format() {
+  Format format = common();
+  format.name = "gltf";
+  format.title = "glTF 2 as JSON, with a .bin file beside it";
+  format.extensions = {"gltf"};
+  format.sniff = is_gltf;
+  format.write = write_gltf;
+  return format;
+}
+
+Format glb_format() {
+  Format format = common();
+  format.name = "glb";
+  format.title = "glTF 2 as one binary file";
+  format.extensions = {"glb"};
+  format.sniff = is_glb;
+  format.write = write_glb;
+  return format;
+}
+
+}  // namespace convert

@@ -1,0 +1,77 @@
+// The numbers of a glTF file. tinygltf checks none of the places that accessors, views and buffers name.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "converters/gltf/gltf_file.h"
+#include "grf/diagnostics.h"
+
+namespace convert {
+
+/// Reads accessors (glTF 2.0, section 3.6.2): strides, sparse values and normalised integers are dealt with.
+/// Nothing is returned after an error, which names the accessor.
+class GltfAccessors {
+ public:
+  GltfAccessors(const GltfFile& file, grf::Diagnostics& diagnostics)
+      : file_(file), diagnostics_(diagnostics) {}
+
+  /// Elements of so many numbers each, one after the other, from an accessor of one of the types VEC2, VEC3,
+  /// VEC4, MAT4 and SCALAR. Each is finite, unless `infinite` allows others.
+  std::optional<std::vector<float>> floats(int accessor, std::size_t components, bool infinite = false);
+
+  /// The same as vectors, whose members are floats alone.
+  template <class Vector>
+  std::optional<std::vector<Vector>> vectors(int accessor, bool infinite = false) {
+    std::optional<std::size_t> count = checked_count(accessor, sizeof(Vector) / sizeof(float), false);
+    if (!count) return std::nullopt;
+    std::vector<Vector> values(*count);
+    if (!fill(accessor, reinterpret_cast<float*>(values.data()), infinite)) return std::nullopt;
+    return values;
+  }
+
+  /// Unsigned integers, one an element.
+  std::optional<std::vector<std::uint32_t>> integers(int accessor);
+
+  /// How many elements the accessor has; 0 if there is no such accessor.
+  std::size_t count(int accessor) const;
+
+  bool has_components(int accessor, std::size_t components) const;
+
+  /// The bytes of a view, or nothing after an error.
+  std::optional<std::span<const unsigned char>> view(int index);
+
+  /// Takes note of work that the file asks for, in elements that are read or made. False, after an error,
+  /// once it is out of all proportion to the file: a few bytes can name one accessor again and again.
+  bool spend(std::size_t elements);
+
+  std::nullopt_t fail(std::string_view message);
+
+ private:
+  /// A run of elements in a buffer, checked; without bytes all elements are 0.
+  struct Run {
+    const unsigned char* bytes = nullptr;
+    std::size_t stride = 0;
+  };
+
+  const tinygltf::Accessor* find(int accessor) const;
+  std::optional<std::size_t> checked_count(int accessor, std::size_t components, bool integers);
+  std::optional<Run> run_of(int view, std::size_t offset, std::size_t count, std::size_t element_bytes,
+                            bool may_have_stride);
+  std::optional<Run> run_of(const tinygltf::Accessor& accessor);
+  bool fill(int accessor, float* values, bool infinite);
+  template <class Put>
+  bool for_sparse(const tinygltf::Accessor& accessor, const Put& put);
+  std::optional<std::vector<std::uint32_t>> sparse_indices(const tinygltf::Accessor& accessor);
+
+  const GltfFile& file_;
+  grf::Diagnostics& diagnostics_;
+  int current_ = -1;  ///< the accessor that is being read, for messages
+  std::size_t spent_ = 0;
+};
+
+}  // namespace convert

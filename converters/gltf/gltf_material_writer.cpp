@@ -1,0 +1,147 @@
+#include "converters/gltf/gltf_material_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "converters/gltf/gltf_images.h"
+#include "converters/material_mapping.h"
+#include "converters/text_encoding.h"
+#include "converters/wording.h"
+#include "grf/keywords.h"
+#include "grf/text_file.h"
+#include "grf/write.h"
+
+namespace convert {
+namespace {
+
+using nlohmann::json;
+
+/// glTF has no number under 0 or over 1 here.
+double in_unit(double x) { return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0.0; }
+
+json factors(const grf::Vec3d& v) {
+  return {rounded_factor(in_unit(v.x)), rounded_factor(in_unit(v.y)), rounded_factor(in_unit(v.z))};
+}
+
+void emit(json& material, json& root, const grf::Colour& radiance) {
+  const grf::Vec3d r(std::max(radiance.x, 0.0F), std::max(radiance.y, 0.0F), std::max(radiance.z, 0.0F));
+  const double strength = std::max({r.x, r.y, r.z});
+  if (strength <= 0) return;
+  if (strength <= 1) {
+    material["emissiveFactor"] = factors(r);
+    return;
+  }
+  material["emissiveFactor"] = factors(r / strength);
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", strength}};
+  json& used = root["extensionsUsed"];
+  if (!used.is_array()) used = json::array({"KHR_materials_emissive_strength"});
+}
+
+/// The name under which people know the surface: that of its BRDF's definition, or the model's.
+std::string name_of(const grf::Surface& surface) {
+  if (!surface.brdf) return surface.emission ? "light" : "";
+  if (const auto* reference = std::get_if<grf::Reference>(&*surface.brdf)) {
+    return grf::from_identifier(reference->name);
+  }
+  return std::get<grf::BrdfModel>(*surface.brdf).keyword;
+}
+
+}  // namespace
+
+int GltfMaterialWriter::add(json material) {
+  const auto [known, is_new] = materials_.emplace(material.dump(), 0);
+  if (is_new) known->second = document_.append("materials", std::move(material));
+  return known->second;
+}
+
+int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& scope) {
+  const grf::ResolvedSurface resolved = grf::resolve(surface, scope);
+  FacetValues facets{grf::Vec3d(resolved.emission ? 0 : 0.5), grf::Vec3d(0), 1};
+  if (resolved.brdf != nullptr) facets = facet_values(*resolved.brdf, resolved.brdf_scope);
+  MetallicRoughness values = metallic_roughness(facets);
+  values.base_colour *= grf::Vec3d(resolved.colour);
+  json material;
+  const std::string name = name_of(surface);
+  if (!name.empty()) material["name"] = to_utf8(name);
+  json base = factors(values.base_colour);
+  base.push_back(1);
+  json& pbr = material["pbrMetallicRoughness"];
+  pbr = {{"baseColorFactor", base},
+         {"metallicFactor", rounded_factor(values.metallic)},
+         {"roughnessFactor", rounded_factor(values.roughness)}};
+  if (resolved.texture != nullptr) {
+    const int place = texture(resolved.texture->file);
+    if (place >= 0) pbr["baseColorTexture"] = {{"index", place}};
+  }
+  // Reflectance is two-sided in GRF, and emission is not.
+  material["doubleSided"] = !resolved.emission;
+  if (resolved.emission) emit(material, document_.json(), *resolved.emission);
+  if (resolved.brdf != nullptr && resolved.brdf->terms.empty()) {
+    json& exact = material["extras"]["grf"];
+    exact["brdf"] = to_utf8(grf::to_text(*resolved.brdf));
+    if (surface.colour) exact["rgb"] = {resolved.colour.x, resolved.colour.y, resolved.colour.z};
+  }
+  return add(std::move(material));
+}
+
+int GltfMaterialWriter::light_material(const grf::Surface& surface, const grf::Scope& scope) {
+  return light_material(grf::resolve(surface, scope).colour);
+}
+
+int GltfMaterialWriter::light_material(const grf::Colour& radiance) {
+  json material = {{"name", "light"},
+                   {"pbrMetallicRoughness",
+                    {{"baseColorFactor", {0, 0, 0, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+  emit(material, document_.json(), radiance);
+  return add(std::move(material));
+}
+
+int GltfMaterialWriter::texture(const std::string& file) {
+  const auto [known, is_new] = textures_.emplace(file, -1);
+  if (!is_new || file.empty()) return known->second;
+  json source = image(file);
+  if (source.is_null()) return -1;
+  const int place = document_.append("images", std::move(source));
+  return known->second = document_.append("textures", {{"source", place}});
+}
+
+json GltfMaterialWriter::image(const std::string& file) {
+  if (!embeds_images_) {
+    const std::string extension = grf::lower_case(std::filesystem::path(file).extension().string());
+    if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") unknown_.push_back(file);
+    return {{"uri", to_uri(file)}};
+  }
+  grf::Diagnostics unheard;
+  const auto bytes = grf::read_file(grf::path_beside(path_, file), unheard);
+  if (!bytes) {
+    unreadable_.push_back(file);
+    return nullptr;
+  }
+  const std::string_view kind = image_extension(*bytes);
+  if (kind != ".png" && kind != ".jpg") {
+    unknown_.push_back(file);
+    return nullptr;
+  }
+  const std::string name = to_utf8(names_.take(std::filesystem::path(file).filename().string(), kind));
+  embedded_.emplace(file, name);
+  return {{"name", name},
+          {"mimeType", kind == ".png" ? "image/png" : "image/jpeg"},
+          {"bufferView", document_.add_view(*bytes)}};
+}
+
+void GltfMaterialWriter::report() const {
+  const auto warn = [this](const std::vector<std::string>& files, const char* what) {
+    if (files.empty()) return;
+    diagnostics_.warning(
+        grf::whole_file(path_),
+        fmt::format("{} {} ({})", counted(files.size(), "image", "images"), what, listed(files)));
+  };
+  warn(unreadable_, "cannot be read, so that faces lose their texture in other programs than Granada");
+  warn(unknown_, "of a kind that glTF does not know, which is PNG and JPEG alone");
+}
+
+}  // namespace convert

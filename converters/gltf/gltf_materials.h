@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "converters/gltf/gltf_file.h"
+#include "converters/gltf/gltf_images.h"
+#include "converters/losses.h"
+#include "converters/materials.h"
+#include "grf/diagnostics.h"
+
+namespace convert {
+
+/// How the texture coordinates of a primitive become those of its image (KHR_texture_transform).
+struct TextureLookup {
+  int set = 0;  ///< which TEXCOORD
+  std::array<double, 2> offset = {0, 0};
+  double rotation = 0;  ///< radians
+  std::array<double, 2> scale = {1, 1};
+
+  auto operator<=>(const TextureLookup&) const = default;
+};
+
+/// The materials of a glTF file.
+class GltfMaterials {
+ public:
+  GltfMaterials(const GltfFile& file, const GltfImages& images, DefinitionNames& names);
+
+  /// The surface of so many faces with the material (-1: none), whose losses are counted.
+  grf::Surface surface(int material, std::size_t faces, Losses& losses);
+  TextureLookup lookup(int material) const;
+
+  /// Whether there is such a material, or the index means that there is none.
+  bool has(int material) const { return material < static_cast<int>(lookups_.size()); }
+
+  /// Warns of what the materials lose that is no kind of `Loss`, a line an extension.
+  void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
+  std::vector<grf::Definition> definitions() const { return materials_.definitions(); }
+
+ private:
+  void add(const tinygltf::Material& source, std::size_t index);
+
+  const GltfFile& file_;
+  const GltfImages& images_;
+  Materials materials_;
+  std::vector<std::string> changed_;  ///< materials whose extras no longer fit
+  std::vector<TextureLookup> lookups_;
+  std::vector<std::vector<std::string>> lost_extensions_;  ///< of each material
+  std::map<std::string, std::size_t> lost_;                ///< faces of each extension
+};
+
+}  // namespace convert

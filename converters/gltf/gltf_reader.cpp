@@ -1,0 +1,264 @@
+#include "converters/gltf/gltf_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "converters/gltf/gltf_accessors.h"
+#include "converters/gltf/gltf_grf.h"
+#include "converters/gltf/gltf_images.h"
+#include "converters/gltf/gltf_materials.h"
+#include "converters/gltf/gltf_meshes.h"
+#include "converters/gltf/gltf_nodes.h"
+#include "converters/scene_parts.h"
+#include "converters/wording.h"
+
+namespace convert {
+namespace {
+
+/// What nodes share that use the same mesh in the same pose.
+struct Form {
+  int mesh = -1;
+  std::vector<double> weights;
+
+  auto operator<=>(const Form&) const = default;
+};
+
+/// A form that several nodes use becomes a definition.
+struct Shape {
+  std::size_t uses = 0;
+  std::string name;  ///< of the definition; empty: its mesh has no faces
+};
+
+/// Text that stands on one line of a GRF file.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+  // The one thing that a name cannot have is plain and typographic quotes at once.
+  if (text.find("“") != std::string::npos || text.find("”") != std::string::npos) {
+    std::replace(text.begin(), text.end(), '"', '\'');
+  }
+  return text;
+}
+
+class SceneReader {
+ public:
+  SceneReader(const GltfFile& file, GltfAccessors& accessors, GltfImages& images,
+              grf::Diagnostics& diagnostics)
+      : file_(file),
+        location_(grf::whole_file(file.path)),
+        accessors_(accessors),
+        diagnostics_(diagnostics),
+        materials_(file, images, names_),
+        nodes_(file, accessors) {}
+
+  std::optional<grf::Scene> run() {
+    if (!nodes_.load()) return std::nullopt;
+    for (const int root : nodes_.roots()) count_uses(root);
+    std::vector<grf::Block> blocks;
+    for (const int root : nodes_.roots()) {
+      auto some = read_node(root);
+      if (!some) return std::nullopt;
+      std::move(some->begin(), some->end(), std::back_inserter(blocks));
+    }
+    std::move(skinned_.begin(), skinned_.end(), std::back_inserter(blocks));
+    report();
+    if (blocks.empty()) return accessors_.fail("the file has no faces, and nothing else can be kept");
+    std::vector<grf::Definition> definitions = materials_.definitions();
+    std::move(shared_.begin(), shared_.end(), std::back_inserter(definitions));
+    return scene_of(std::move(definitions), std::move(blocks), location_);
+  }
+
+ private:
+  const tinygltf::Node& node(int index) const { return file_.model.nodes[static_cast<std::size_t>(index)]; }
+  const tinygltf::Mesh* mesh_of(const tinygltf::Node& node) const {
+    const auto index = static_cast<std::size_t>(node.mesh);
+    return node.mesh < 0 || index >= file_.model.meshes.size() ? nullptr : &file_.model.meshes[index];
+  }
+
+  // Weights say nothing of a mesh without targets.
+  Form form_of(const tinygltf::Node& node) const {
+    const tinygltf::Mesh* mesh = mesh_of(node);
+    if (mesh == nullptr) return {node.mesh, {}};
+    const bool has_targets = std::any_of(mesh->primitives.begin(), mesh->primitives.end(),
+                                         [](const auto& primitive) { return !primitive.targets.empty(); });
+    if (!has_targets) return {node.mesh, {}};
+    return {node.mesh, node.weights.empty() ? mesh->weights : node.weights};
+  }
+
+  void count_uses(int index) {
+    const tinygltf::Node& source = node(index);
+    if (source.mesh >= 0 && source.skin < 0) ++shapes_[form_of(source)].uses;
+    if (source.mesh >= 0) meshes_placed_.insert(source.mesh);
+    if (source.camera >= 0) losses_.add(Loss::Camera);
+    if (source.extensions.contains("KHR_lights_punctual")) losses_.add(Loss::LightSource);
+    for (const int child : source.children) count_uses(child);
+  }
+
+  std::optional<std::vector<grf::Block>> read_node(int index) {
+    const tinygltf::Node& source = node(index);
+    std::vector<grf::Block> blocks;
+    if (source.mesh >= 0 && !read_mesh_of(source, blocks)) return std::nullopt;
+    for (const int child : source.children) {
+      auto some = read_node(child);
+      if (!some) return std::nullopt;
+      std::move(some->begin(), some->end(), std::back_inserter(blocks));
+    }
+    const grf::Matrix44d& matrix = nodes_.to_parent(index);
+    if (!blocks.empty() && !has_inverse(matrix)) {
+      losses_.add(Loss::SingularTransform, blocks.size());
+      return std::vector<grf::Block>();
+    }
+    blocks = placed(std::move(blocks), matrix, location_);
+    if (blocks.size() == 1 && std::holds_alternative<grf::Transform>(blocks[0].content) &&
+        !source.name.empty() && blocks[0].comments.empty()) {
+      blocks[0].comments.before.push_back(" " + on_one_line(source.name));
+    }
+    return blocks;
+  }
+
+  /// With room for what floats make of it.
+  static bool has_inverse(const grf::Matrix44d& matrix) {
+    const double volume = matrix.determinant();
+    if (!std::isfinite(volume) || volume == 0) return false;
+    const auto steps = transform_steps(matrix);
+    return std::all_of(steps.begin(), steps.end(), [](const grf::TransformStep& step) {
+      const grf::Vec3f& v = step.value;
+      const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+      return finite && (step.kind != grf::TransformStep::Kind::Scale || v.x * v.y * v.z != 0);
+    });
+  }
+
+  bool read_mesh_of(const tinygltf::Node& source, std::vector<grf::Block>& blocks) {
+    const tinygltf::Mesh* mesh = mesh_of(source);
+    if (mesh == nullptr) return accessors_.fail(fmt::format("there is no mesh {}", source.mesh)), false;
+    Form form = form_of(source);
+    if (source.skin >= 0) return read_skinned(source, *mesh, std::move(form));
+    Shape& shape = shapes_[form];
+    if (shape.uses > 1) return use(*mesh, form, shape, blocks);
+    auto read = read_form(*mesh, {form.weights, {}}, source.name);
+    if (!read) return false;
+    add_block(std::move(*read), blocks);
+    return true;
+  }
+
+  // Section 3.7.3.1: joints say where such a mesh is, and the transforms of its node and of those around it
+  // say nothing.
+  bool read_skinned(const tinygltf::Node& source, const tinygltf::Mesh& mesh, Form form) {
+    auto joints = nodes_.joints(source.skin);
+    if (!joints) return false;
+    auto read = read_form(mesh, {std::move(form.weights), std::move(*joints)}, source.name);
+    if (!read) return false;
+    add_block(std::move(*read), skinned_);
+    return true;
+  }
+
+  bool use(const tinygltf::Mesh& mesh, const Form& form, Shape& shape, std::vector<grf::Block>& blocks) {
+    if (!known_.contains(form)) {
+      auto read = read_form(mesh, {form.weights, {}}, "");
+      if (!read) return false;
+      known_.insert(form);
+      if (read->face_count() > 0) {
+        shape.name =
+            names_.take(mesh.name.empty() ? fmt::format("mesh_{}", form.mesh) : on_one_line(mesh.name));
+        grf::Definition definition;
+        definition.name = shape.name;
+        definition.body = grf::Shared<grf::Mesh>(std::move(*read));
+        definition.location = location_;
+        shared_.push_back(std::move(definition));
+      }
+    }
+    if (shape.name.empty()) return true;
+    grf::Block block;
+    block.content = grf::Use{{shape.name, location_}};
+    block.location = location_;
+    blocks.push_back(std::move(block));
+    return true;
+  }
+
+  std::optional<grf::Mesh> read_form(const tinygltf::Mesh& mesh, const GltfPose& pose,
+                                     const std::string& other_name) {
+    auto read = read_mesh(mesh, pose, accessors_, materials_, losses_);
+    if (read) read->name = on_one_line(mesh.name.empty() ? other_name : mesh.name);
+    return read;
+  }
+
+  void add_block(grf::Mesh mesh, std::vector<grf::Block>& blocks) {
+    if (mesh.face_count() == 0) return;
+    grf::Block block;
+    block.content = grf::Shared<grf::Mesh>(std::move(mesh));
+    block.location = location_;
+    blocks.push_back(std::move(block));
+  }
+
+  void report() {
+    losses_.add(Loss::Animation, file_.model.animations.size());
+    materials_.report(location_, diagnostics_);
+    losses_.report(location_, diagnostics_);
+    if (file_.model.scenes.size() > 1) {
+      diagnostics_.warning(location_, fmt::format("{} left out: the file's default scene is read",
+                                                  counted(file_.model.scenes.size() - 1, "further scene was",
+                                                          "further scenes were")));
+    }
+    std::vector<std::string> unplaced;
+    for (std::size_t i = 0; i < file_.model.meshes.size(); ++i) {
+      if (!meshes_placed_.contains(static_cast<int>(i))) unplaced.push_back(file_.model.meshes[i].name);
+    }
+    if (unplaced.empty()) return;
+    diagnostics_.warning(location_,
+                         fmt::format("{} left out that the scene has no place for: {}",
+                                     counted(unplaced.size(), "mesh was", "meshes were"), listed(unplaced)));
+  }
+
+  const GltfFile& file_;
+  grf::SourceLocation location_;
+  GltfAccessors& accessors_;
+  grf::Diagnostics& diagnostics_;
+  DefinitionNames names_;
+  GltfMaterials materials_;
+  GltfNodes nodes_;
+  Losses losses_;
+  std::map<Form, Shape> shapes_;
+  std::set<Form> known_;
+  std::set<int> meshes_placed_;
+  std::vector<grf::Definition> shared_;
+  std::vector<grf::Block> skinned_;
+};
+
+std::optional<grf::Scene> scene_in_extras(const GltfFile& file, grf::Diagnostics& diagnostics) {
+  grf::Diagnostics problems;
+  GltfAccessors accessors(file, problems);
+  auto scene = read_grf_extras(file, accessors, problems);
+  if (scene) return scene;
+  diagnostics.warning(
+      grf::whole_file(file.path),
+      fmt::format("the GRF scene in the extras cannot be read ({}): the glTF model itself is read",
+                  problems.entries().front().message));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Import> read_gltf(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
+  const auto file = load_gltf(path, diagnostics);
+  if (!file) return std::nullopt;
+  GltfAccessors accessors(*file, diagnostics);
+  GltfImages images(*file, accessors, diagnostics);
+  if (!images.load()) return std::nullopt;
+  if (file->is_unchanged_grf) {
+    if (auto scene = scene_in_extras(*file, diagnostics))
+      return Import{std::move(*scene), images.take_files()};
+  }
+  auto scene = SceneReader(*file, accessors, images, diagnostics).run();
+  if (!scene) return std::nullopt;
+  return Import{std::move(*scene), images.take_files()};
+}
+
+}  // namespace convert

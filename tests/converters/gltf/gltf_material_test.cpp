@@ -1,0 +1,198 @@
+// How materials of glTF become BRDFs of GRF, and the other way.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "converters/material_mapping.h"
+#include "grf/keywords.h"
+#include "grf/read.h"
+#include "renderer/reflectance/scheme.h"
+#include "tests/converters/gltf/gltf_maker.h"
+
+namespace convert {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A triangle with a material.
+GltfMaker with_material(const json& material) {
+  GltfMaker maker = GltfMaker::triangle();
+  maker.primitive()["material"] = 0;
+  maker.json["materials"] = json::array({material});
+  maker.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
+  maker.json["samplers"] = {{{"wrapS", 33071}}};
+  maker.json["images"] = {{{"uri", "wood%20a.png"}}};
+  return maker;
+}
+
+std::string brdf_of(const json& material) {
+  const Reading reading = with_material(material).read();
+  EXPECT_TRUE(reading.scene.has_value()) << reading.text();
+  return reading.scene ? brdf_text(definitions_of(*reading.scene).at(0)) : "";
+}
+
+json pbr(const json& colour, double metallic, double roughness) {
+  return {{"pbrMetallicRoughness",
+           {{"baseColorFactor", colour}, {"metallicFactor", metallic}, {"roughnessFactor", roughness}}}};
+}
+
+TEST(GltfMaterial, BecomesTheNearestBrdf) {
+  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 1, 0.5)),
+            "torrance rough=0.25 nreal=1 nimag=100 ks=(1, 0.5, 0.25) kd=0");
+  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 1, 0)), "specular ks=(1, 0.5, 0.25)");
+  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 0, 0.5)), "ashikhmin ex=30 Rs=0.04 Rd=(1, 0.5, 0.25)");
+  EXPECT_EQ(brdf_of(pbr({0.5, 0.5, 0.5, 1}, 0, 0)), "coupled Rm=0.5 R0=0.04");
+  EXPECT_EQ(brdf_of(pbr({0.5, 0.5, 0.5, 1}, 0.5, 1)), "ashikhmin ex=0 Rs=0.27 Rd=0.25");
+}
+
+TEST(GltfMaterial, ExtensionsThatSayItsReflectanceAreRead) {
+  json unlit = pbr({0.5, 0.5, 0.5, 1}, 0, 1);
+  unlit["extensions"]["KHR_materials_unlit"] = json::object();
+  EXPECT_EQ(brdf_of(unlit), "diffuse kd=0.5");
+  json ior = pbr({0.5, 0.5, 0.5, 1}, 0, 0);
+  ior["extensions"]["KHR_materials_ior"] = {{"ior", 3}};
+  EXPECT_EQ(brdf_of(ior), "coupled Rm=0.5 R0=0.25");
+  json specular = ior;
+  specular["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5},
+                                                      {"specularColorFactor", {1, 0, 1}}};
+  EXPECT_EQ(brdf_of(specular), "coupled Rm=0.5 R0=(0.125, 0, 0.125)");
+  const json glossy = {{"extensions",
+                        {{"KHR_materials_pbrSpecularGlossiness",
+                          {{"diffuseFactor", {0.5, 0.25, 0, 1}},
+                           {"specularFactor", {0.25, 0.25, 0.25}},
+                           {"glossinessFactor", 0.5}}}}}};
+  EXPECT_EQ(brdf_of(glossy), "ashikhmin ex=30 Rs=0.25 Rd=(0.5, 0.25, 0)");
+}
+
+TEST(GltfMaterial, KeepsItsNameAndItsValuesInAComment) {
+  json material = pbr({0.5, 0.5, 0.5, 1}, 0, 1);
+  material["name"] = "red clay";
+  const Reading reading = with_material(material).read();
+  ASSERT_TRUE(reading.scene);
+  const grf::Definition definition = definitions_of(*reading.scene).at(0);
+  EXPECT_EQ(grf::from_identifier(definition.name), "red clay");
+  ASSERT_EQ(definition.comments.before.size(), 2U);
+  EXPECT_EQ(definition.comments.before[0], " \"red clay\"");
+  EXPECT_EQ(definition.comments.before[1],
+            " glTF: baseColorFactor 0.5 0.5 0.5 1; metallicFactor 0; roughnessFactor 1");
+}
+
+TEST(GltfMaterial, TheBaseColoursTextureMultiplies) {
+  json material = pbr({1, 1, 1, 1}, 0, 1);
+  material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
+  const Reading reading = with_material(material).read();
+  ASSERT_TRUE(reading.scene);
+  const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
+  EXPECT_EQ(std::get<grf::Texture>(mesh.surface(0).texture.value()).file, "wood a.png");
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost how its texture goes on outside the image"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 image is missing: 'wood a.png'"));
+}
+
+TEST(GltfMaterial, EmissionIsRadiance) {
+  json material = {{"emissiveFactor", {1, 0.5, 0}},
+                   {"doubleSided", true},
+                   {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}};
+  Reading reading = with_material(material).read();
+  ASSERT_TRUE(reading.scene);
+  EXPECT_EQ(meshes_of(*reading.scene).at(0).surface(0).emission, grf::Colour(8, 4, 0));
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost the emission of its back"));
+  material["emissiveTexture"] = {{"index", 0}};
+  reading = with_material(material).read();
+  EXPECT_FALSE(meshes_of(*reading.scene).at(0).surface(0).emission.has_value());
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost its map of emission"));
+}
+
+TEST(GltfMaterial, WhatIsLostIsSaid) {
+  json material = pbr({1, 1, 1, 0.5}, 0, 1);
+  material["alphaMode"] = "BLEND";
+  for (const char* map : {"normalTexture", "occlusionTexture"}) material[map] = {{"index", 0}};
+  material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+  for (const char* extension : {"clearcoat", "sheen", "transmission"}) {
+    material["extensions"][std::string("KHR_materials_") + extension] = {{"a", 1}};
+  }
+  const Reading reading = with_material(material).read();
+  EXPECT_TRUE(reading.scene);
+  for (const char* said :
+       {"its transparency", "its normal map", "its occlusion map", "its map of a parameter",
+        "1 face lost what KHR_materials_clearcoat says of their material", "what KHR_materials_sheen says",
+        "what KHR_materials_transmission says"}) {
+    EXPECT_THAT(reading.text(), HasSubstr(said));
+  }
+}
+
+TEST(GltfMaterial, EmbeddedImagesBecomeFiles) {
+  GltfMaker maker = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  const std::string png = "\x89PNG not decoded";
+  const int bytes = maker.add(std::vector<char>(png.begin(), png.end()), "SCALAR", 5121);
+  maker.json["images"] = {{{"bufferView", bytes}, {"mimeType", "image/jpeg"}, {"name", "../a.PNG"}},
+                          {{"uri", "data:image/png;base64,/9j/"}, {"name", "a.png"}}};
+  const Reading reading = maker.read();
+  ASSERT_TRUE(reading.scene) << reading.text();
+  ASSERT_EQ(reading.files.size(), 2U);
+  EXPECT_EQ(reading.files[0].name, "_a.png");
+  EXPECT_EQ(reading.files[0].bytes, png);
+  EXPECT_EQ(reading.files[1].name, "a.png.jpg");
+  EXPECT_EQ(std::get<grf::Texture>(*meshes_of(*reading.scene)[0].surface(0).texture).file, "_a.png");
+}
+
+grf::BrdfModel model(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  return grf::read_brdf(text, "test", diagnostics).value();
+}
+
+TEST(FacetValues, KnowEveryModelOfTheCatalogue) {
+  for (const grf::ModelInfo& info : reflectance::catalogue().brdfs) {
+    if (info.takes != grf::ModelInfo::Takes::Parameters) continue;
+    grf::BrdfModel short_form;
+    short_form.keyword = info.keyword;
+    grf::BrdfModel long_form = short_form;  // with what the catalogue has for defaults
+    for (const grf::ParameterInfo& parameter : info.parameters) {
+      if (!parameter.default_from.empty()) continue;
+      grf::Value value = parameter.default_value;
+      if (parameter.kind == grf::ParameterKind::Boolean) value = parameter.default_value != 0;
+      if (parameter.kind == grf::ParameterKind::Word) continue;
+      if (parameter.default_rgb) value = *parameter.default_rgb;
+      long_form.arguments.push_back({std::string(parameter.name), value, {}});
+    }
+    const FacetValues a = facet_values(short_form, {});
+    const FacetValues b = facet_values(long_form, {});
+    EXPECT_LE((a.diffuse - b.diffuse).length(), 1e-6) << info.keyword;
+    EXPECT_LE((a.specular - b.specular).length(), 1e-6) << info.keyword;
+    EXPECT_NEAR(a.slope, b.slope, 1e-6) << info.keyword;
+    const FacetValues nothing = facet_values(model("nosuchmodel"), {});
+    const bool is_default = a.diffuse == nothing.diffuse && a.specular == nothing.specular;
+    EXPECT_EQ(is_default, info.keyword == "diffuse" || info.keyword == "minnaert" || info.keyword == "oren")
+        << info.keyword;
+  }
+}
+
+TEST(FacetValues, OfMetallicRoughnessComeBack) {
+  for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {
+    for (const double grey : {0.2, 0.5, 0.9}) {
+      MetallicRoughness material;
+      material.base_colour = grf::Vec3d(grey);
+      material.metallic = metallic;
+      material.roughness = 0.6;
+      const MetallicRoughness again = metallic_roughness(facet_values(material));
+      EXPECT_NEAR(again.metallic, metallic, 1e-9);
+      EXPECT_NEAR(again.base_colour.x, grey, 1e-9);
+      EXPECT_NEAR(again.roughness, 0.6, 1e-9);
+    }
+  }
+}
+
+// What a mapped material reflects of light is never more than comes in.
+TEST(GltfMaterial, ConservesEnergy) {
+  for (const double metallic : {0.0, 0.5, 1.0}) {
+    for (const double roughness : {0.0, 0.1, 0.5, 1.0}) {
+      const grf::BrdfModel brdf = model(brdf_of(pbr({1, 1, 1, 1}, metallic, roughness)));
+      const grf::ModelInfo* info = grf::find_model(reflectance::catalogue().brdfs, brdf.keyword);
+      ASSERT_NE(info, nullptr);
+      ASSERT_NE(info->largest_albedo, nullptr);
+      EXPECT_LE(info->largest_albedo(brdf).albedo, 1.001F) << brdf.keyword << ' ' << roughness;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace convert

@@ -1,0 +1,135 @@
+// The glTF models of Debian's package assimp-testmodels, against what Assimp makes of them.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "grf/keywords.h"
+#include "tests/converters/gltf/assimp_count.h"
+#include "tests/converters/reading.h"
+
+namespace convert {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string Models = "/usr/share/assimp/models/";
+
+/// The models that give an error, and a part of its text.
+const std::map<std::string, std::string> Errors = {
+    {"glTF/BoxTextured-glTF-Binary/BoxTextured.glb", "the file is glTF 1, and glTF 2 alone is read"},
+    {"glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf", "the file is glTF 1.0, and glTF 2 alone is read"},
+    {"glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf",
+     "the file is glTF 1.0, and glTF 2 alone is read"},
+    {"glTF/BoxTextured-glTF/BoxTextured.gltf", "the file is glTF 1.0, and glTF 2 alone is read"},
+    {"glTF/IncorrectVertexArrays/Cube_v1.gltf", "the file is glTF 1.0, and glTF 2 alone is read"},
+    {"glTF/TwoBoxes/TwoBoxes.gltf", "the file is glTF 1.0, and glTF 2 alone is read"},
+    {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", "\"asset\" object not found"},
+    {"glTF2/BoxTextured-glTF-techniqueWebGL/BoxTextured.gltf",
+     "requires what is not supported: 'KHR_technique_webgl'"},
+    {"glTF2/BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb",
+     "accessor 2: element 0 is infinite or not a number"},
+    {"glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf", "accessor 0: index 0 is vertex 65535 of 24"},
+    {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "accessor 0: index 0 is vertex 255 of 24"},
+    {"glTF2/MissingBin/BoxTextured.gltf", "File not found : BoxTextured0.bin"},
+    {"glTF2/RecursiveNodes/RecursiveNodes.gltf", "node 0 stands in itself"},
+    {"glTF2/SchemaFailures/sceneWrongType.gltf", "File not found : BoxTextured0.bin"},
+    {"glTF2/TestNoRootNode/NoScene.gltf", "the file has no faces"},
+    {"glTF2/TestNoRootNode/SceneWithoutNodes.gltf", "the file has no faces"},
+    {"glTF2/draco/2CylinderEngine.gltf", "requires what is not supported: 'KHR_draco_mesh_compression'"},
+    {"glTF2/wrongTypes/badArray.gltf", "the file has no faces"},
+    {"glTF2/wrongTypes/badNumber.gltf", "'index' property is missing in NormalTextureInfo"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_00.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_01.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_02.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_03.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_07.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_08.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_09.gltf", "the file has no faces"},
+    {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_10.gltf", "the file has no faces"}};
+
+/// Assimp leaves skins and morph targets where they are: what it counts is the same, and no place is.
+const std::set<std::string> Posed = {"glTF2/simple_skin/simple_skin.gltf"};
+
+/// What Assimp itself cannot read.
+const std::set<std::string> NotForAssimp = {
+    "glTF2/issue_3269/texcoord_crash.gltf", "glTF2/wrongTypes/badExtension.gltf",
+    "glTF2/wrongTypes/badObject.gltf", "glTF2/wrongTypes/badString.gltf", "glTF2/wrongTypes/badUint.gltf"};
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  for (const std::string folder : {"glTF", "glTF2"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(Models + folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".gltf" || extension == ".glb") {
+        names.push_back(fs::relative(entry.path(), Models).string());
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string readable_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !grf::is_word_character(c) || c == '$'; }, '_');
+  return name;
+}
+
+void expect_same(const ModelCount& found, const ModelCount& expected, bool is_posed) {
+  EXPECT_EQ(found.faces, expected.faces);
+  EXPECT_EQ(found.positions, expected.positions);
+  if (is_posed) return;
+  EXPECT_NEAR(found.area, expected.area, 1e-5 * expected.area);
+  const double size = expected.bounds.size().length();
+  EXPECT_LE((found.bounds.min - expected.bounds.min).length(), 1e-5 * size);
+  EXPECT_LE((found.bounds.max - expected.bounds.max).length(), 1e-5 * size);
+}
+
+class GltfModel : public testing::TestWithParam<std::string> {};
+
+TEST_P(GltfModel, IsReadAsAssimpReadsItOrNotAtAll) {
+  const Reading reading = read_path(Models + GetParam());
+  if (const auto error = Errors.find(GetParam()); error != Errors.end()) {
+    EXPECT_FALSE(reading.scene.has_value());
+    EXPECT_THAT(reading.text(), HasSubstr(error->second));
+    return;
+  }
+  ASSERT_TRUE(reading.scene.has_value()) << reading.text();
+  EXPECT_FALSE(reading.diagnostics.has_errors());
+  const auto expected = assimp_count(Models + GetParam());
+  EXPECT_EQ(expected.has_value(), !NotForAssimp.contains(GetParam()));
+  if (expected) expect_same(count_of(*reading.scene), *expected, Posed.contains(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfDebian, GltfModel, testing::ValuesIn(model_names()), readable_name);
+
+TEST(GltfModels, AreAllThere) { EXPECT_GE(model_names().size(), 50U); }
+
+// GRF -> glTF -> GRF, with real models: the same scene, and for Assimp the same shapes.
+TEST_P(GltfModel, GoesThroughGltfAndBack) {
+  if (Errors.contains(GetParam())) return;
+  const Reading reading = read_path(Models + GetParam());
+  ASSERT_TRUE(reading.scene.has_value());
+  const test::TemporaryFolder folder;
+  for (const char* name : {"out.gltf", "out.glb"}) {
+    grf::Diagnostics diagnostics;
+    ASSERT_TRUE(format_of_name(name)->write(*reading.scene, folder.path(name), diagnostics))
+        << diagnostics.to_text();
+    const Reading again = read_path(folder.path(name));
+    ASSERT_TRUE(again.scene.has_value()) << again.text();
+    EXPECT_EQ(*again.scene, *reading.scene);
+    const auto counted = assimp_count(folder.path(name));
+    ASSERT_TRUE(counted.has_value());
+    expect_same(*counted, count_of(*reading.scene), false);
+  }
+}
+
+}  // namespace
+}  // namespace convert
