@@ -173,7 +173,8 @@ TEST(GltfRoundTrip, ImagesGoIntoAGlbFileAndOut) {
   folder.add("parts/wood.PNG", png);
   folder.add("wood.png", png + " another");
   const std::string wall =
-      "begin mesh texture \"parts/wood.PNG\" begin vertexs (0,0,0) (1,0,0) (0,1,0) end vertexs "
+      "begin mesh texture \"parts/wood.PNG\" begin vertexs uv (0,0) (0,0,0) uv (1,0) (1,0,0) uv (0,1) "
+      "(0,1,0) end vertexs "
       "begin faces (0,1,2) texture \"wood.png\" (0,1,2) texture \"missing.png\" (0,1,2) end faces end mesh";
   const std::string path = folder.path("room.glb");
   grf::Diagnostics diagnostics;
