@@ -7,12 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "converters/assimp/assimp_formats.h"
 #include "converters/bare_faces.h"
 #include "converters/gltf/gltf.h"
 #include "converters/grf_format.h"
 #include "converters/obj/obj.h"
+#include "converters/off/off.h"
 #include "converters/ply/ply.h"
-#include "converters/stl/stl.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 
@@ -51,8 +52,11 @@ std::string readable_formats() {
 }  // namespace
 
 std::span<const Format> formats() {
-  static const std::array all = {grf_format(),  obj_format(), ply_format(), ply_ascii_format(),
-                                 gltf_format(), glb_format(), stl_format()};
+  static const std::array all = {
+      grf_format(),      obj_format(),  ply_format(), ply_ascii_format(),    gltf_format(),    glb_format(),
+      three_ds_format(), stl_format(),  off_format(), dxf_format(),          collada_format(), fbx_format(),
+      lwo_format(),      ac3d_format(), x_format(),   other_assimp_format(),
+  };
   return all;
 }
 

@@ -75,13 +75,28 @@ LossText text_of(Loss loss) {
     case Loss::BackEmission:
       return {"face lost the emission of its back", "faces lost the emission of their back",
               "faces of GRF shine from the front"};
-    case Loss::Normal:
-      return {"vertex lost its normal", "vertices lost their normal", "it has no direction"};
     case Loss::VertexValues:
       return {"vertex lost values of an application's own", "vertices lost values of an application's own",
               "GRF has none"};
-    case Loss::VertexAlpha:
-      return {"vertex lost its transparency", "vertices lost their transparency", "GRF surfaces are opaque"};
+    case Loss::UnplacedMesh:
+      return {"mesh was left out", "meshes were left out", "the file places it nowhere"};
+    case Loss::Skin:
+      return {"face lost its bones", "faces lost their bones", "GRF scenes stand still: they are as bound"};
+    case Loss::MorphTarget:
+      return {"face lost its other shapes", "faces lost their other shapes",
+              "GRF scenes stand still: they are at rest"};
+    case Loss::NumberedColour:
+      return {"face lost its colour", "faces lost their colour",
+              "the file has the number of one in a table, and no table"};
+    case Loss::SecondColour:
+      return {"face lost its further sets of vertex colours",
+              "faces lost their further sets of vertex colours", "GRF has one"};
+    case Loss::EmbeddedFile:
+      return {"embedded image was left out", "embedded images were left out",
+              "no material has its diffuse colour from it"};
+    case Loss::Subdivision:
+      return {"object lost its subdivision", "objects lost their subdivision",
+              "the faces are those that the file has, which are coarser"};
     case Loss::Brdf:
       return {"face lost its BRDF", "faces lost their BRDF", "the format has none"};
     case Loss::SamplingScheme:
@@ -107,8 +122,8 @@ LossText text_of(Loss loss) {
       return {"vertex or face lost its alpha", "vertices or faces lost their alpha",
               "GRF surfaces are opaque"};
     case Loss::BadNormal:
-      return {"vertex lost its normal", "vertices lost their normal", "it is no finite number"};
-    case Loss::VertexUv:
+      return {"vertex lost its normal", "vertices lost their normal", "it has no direction"};
+    case Loss::BadTextureCoordinates:
       return {"vertex lost its texture coordinates", "vertices lost their texture coordinates",
               "they are no finite numbers"};
     case Loss::Edge:

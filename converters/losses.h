@@ -35,9 +35,14 @@ enum class Loss {
   OcclusionMap,
   Unlit,
   BackEmission,
-  Normal,
   VertexValues,
-  VertexAlpha,
+  UnplacedMesh,
+  Skin,
+  MorphTarget,
+  NumberedColour,
+  SecondColour,
+  EmbeddedFile,
+  Subdivision,
   // What only GRF has, for writers.
   Brdf,
   SamplingScheme,
@@ -50,10 +55,9 @@ enum class Loss {
   Polygon,
   LooseVertex,
   MeshName,
-  // What PLY files have.
   Alpha,
   BadNormal,
-  VertexUv,
+  BadTextureCoordinates,
   Edge,
 };
 

@@ -221,7 +221,7 @@ class MeshReader {
     const auto always = [](const auto&) { return true; };
     put(from.normals, mesh_.normals, [this](const grf::Vec3f& normal) {
       if (has_direction(normal)) return true;
-      losses_.add(Loss::Normal);
+      losses_.add(Loss::BadNormal);
       return false;
     });
     put(from.colours, mesh_.colours, always);

@@ -183,7 +183,7 @@ class VertexReader {
   }
 
   void count_losses() {
-    losses_.add(Loss::VertexAlpha, transparent_);
+    losses_.add(Loss::Alpha, transparent_);
     for (const auto& [name, accessor] : source_.attributes) {
       if (name.starts_with('_')) losses_.add(Loss::VertexValues, size());
     }

@@ -81,7 +81,7 @@ void PlyMesh::set_colour(std::uint32_t vertex, const grf::Colour& colour) {
 
 void PlyMesh::set_uv(std::uint32_t vertex, const grf::Vec2f& uv) {
   has_uvs_ = true;
-  if (!is_finite(uv)) return losses_.add(Loss::VertexUv);
+  if (!is_finite(uv)) return losses_.add(Loss::BadTextureCoordinates);
   if (mesh_.uvs.empty()) mesh_.uvs.reserve(mesh_.positions.capacity());
   mesh_.uvs.set(vertex, uv);
 }
@@ -113,7 +113,7 @@ void PlyMesh::add_face(std::span<const std::uint32_t> corners, const PlyFace& fa
 // The first uv of a vertex is its own; each other one gets a copy of it, behind the vertices of the file.
 std::uint32_t PlyMesh::corner_with_uv(std::uint32_t vertex, const grf::Vec2f& uv) {
   if (!is_finite(uv)) {
-    losses_.add(Loss::VertexUv);
+    losses_.add(Loss::BadTextureCoordinates);
     return vertex;
   }
   const std::array key = {vertex, std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)};

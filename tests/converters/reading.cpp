@@ -20,6 +20,11 @@ Reading read_path(const std::string& path, const ReadOptions& options) {
   return reading;
 }
 
+Reading read_bytes(const std::string& name, std::string_view bytes) {
+  const test::TemporaryFolder folder;
+  return read_path(folder.add(name, bytes));
+}
+
 Reading read_obj_text(std::string_view obj, std::string_view mtl, const ReadOptions& options) {
   const test::TemporaryFolder folder;
   if (!mtl.empty()) folder.add("model.mtl", mtl);

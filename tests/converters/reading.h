@@ -24,6 +24,9 @@ struct Reading {
 
 Reading read_path(const std::string& path, const ReadOptions& options = {});
 
+/// Reads a file of this name and content, which is alone in its folder.
+Reading read_bytes(const std::string& name, std::string_view bytes);
+
 /// Reads OBJ text from a file `model.obj`, with `model.mtl` beside it if there is text for one.
 Reading read_obj_text(std::string_view obj, std::string_view mtl = {}, const ReadOptions& options = {});
 

@@ -228,7 +228,7 @@ TEST(Ply, CountsWhatItRoundsOrLeavesOut) {
   EXPECT_FALSE(mesh.normals.has(2)) << "no length";
   EXPECT_EQ(mesh.colours[1], Colour(0, 0, 0));
   EXPECT_THAT(reading.text(), HasSubstr("note: 2 positions were rounded to the numbers of GRF"));
-  EXPECT_THAT(reading.text(), HasSubstr("1 vertex lost its normal: it is no finite number"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 vertex lost its normal: it has no direction"));
   EXPECT_THAT(reading.text(), HasSubstr("1 face was left out: three corners or more were expected"));
   EXPECT_THAT(reading.text(), HasSubstr("2 edges were left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 colour has components below 0"));

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "converters/stl/stl.h"
+#include "converters/stl/write_stl.h"
 #include "grf/summary.h"
 #include "tests/converters/reading.h"
 

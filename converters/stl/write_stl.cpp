@@ -1,4 +1,4 @@
-#include "converters/stl/stl.h"
+#include "converters/stl/write_stl.h"
 
 #include <array>
 #include <bit>
@@ -74,8 +74,6 @@ bool write_all(const WorldMeshes& world, std::uint64_t triangles, const grf::Fil
   return true;
 }
 
-bool sniff_nothing(std::string_view) { return false; }
-
 }  // namespace
 
 bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
@@ -97,21 +95,6 @@ bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostic
               losses);
   losses.report_written(grf::whole_file(path), "STL", diagnostics);
   return true;
-}
-
-Format stl_format() {
-  Format format;
-  format.name = "stl";
-  format.title = "STL, binary";
-  format.extensions = {"stl"};
-  format.sniff = sniff_nothing;
-  format.write = write_stl;
-  format.keeps = "triangles";
-  format.loses =
-      "shared vertices, polygons (cut into triangles), names, materials, colours, textures and their "
-      "coordinates, normals, lights, irradiance, transforms and instances (the faces stand where they put "
-      "them)";
-  return format;
 }
 
 }  // namespace convert

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "converters/format.h"
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
 
 namespace convert {
 
@@ -10,8 +11,5 @@ namespace convert {
 /// normal of its area. Polygons are cut as for rendering. What STL cannot keep is said, one warning a kind;
 /// after an error the file is as it was.
 bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics);
-
-/// STL, written.
-Format stl_format();
 
 }  // namespace convert

@@ -1,0 +1,136 @@
+#include "converters/assimp/assimp_import.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/NullLogger.hpp>
+#include <assimp/config.h>
+
+#include "converters/text_encoding.h"
+
+namespace convert {
+namespace {
+
+/// A broken file can be complained of once for each byte.
+constexpr std::size_t MostTexts = 20;
+
+/// What Assimp says of itself, or of what is said in other words or loses nothing.
+bool tells_nothing(std::string_view message) {
+  constexpr std::array<std::string_view, 5> Beginnings = {
+      "BlendDNA: Did not find a field", "<add reason>", "No hierarchy information",
+      "3DS: Skipping TCB animation info", "FBX-DOM: unsupported, newer format version"};
+  return std::any_of(Beginnings.begin(), Beginnings.end(),
+                     [message](std::string_view beginning) { return message.starts_with(beginning); });
+}
+
+/// Takes down what Assimp says on the thread that reads.
+class Listener final : public Assimp::NullLogger {
+ public:
+  explicit Listener(std::vector<AssimpMessage>& messages) : messages_(messages) {}
+
+  void OnWarn(const char* message) override { add(message, false); }
+  void OnError(const char* message) override { add(message, true); }
+
+ private:
+  void add(const char* message, bool is_error) {
+    if (std::this_thread::get_id() != thread_) return;
+    const std::string text = text_of(aiString(message));
+    if (tells_nothing(text)) return;
+    const auto known = std::find_if(messages_.begin(), messages_.end(),
+                                    [&](const AssimpMessage& other) { return other.text == text; });
+    if (known != messages_.end()) {
+      ++known->count;
+    } else if (messages_.size() < MostTexts) {
+      messages_.push_back({text, 1, is_error});
+    }
+  }
+
+  std::vector<AssimpMessage>& messages_;
+  std::thread::id thread_ = std::this_thread::get_id();
+};
+
+/// Listens as long as it lives. Assimp has one logger for the whole program, so that files that are read at
+/// once in several threads are read one after the other.
+class Listening {
+ public:
+  explicit Listening(std::vector<AssimpMessage>& messages) : lock_(one_at_a_time()) {
+    Assimp::DefaultLogger::set(new Listener(messages));  // which deletes it when the next one is set
+  }
+  ~Listening() { Assimp::DefaultLogger::set(nullptr); }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+
+ private:
+  static std::mutex& one_at_a_time() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
+};
+
+void configure(Assimp::Importer& importer) {
+  // What the file says is wanted, and nothing that is made of it: no meshes for bones, no finer faces for
+  // surfaces that are subdivided when they are drawn, no normals in place of those that there are.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_AC_EVAL_SUBDIVISION, false);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_ASE_RECONSTRUCT_NORMALS, false);
+  // Names for people in place of identifiers for programs.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+}
+
+template <class Read>
+AssimpReading import_by(Read read) {
+  AssimpReading reading;
+  const Listening listening(reading.messages);
+  Assimp::Importer importer;
+  configure(importer);
+  try {
+    read(importer);
+    reading.error = text_of(aiString(importer.GetErrorString()));
+    reading.scene.reset(importer.GetOrphanedScene());
+  } catch (const std::exception& exception) {
+    reading.error = text_of(aiString(exception.what()));
+  }
+  return reading;
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t i = text.find(from); i != std::string::npos; i = text.find(from, i + to.size())) {
+    text.replace(i, from.size(), to);
+  }
+}
+
+}  // namespace
+
+AssimpReading import_bytes(std::string_view bytes, const std::string& extension) {
+  return import_by([&](Assimp::Importer& importer) {
+    importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension.c_str());
+  });
+}
+
+AssimpReading import_file(const std::string& path) {
+  return import_by([&](Assimp::Importer& importer) { importer.ReadFile(path.c_str(), 0); });
+}
+
+std::string text_of(const aiString& string) {
+  const std::size_t size = std::min<std::size_t>(string.length, sizeof string.data - 1);
+  std::string text = to_utf8(std::string_view(string.data, size));
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
+  text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
+  // GRF has two kinds of quotes, and a text may hold one of them.
+  constexpr std::string_view Opening = "\xE2\x80\x9C";
+  constexpr std::string_view Closing = "\xE2\x80\x9D";
+  if (text.find('"') != std::string::npos) {
+    replace_all(text, Opening, "\"");
+    replace_all(text, Closing, "\"");
+  }
+  return text;
+}
+
+}  // namespace convert

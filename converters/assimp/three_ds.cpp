@@ -1,0 +1,224 @@
+#include "converters/assimp/three_ds.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+
+namespace convert {
+namespace {
+
+enum ChunkId : unsigned {
+  MainChunk = 0x4D4D,
+  EditorChunk = 0x3D3D,
+  ObjectChunk = 0x4000,
+  TrianglesChunk = 0x4100,
+  VerticesChunk = 0x4110,
+  FacesChunk = 0x4120,
+  FaceMaterialChunk = 0x4130,
+  TextureCoordinatesChunk = 0x4140,
+  SmoothingGroupsChunk = 0x4150,
+  MaterialChunk = 0xAFFF,
+  MaterialNameChunk = 0xA000,
+};
+
+constexpr std::size_t HeaderSize = 6;
+
+/// What is left of a chunk, from an offset in the file. Numbers are little-endian, and may be read as long as
+/// `size` bears them out.
+class ChunkData {
+ public:
+  ChunkData(std::string_view file, std::size_t begin, std::size_t end)
+      : file_(file), position_(begin), end_(end) {}
+
+  std::size_t position() const { return position_; }
+  std::size_t size() const { return end_ - position_; }
+
+  std::uint32_t take_number(std::size_t bytes) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < bytes; ++i) {
+      number |= std::uint32_t{static_cast<std::uint8_t>(file_[position_ + i])} << (8 * i);
+    }
+    position_ += bytes;
+    return number;
+  }
+  std::uint16_t take_index() { return static_cast<std::uint16_t>(take_number(2)); }
+  float take_float() { return std::bit_cast<float>(take_number(4)); }
+
+  /// Up to a zero byte, or what there is.
+  std::string take_text() {
+    const std::string_view rest = file_.substr(position_, size());
+    const std::size_t length = std::min(rest.find('\0'), rest.size());
+    position_ += std::min(length + 1, rest.size());
+    return std::string(rest.substr(0, length));
+  }
+
+  /// The data of the next chunk inside, with its number; empty behind the last one. A chunk that reaches
+  /// beyond this one is cut.
+  std::optional<std::pair<unsigned, ChunkData>> take_chunk() {
+    if (size() < HeaderSize) return {};
+    const unsigned id = take_number(2);
+    const std::size_t length = take_number(4);
+    const std::size_t data = std::min(length < HeaderSize ? 0 : length - HeaderSize, size());
+    ChunkData chunk(file_, position_, position_ + data);
+    position_ += data;
+    return std::pair(id, chunk);
+  }
+
+ private:
+  std::string_view file_;
+  std::size_t position_;
+  std::size_t end_;
+};
+
+class ThreeDsReader {
+ public:
+  ThreeDsReader(std::string_view bytes, grf::SourceLocation location, grf::Diagnostics& diagnostics)
+      : bytes_(bytes), location_(std::move(location)), diagnostics_(diagnostics) {}
+
+  std::optional<ThreeDsFile> run() {
+    ChunkData file(bytes_, 0, bytes_.size());
+    while (auto chunk = file.take_chunk()) {
+      if (chunk->first == MainChunk) read_main(chunk->second);
+    }
+    for (const auto& [object, position] : places_) check(file_.objects[object], position);
+    if (failed_) return {};
+    return std::move(file_);
+  }
+
+ private:
+  void read_main(ChunkData data) {
+    while (auto chunk = data.take_chunk()) {
+      if (chunk->first == EditorChunk) read_editor(chunk->second);
+    }
+  }
+
+  void read_editor(ChunkData data) {
+    while (auto chunk = data.take_chunk()) {
+      if (chunk->first == MaterialChunk) read_material(chunk->second);
+      if (chunk->first == ObjectChunk) read_object(chunk->second);
+    }
+  }
+
+  void read_material(ChunkData data) {
+    file_.materials.emplace_back();
+    while (auto chunk = data.take_chunk()) {
+      if (chunk->first == MaterialNameChunk) file_.materials.back() = chunk->second.take_text();
+    }
+  }
+
+  void read_object(ChunkData data) {
+    const std::string name = data.take_text();
+    while (auto chunk = data.take_chunk()) {
+      if (chunk->first != TrianglesChunk) continue;
+      places_.emplace_back(file_.objects.size(), chunk->second.position() - HeaderSize);
+      file_.objects.push_back({name, {}, {}, 0});
+      read_triangles(chunk->second, file_.objects.back());
+    }
+  }
+
+  void read_triangles(ChunkData data, ThreeDsObject& object) {
+    while (auto chunk = data.take_chunk()) {
+      if (chunk->first == VerticesChunk) read_positions(chunk->second, object);
+      if (chunk->first == FacesChunk) read_faces(chunk->second, object);
+      if (chunk->first == TextureCoordinatesChunk) {
+        object.uv_count += count_of(chunk->second, 8, "texture coordinates");
+      }
+    }
+  }
+
+  void read_positions(ChunkData data, ThreeDsObject& object) {
+    for (std::size_t n = count_of(data, 12, "vertices"); n > 0; --n) {
+      const float x = data.take_float();
+      const float y = data.take_float();
+      object.positions.emplace_back(x, y, data.take_float());
+    }
+  }
+
+  void read_faces(ChunkData data, ThreeDsObject& object) {
+    for (std::size_t n = count_of(data, 8, "faces"); n > 0; --n) {
+      ThreeDsFace face;
+      for (std::uint16_t& corner : face.corners) corner = data.take_index();
+      data.take_number(2);  // which edges are drawn
+      object.faces.push_back(face);
+    }
+    while (auto chunk = data.take_chunk()) {
+      if (chunk->first == FaceMaterialChunk) read_face_material(chunk->second, object);
+      if (chunk->first == SmoothingGroupsChunk) read_groups(chunk->second, object);
+    }
+  }
+
+  void read_face_material(ChunkData data, ThreeDsObject& object) {
+    const std::string name = data.take_text();
+    const auto found = std::find_if(file_.materials.begin(), file_.materials.end(), [&](const auto& other) {
+      return !other.empty() && grf::same_keyword(name, other);
+    });
+    const std::size_t material = found == file_.materials.end()
+                                     ? ThreeDsFace::NoMaterial
+                                     : static_cast<std::size_t>(found - file_.materials.begin());
+    for (std::size_t n = count_of(data, 2, "faces of a material"); n > 0; --n) {
+      const std::size_t face = data.take_index();
+      if (face < object.faces.size()) object.faces[face].material = material;
+    }
+  }
+
+  static void read_groups(ChunkData data, ThreeDsObject& object) {
+    for (ThreeDsFace& face : object.faces) {
+      if (data.size() < 4) return;
+      face.groups = data.take_number(4);
+    }
+  }
+
+  /// The count that a list begins with, or 0 after an error.
+  std::size_t count_of(ChunkData& data, std::size_t bytes_each, std::string_view of_what) {
+    const std::size_t begin = data.position() - HeaderSize;
+    const std::size_t count = data.size() < 2 ? 0 : data.take_index();
+    const std::size_t there = data.size() / bytes_each;
+    if (count <= there) return count;
+    error(begin, fmt::format("the list of {} {} ends behind {}", count, of_what, there));
+    return 0;
+  }
+
+  void check(const ThreeDsObject& object, std::size_t position) {
+    const std::size_t count = object.positions.size();
+    for (const grf::Vec3f& p : object.positions) {
+      if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+      return error(position, fmt::format("a vertex of the object '{}' is not finite", object.name));
+    }
+    for (const ThreeDsFace& face : object.faces) {
+      const std::size_t largest = *std::max_element(face.corners.begin(), face.corners.end());
+      if (largest < count) continue;
+      return error(position,
+                   fmt::format("a face of the object '{}' has vertex {} of {}", object.name, largest, count));
+    }
+    if (object.uv_count > 0 && object.uv_count < count) {
+      error(position, fmt::format("the object '{}' has {} texture coordinates for {} vertices", object.name,
+                                  object.uv_count, count));
+    }
+  }
+
+  void error(std::size_t position, const std::string& message) {
+    failed_ = true;
+    diagnostics_.error({location_.file, 0, static_cast<std::uint32_t>(position)}, message);
+  }
+
+  std::string_view bytes_;
+  grf::SourceLocation location_;
+  grf::Diagnostics& diagnostics_;
+  ThreeDsFile file_;
+  std::vector<std::pair<std::size_t, std::size_t>> places_;  // of objects in the file
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::optional<ThreeDsFile> read_three_ds(std::string_view bytes, const grf::SourceLocation& location,
+                                         grf::Diagnostics& diagnostics) {
+  return ThreeDsReader(bytes, location, diagnostics).run();
+}
+
+}  // namespace convert
