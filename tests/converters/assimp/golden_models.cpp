@@ -94,9 +94,4 @@ const std::map<std::string, std::string>& expected_errors() {
   return errors;
 }
 
-const std::set<std::string>& crashing_models() {
-  static const std::set<std::string> models = {};
-  return models;
-}
-
 }  // namespace convert

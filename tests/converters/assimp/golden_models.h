@@ -1,15 +1,12 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 
 namespace convert {
 
-/// The models that give an error, and how its text begins.
+/// The models that give an error, and how its text begins. With none of the models of Debian 12 does its
+/// Assimp 5.2.5 crash or hang.
 const std::map<std::string, std::string>& expected_errors();
-
-/// The models with which Assimp crashes or does not end.
-const std::set<std::string>& crashing_models();
 
 }  // namespace convert
