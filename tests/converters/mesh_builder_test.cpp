@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-Corner at(float x) { return {grf::Vec3f(x, 0, 0), std::nullopt, std::nullopt}; }
+Corner at(float x) { return {grf::Vec3f(x, 0, 0), std::nullopt, std::nullopt, std::nullopt}; }
 
 TEST(MeshBuilder, SharesCornersThatAreAlike) {
   MeshBuilder builder("name");
