@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -112,6 +113,57 @@ int create_beside(const std::string& target, mode_t mode, std::string& path) {
   }
 }
 
+/// A file that is about to take the place of another one; unless it does, it is removed.
+class Replacement {
+ public:
+  Replacement(const std::string& path, Diagnostics& diagnostics)
+      // Through a symbolic link, the file that it points to is the one to replace.
+      : path_(path), target_(canonical_path(path)), diagnostics_(diagnostics) {}
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+  ~Replacement() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+
+  /// Makes and fills the file beside the other one.
+  bool prepare(const std::function<bool(const FileWriter& write)>& fill) {
+    struct stat old = {};
+    const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    if (replaces && !S_ISREG(old.st_mode)) {
+      diagnostics_.error(whole_file(path_), fmt::format("cannot write the file: it is {}", what_it_is(old)));
+      return false;
+    }
+    // The folder alone decides about renaming, but a file that was made read-only is to stay as it is.
+    const bool may_write = !replaces || ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) == 0;
+    if (!may_write) return fail("write the file");
+    std::string temporary;
+    Descriptor file(create_beside(target_, replaces ? 0600 : 0666, temporary));
+    if (file.value() < 0) return fail("create the file");
+    temporary_ = temporary;
+    const bool written = (!replaces || ::fchmod(file.value(), old.st_mode & 0777U) == 0) &&
+                         fill([&](std::string_view bytes) { return write_all(file.value(), bytes); }) &&
+                         ::fsync(file.value()) == 0 && file.close();
+    return written || fail("write the file");
+  }
+
+  bool take_place() {
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) return fail("write the file");
+    temporary_.clear();
+    return true;
+  }
+
+ private:
+  bool fail(const char* what) {
+    diagnostics_.error(whole_file(path_), fmt::format("cannot {}: {}", what, reason()));
+    return false;
+  }
+
+  std::string path_;
+  std::string target_;
+  Diagnostics& diagnostics_;
+  std::string temporary_;
+};
+
 }  // namespace
 
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
@@ -150,35 +202,16 @@ bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& 
 
 bool replace_file(const std::string& path, const std::function<bool(const FileWriter& write)>& fill,
                   Diagnostics& diagnostics) {
-  // Through a symbolic link, the file that it points to is the one to replace.
-  const std::string target = canonical_path(path);
-  const auto fail = [&](const char* what) {
-    diagnostics.error(whole_file(path), fmt::format("cannot {}: {}", what, reason()));
-    return false;
-  };
-  struct stat old = {};
-  const bool replaces = ::stat(target.c_str(), &old) == 0;
-  if (replaces && !S_ISREG(old.st_mode)) {
-    diagnostics.error(whole_file(path), fmt::format("cannot write the file: it is {}", what_it_is(old)));
-    return false;
+  return replace_files(std::vector{NewFile{path, fill}}, diagnostics);
+}
+
+bool replace_files(const std::vector<NewFile>& files, Diagnostics& diagnostics) {
+  std::deque<Replacement> replacements;
+  for (const NewFile& file : files) {
+    if (!replacements.emplace_back(file.path, diagnostics).prepare(file.fill)) return false;
   }
-  // The folder alone decides about renaming, but a file that was made read-only is to stay as it is.
-  const bool may_write = !replaces || ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) == 0;
-  if (!may_write) return fail("write the file");
-  std::string temporary;
-  Descriptor file(create_beside(target, replaces ? 0600 : 0666, temporary));
-  if (file.value() < 0) return fail("create the file");
-  const bool written = (!replaces || ::fchmod(file.value(), old.st_mode & 0777U) == 0) &&
-                       fill([&](std::string_view bytes) { return write_all(file.value(), bytes); }) &&
-                       ::fsync(file.value()) == 0 && file.close() &&
-                       ::rename(temporary.c_str(), target.c_str()) == 0;
-  if (!written) {
-    const int why = errno;
-    ::unlink(temporary.c_str());
-    errno = why;
-    return fail("write the file");
-  }
-  return true;
+  return std::all_of(replacements.begin(), replacements.end(),
+                     [](Replacement& replacement) { return replacement.take_place(); });
 }
 
 Creation create_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {

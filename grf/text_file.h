@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "grf/diagnostics.h"
 
@@ -44,6 +45,16 @@ Creation create_file(const std::string& path, std::string_view bytes, Diagnostic
 
 /// Removes what a process left in a folder that died while it was replacing or creating files there.
 void remove_temporary_files(const std::string& folder, int process);
+
+/// A file to be written: where, and what fills it.
+struct NewFile {
+  std::string path;
+  std::function<bool(const FileWriter& write)> fill;
+};
+
+/// Replaces files that belong together: all are filled and forced to the disk before the first one takes its
+/// place, so that what goes wrong leaves all of them as they were.
+bool replace_files(const std::vector<NewFile>& files, Diagnostics& diagnostics);
 
 /// The path of a file that is named in another one: relative names start at that one's folder, and both
 /// kinds of separators are understood.

@@ -239,6 +239,27 @@ TEST_F(TextFile, LeavesNothingWhereItsProcessDied) {
   remove_temporary_files(folder.path("nowhere"), child);
 }
 
+TEST_F(TextFile, FilesThatBelongTogetherAreAllReplacedOrNone) {
+  folder.add("a", "old a");
+  folder.add("b", "old b");
+  const auto with = [](const std::string& bytes) {
+    return [bytes](const FileWriter& write) { return write(bytes); };
+  };
+  Diagnostics diagnostics;
+  EXPECT_TRUE(
+      replace_files({{folder.path("a"), with("new a")}, {folder.path("b"), with("new b")}}, diagnostics));
+  EXPECT_EQ(test::bytes_of(folder.path("a")), "new a");
+  EXPECT_EQ(test::bytes_of(folder.path("b")), "new b");
+  const auto fail = [](const FileWriter& write) { return write("half") && false; };
+  EXPECT_FALSE(replace_files({{folder.path("a"), with("newer a")}, {folder.path("b"), fail}}, diagnostics));
+  EXPECT_FALSE(
+      replace_files({{folder.path("a"), with("newer a")}, {folder.path("no/b"), with("b")}}, diagnostics));
+  EXPECT_EQ(diagnostics.error_count(), 2U);
+  EXPECT_EQ(test::bytes_of(folder.path("a")), "new a");
+  EXPECT_EQ(test::bytes_of(folder.path("b")), "new b");
+  EXPECT_THAT(folder.names(), ElementsAre("a", "b"));
+}
+
 TEST(Paths, AreBesideTheFileThatNamesThem) {
   EXPECT_EQ(path_beside("scenes/room.grf", "wall.grf"), "scenes/wall.grf");
   EXPECT_EQ(path_beside("scenes/room.grf", "..\\parts\\wall.grf"), "parts/wall.grf");
