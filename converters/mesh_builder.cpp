@@ -4,6 +4,30 @@
 #include <utility>
 
 namespace convert {
+namespace {
+
+// -0 is 0 here, since they are equal.
+std::uint64_t bits(float number) { return std::bit_cast<std::uint32_t>(number + 0.0F); }
+
+std::uint64_t mixed(std::uint64_t hash, const grf::Vec3f& v) {
+  return mixed_hash(mixed_hash(hash, bits(v.x) << 32U | bits(v.y)), bits(v.z));
+}
+
+std::uint64_t hash_of(const Corner& corner) {
+  std::uint64_t hash = mixed(0, corner.position);
+  if (corner.normal) hash = mixed(hash + 1, *corner.normal);
+  if (corner.colour) hash = mixed(hash + 2, *corner.colour);
+  if (corner.uv) hash = mixed_hash(hash + 3, bits(corner.uv->x) << 32U | bits(corner.uv->y));
+  return hash;
+}
+
+template <class T>
+bool is_same(const grf::OptionalVertexValues<T>& values, std::uint32_t vertex,
+             const std::optional<T>& value) {
+  return values.has(vertex) == value.has_value() && (!value || values[vertex] == *value);
+}
+
+}  // namespace
 
 MeshBuilder::MeshBuilder(std::string name) { mesh_.name = std::move(name); }
 
@@ -21,39 +45,30 @@ void MeshBuilder::add_face(std::span<const Corner> corners, std::uint32_t surfac
   mesh_.add_face(face_, surface);
 }
 
+void MeshBuilder::add_face(std::span<const std::uint32_t> vertices, std::uint32_t surface) {
+  mesh_.add_face(vertices, surface);
+}
+
 std::uint32_t MeshBuilder::vertex(const Corner& corner) {
   const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
-  const auto [known, is_new] = vertices_.emplace(key_of(corner), next);
-  if (is_new) {
-    mesh_.positions.push_back(corner.position);
-    if (corner.normal) mesh_.normals.set(next, *corner.normal);
-    if (corner.colour) mesh_.colours.set(next, *corner.colour);
-    if (corner.uv) mesh_.uvs.set(next, *corner.uv);
-  }
-  return known->second;
+  const std::uint32_t vertex = vertices_.find_or_add(
+      hash_of(corner), next, [&](std::uint32_t known) { return is_alike(known, corner); });
+  if (vertex != next) return vertex;
+  mesh_.positions.push_back(corner.position);
+  if (corner.normal) mesh_.normals.set(next, *corner.normal);
+  if (corner.colour) mesh_.colours.set(next, *corner.colour);
+  if (corner.uv) mesh_.uvs.set(next, *corner.uv);
+  return vertex;
 }
 
-MeshBuilder::Key MeshBuilder::key_of(const Corner& corner) {
-  Key key = {};
-  std::size_t i = 0;
-  const auto put = [&](const auto& v) {
-    for (unsigned k = 0; k < v.dimensions(); ++k) {
-      key[i++] = std::bit_cast<std::uint32_t>(v[static_cast<int>(k)]);
-    }
-  };
-  put(corner.position);
-  put(corner.normal.value_or(grf::Vec3f(0)));
-  put(corner.colour.value_or(grf::Colour(0)));
-  put(corner.uv.value_or(grf::Vec2f(0)));
-  key[i] = (corner.normal ? 1U : 0U) | (corner.colour ? 2U : 0U) | (corner.uv ? 4U : 0U);
-  return key;
+bool MeshBuilder::is_alike(std::uint32_t vertex, const Corner& corner) const {
+  return mesh_.positions[vertex] == corner.position && is_same(mesh_.normals, vertex, corner.normal) &&
+         is_same(mesh_.colours, vertex, corner.colour) && is_same(mesh_.uvs, vertex, corner.uv);
 }
 
-// FNV-1a on words, with a last mix since the bits of round numbers differ in their upper half alone.
-std::size_t MeshBuilder::KeyHash::operator()(const Key& key) const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const std::uint32_t word : key) hash = (hash ^ word) * 0x100000001b3ULL;
-  return hash ^ (hash >> 32U);
+grf::Mesh MeshBuilder::take() {
+  mesh_.free_spare_memory();
+  return std::move(mesh_);
 }
 
 }  // namespace convert

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
+#include "converters/index_table.h"
 #include "grf/mesh.h"
 
 namespace convert {
@@ -22,8 +20,9 @@ struct Corner {
   std::optional<grf::Vec2f> uv;
 };
 
-/// Makes a mesh of faces whose corners are given one by one: corners that are alike, bit for bit, share a
-/// vertex. Vertices and faces keep the order in which they come.
+/// Makes a mesh of faces whose corners are given one by one: corners that are alike share a vertex, which
+/// means that their numbers are equal, bit for bit but for the sign of a zero; the first of them is kept.
+/// Vertices and faces keep the order in which they come.
 class MeshBuilder {
  public:
   explicit MeshBuilder(std::string name);
@@ -36,24 +35,22 @@ class MeshBuilder {
   /// Three corners or more, counter-clockwise seen from the front.
   void add_face(std::span<const Corner> corners, std::uint32_t surface);
 
+  /// The vertex that corners like this one share, for readers that know which corners are alike.
+  std::uint32_t vertex(const Corner& corner);
+  /// The same face, of vertices that are known.
+  void add_face(std::span<const std::uint32_t> vertices, std::uint32_t surface);
+
   std::size_t face_count() const { return mesh_.face_count(); }
 
   /// The mesh; the builder is of no use afterwards.
-  grf::Mesh take() { return std::move(mesh_); }
+  grf::Mesh take();
 
  private:
-  /// The bits of position, normal, colour and uv, and which of the latter there are.
-  using Key = std::array<std::uint32_t, 12>;
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
-  };
-
-  static Key key_of(const Corner& corner);
-  std::uint32_t vertex(const Corner& corner);
+  bool is_alike(std::uint32_t vertex, const Corner& corner) const;
 
   grf::Mesh mesh_;
   std::optional<grf::SurfaceIndex> surfaces_;
-  std::unordered_map<Key, std::uint32_t, KeyHash> vertices_;
+  IndexTable vertices_;
   std::vector<std::uint32_t> face_;
 };
 
