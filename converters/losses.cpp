@@ -18,8 +18,7 @@ struct LossText {
 LossText text_of(Loss loss) {
   switch (loss) {
     case Loss::Texture:
-      return {"face lost its texture", "faces lost their texture",
-              "the reader of OBJ does not take them over"};
+      return {"face lost its texture", "faces lost their texture", "the format has none"};
     case Loss::BumpMap:
       return {"face lost its bump map", "faces lost their bump map", "GRF has none"};
     case Loss::OtherMap:
@@ -27,7 +26,7 @@ LossText text_of(Loss loss) {
               "faces lost their map of a parameter other than the diffuse colour", "GRF has none"};
     case Loss::TextureCoordinates:
       return {"face lost its texture coordinates", "faces lost their texture coordinates",
-              "the reader of OBJ does not take them over"};
+              "the format has none"};
     case Loss::Transparency:
       return {"face lost its transparency", "faces lost their transparency", "GRF surfaces are opaque"};
     case Loss::PhysicallyBasedParameters:
@@ -128,6 +127,18 @@ LossText text_of(Loss loss) {
               "they are no finite numbers"};
     case Loss::Edge:
       return {"edge was left out", "edges were left out", "GRF has faces alone"};
+    case Loss::TextureOption:
+      return {"face lost an option of its texture (-clamp, -mm and so on)",
+              "faces lost an option of their texture (-clamp, -mm and so on)",
+              "GRF has scale and offset alone"};
+    case Loss::DeepTextureCoordinate:
+      return {"texture coordinate lost its third number", "texture coordinates lost their third number",
+              "images are flat"};
+    case Loss::FlatNormal:
+      return {"face lost the normals of some corners", "faces lost the normals of some corners",
+              "in OBJ all corners of a face have one, or none has"};
+    case Loss::Observer:
+      return {"observer was left out", "observers were left out", "the format has no irradiance"};
   }
   return {};
 }
@@ -139,6 +150,16 @@ void Losses::report(const grf::SourceLocation& location, grf::Diagnostics& diagn
     if (counts_[i] == 0) continue;
     const LossText text = text_of(static_cast<Loss>(i));
     diagnostics.loss(location, fmt::format("{}: {}", counted(counts_[i], text.one, text.many), text.why));
+  }
+}
+
+void Losses::report_written(const grf::SourceLocation& location, std::string_view format,
+                            grf::Diagnostics& diagnostics) const {
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (counts_[i] == 0) continue;
+    const LossText text = text_of(static_cast<Loss>(i));
+    diagnostics.warning(location,
+                        fmt::format("{}: {} has none", counted(counts_[i], text.one, text.many), format));
   }
 }
 

@@ -59,6 +59,11 @@ enum class Loss {
   BadNormal,
   BadTextureCoordinates,
   Edge,
+  // What OBJ files have, or lack.
+  TextureOption,
+  DeepTextureCoordinate,
+  FlatNormal,
+  Observer,
 };
 
 class Losses {
@@ -75,7 +80,7 @@ class Losses {
                       grf::Diagnostics& diagnostics) const;
 
  private:
-  std::array<std::size_t, static_cast<std::size_t>(Loss::Edge) + 1> counts_ = {};
+  std::array<std::size_t, static_cast<std::size_t>(Loss::Observer) + 1> counts_ = {};
 };
 
 }  // namespace convert
