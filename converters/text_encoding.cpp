@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "grf/text_file.h"
 
@@ -50,11 +51,22 @@ std::size_t sequence_length(std::string_view bytes, std::size_t i) {
   return overlong || surrogate || too_large ? 0 : length;
 }
 
+/// Eight bytes at once, since most text is ASCII.
+std::size_t ascii_end(std::string_view bytes, std::size_t begin) {
+  constexpr std::uint64_t HighBits = 0x8080808080808080ULL;
+  for (; begin + 8 <= bytes.size(); begin += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + begin, sizeof word);
+    if ((word & HighBits) != 0) break;
+  }
+  return begin;
+}
+
 bool is_utf8(std::string_view bytes) {
-  for (std::size_t i = 0; i < bytes.size();) {
+  for (std::size_t i = ascii_end(bytes, 0); i < bytes.size();) {
     const std::size_t length = sequence_length(bytes, i);
     if (length == 0) return false;
-    i += length;
+    i = length == 1 ? ascii_end(bytes, i + 1) : i + length;
   }
   return true;
 }
@@ -89,6 +101,12 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
 }
 
 }  // namespace
+
+bool is_plain_utf8(std::string_view bytes) {
+  const bool has_mark = bytes.starts_with(Utf16BigEndianMark) || bytes.starts_with(Utf16LittleEndianMark) ||
+                        bytes.starts_with(grf::ByteOrderMark);
+  return !has_mark && is_utf8(bytes);
+}
 
 std::string to_utf8(std::string_view bytes) {
   if (bytes.starts_with(Utf16BigEndianMark)) return from_utf16(bytes.substr(2), true);

@@ -9,4 +9,7 @@ namespace convert {
 /// other text is UTF-8 if it is valid as such, and else Latin-1, which old exporters write.
 std::string to_utf8(std::string_view bytes);
 
+/// True of bytes that `to_utf8` gives back as they are.
+bool is_plain_utf8(std::string_view bytes);
+
 }  // namespace convert

@@ -1,11 +1,15 @@
 #include "converters/obj/mtl.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "converters/obj/exact_brdf.h"
 #include "converters/obj/wavefront_text.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
@@ -22,7 +26,6 @@ bool is_one_of(std::string_view keyword, std::initializer_list<std::string_view>
 
 /// What a statement that names an image, or extends MTL, asks for that is not kept.
 std::optional<Loss> loss_of(std::string_view keyword) {
-  if (same_keyword(keyword, "map_Kd")) return Loss::Texture;
   if (is_one_of(keyword, {"bump", "map_bump", "norm", "map_Kn"})) return Loss::BumpMap;
   if (is_one_of(keyword, {"disp", "decal", "refl"})) return Loss::OtherMap;
   if (same_keyword(keyword.substr(0, 4), "map_")) return Loss::OtherMap;
@@ -45,14 +48,16 @@ bool refracts(int illumination) {
 class MtlReader {
  public:
   MtlReader(const SourceText& source, grf::Diagnostics& diagnostics)
-      : reader_(source.text, source.file), diagnostics_(diagnostics) {}
+      : reader_(source.text, source.file, LineComments::Statements), diagnostics_(diagnostics) {}
 
-  std::vector<PhongMaterial> run() {
+  std::vector<MtlMaterial> run() {
     Statement statement;
     while (reader_.next(statement)) {
       if (same_keyword(statement.keyword, "newmtl")) {
         finish();
         begin(statement);
+      } else if (current_ && statement.keyword == "#") {
+        read_comment(statement);
       } else if (current_) {
         read(statement);
       }
@@ -68,6 +73,11 @@ class MtlReader {
  private:
   void begin(const Statement& statement);
   void read(const Statement& statement);
+  void read_comment(const Statement& statement);
+  void read_exact_brdf_of(const Statement& comment, std::string_view text);
+  void read_exact_colour(const Statement& comment, std::string_view text);
+  bool read_transparency(const Statement& statement);
+  void read_image(const Statement& statement);
   void finish();
   std::optional<grf::Vec3d> colour(const Statement& statement);
   std::optional<double> number(const Statement& statement);
@@ -81,8 +91,10 @@ class MtlReader {
 
   StatementReader reader_;
   grf::Diagnostics& diagnostics_;
-  std::vector<PhongMaterial> materials_;
-  std::optional<PhongMaterial> current_;
+  std::vector<MtlMaterial> materials_;
+  std::set<std::string, std::less<>> identifiers_;  // of the materials so far
+  std::optional<MtlMaterial> current_;
+  bool has_diffuse_ = false;            // the current material says its own
   std::optional<double> dissolve_;      // of the current material: 1 is opaque
   std::optional<double> transparency_;  // the same the other way round; `d` has the last word
   std::size_t unread_values_ = 0;
@@ -90,10 +102,11 @@ class MtlReader {
 };
 
 void MtlReader::begin(const Statement& statement) {
-  current_.emplace();
-  current_->name = statement.text();
-  current_->source = "MTL";
-  current_->location = reader_.location(statement.keyword);
+  PhongMaterial& phong = current_.emplace().phong;
+  phong.name = statement.text();
+  phong.source = "MTL";
+  phong.location = reader_.location(statement.keyword);
+  has_diffuse_ = false;
   dissolve_.reset();
   transparency_.reset();
 }
@@ -101,34 +114,102 @@ void MtlReader::begin(const Statement& statement) {
 void MtlReader::finish() {
   if (!current_) return;
   if (dissolve_.value_or(1 - transparency_.value_or(0)) < 1) add_loss(Loss::Transparency);
+  // An image without a colour beside it is all there is to see.
+  if (current_->phong.diffuse_map && !has_diffuse_) current_->phong.diffuse = grf::Vec3d(1);
+  // What was made from the exact values tells nothing more.
+  if (current_->exact) current_->phong.source_values.clear();
+  identifiers_.insert(grf::to_identifier(current_->phong.name));
   materials_.push_back(std::move(*current_));
   current_.reset();
 }
 
 void MtlReader::read(const Statement& statement) {
+  PhongMaterial& phong = current_->phong;
   const std::string_view keyword = statement.keyword;
   const std::string text = statement.text();
-  current_->source_values.push_back(text.empty() ? std::string(keyword)
-                                                 : fmt::format("{} {}", keyword, text));
+  phong.source_values.push_back(text.empty() ? std::string(keyword) : fmt::format("{} {}", keyword, text));
   if (same_keyword(keyword, "Kd")) {
-    assign(current_->diffuse, colour(statement));
+    assign(phong.diffuse, colour(statement));
+    has_diffuse_ = true;
   } else if (same_keyword(keyword, "Ks")) {
-    assign(current_->specular, colour(statement));
+    assign(phong.specular, colour(statement));
   } else if (same_keyword(keyword, "Ke")) {
-    assign(current_->emission, colour(statement));
+    assign(phong.emission, colour(statement));
   } else if (same_keyword(keyword, "Ns")) {
-    assign(current_->exponent, number(statement));
-  } else if (same_keyword(keyword, "d")) {
-    assign(dissolve_, number(statement));
-  } else if (same_keyword(keyword, "Tr")) {
-    assign(transparency_, number(statement));
+    assign(phong.exponent, number(statement));
   } else if (same_keyword(keyword, "illum")) {
     const int illumination = static_cast<int>(std::clamp(number(statement).value_or(2), 0.0, 99.0));
-    current_->reflection = reflection_of(illumination);
+    phong.reflection = reflection_of(illumination);
     if (refracts(illumination)) add_loss(Loss::Transparency);
+  } else if (same_keyword(keyword, "map_Kd")) {
+    read_image(statement);
+  } else if (read_transparency(statement)) {
+    return;
   } else if (const auto loss = loss_of(keyword)) {
     add_loss(*loss);
   }
+}
+
+bool MtlReader::read_transparency(const Statement& statement) {
+  if (same_keyword(statement.keyword, "d")) {
+    assign(dissolve_, number(statement));
+    return true;
+  }
+  if (!same_keyword(statement.keyword, "Tr")) return false;
+  assign(transparency_, number(statement));
+  return true;
+}
+
+void MtlReader::read_image(const Statement& statement) {
+  const auto image = parse_image(statement);
+  if (!image) return note_unread(statement);
+  current_->phong.diffuse_map = grf::Texture{image->name, reader_.location(statement.keyword)};
+  current_->uv = image->uv;
+  if (image->has_other_options) add_loss(Loss::TextureOption);
+}
+
+void MtlReader::read_comment(const Statement& statement) {
+  constexpr std::string_view Brdf = "grf:";
+  constexpr std::string_view Colour = "grf rgb:";
+  const auto behind = [&](std::string_view prefix) {
+    std::string_view text = statement.rest.substr(prefix.size());
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    return text;
+  };
+  if (statement.rest.starts_with(Brdf)) return read_exact_brdf_of(statement, behind(Brdf));
+  if (statement.rest.starts_with(Colour)) read_exact_colour(statement, behind(Colour));
+}
+
+void MtlReader::read_exact_brdf_of(const Statement& comment, std::string_view text) {
+  ExactSurface exact;
+  if (text != "none") {
+    exact.brdf =
+        read_exact_brdf(text, [this](const std::string& name) { return identifiers_.contains(name); });
+    if (!exact.brdf) {
+      diagnostics_.warning(reader_.location(comment.keyword),
+                           fmt::format("'{}' is no BRDF: the values of MTL beside it are used", text));
+      return;
+    }
+  }
+  if (current_->exact) exact.colour = current_->exact->colour;
+  current_->exact = exact;
+}
+
+// `(R, G, B)`, as GRF writes it.
+void MtlReader::read_exact_colour(const Statement& comment, std::string_view text) {
+  std::string numbers(text);
+  std::replace_if(
+      numbers.begin(), numbers.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+  std::istringstream words(numbers);
+  std::vector<float> components;
+  for (std::string word; words >> word;) {
+    if (const auto number = parse_float(word); number && *number >= 0) components.push_back(*number);
+  }
+  if (components.size() != 3 || !current_->exact) {
+    diagnostics_.warning(reader_.location(comment.keyword), "no colour behind a BRDF: it is left out");
+    return;
+  }
+  current_->exact->colour = grf::Colour(components[0], components[1], components[2]);
 }
 
 // One number stands for three. The other two forms, `spectral FILE` and `xyz`, are of no practical use.
@@ -158,20 +239,20 @@ void MtlReader::note_unread(const Statement& statement) {
 }
 
 void MtlReader::add_loss(Loss loss) {
-  std::vector<Loss>& losses = current_->losses;
+  std::vector<Loss>& losses = current_->phong.losses;
   if (std::find(losses.begin(), losses.end(), loss) == losses.end()) losses.push_back(loss);
 }
 
 }  // namespace
 
-std::vector<PhongMaterial> read_mtl(const std::string& path, const grf::SourceLocation& asked_for_at,
-                                    grf::Diagnostics& diagnostics) {
+std::vector<MtlMaterial> read_mtl(const std::string& path, const grf::SourceLocation& asked_for_at,
+                                  grf::Diagnostics& diagnostics) {
   grf::Diagnostics problems;
   const auto source = read_source_text(path, "a material library", problems, asked_for_at);
   for (const grf::Diagnostic& problem : problems.entries()) {
     diagnostics.warning(problem.location, problem.message);
   }
-  return source ? MtlReader(*source, diagnostics).run() : std::vector<PhongMaterial>();
+  return source ? MtlReader(*source, diagnostics).run() : std::vector<MtlMaterial>();
 }
 
 }  // namespace convert

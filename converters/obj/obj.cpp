@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <charconv>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include <assimp/Importer.hpp>
@@ -12,15 +14,14 @@
 #include "converters/mesh_builder.h"
 #include "converters/obj/obj_materials.h"
 #include "converters/obj/obj_text.h"
+#include "converters/obj/obj_writer.h"
 #include "converters/scene_parts.h"
+#include "converters/smooth_normals.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 
 namespace convert {
 namespace {
-
-/// Assimp's name for the object of faces that stand before any.
-constexpr std::string_view NoObject = "defaultobject";
 
 bool sniff(std::string_view first_bytes) {
   constexpr std::array<std::string_view, 12> FirstKeywords = {"v", "vt", "vn", "vp", "f",      "l",
@@ -37,10 +38,12 @@ const aiScene* parse(Assimp::Importer& importer, const std::string& statements) 
   return importer.ReadFileFromMemory(statements.data(), statements.size(), 0, "obj");
 }
 
-// -0 is 0: it tells nothing, and would keep corners apart that are at one place.
-grf::Vec3f to_vector(const aiVector3D& v) { return {v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}; }
-
-bool is_finite(const grf::Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+/// The index that the statements call a group or a material by.
+std::size_t index_of(const aiString& name) {
+  std::size_t index = std::numeric_limits<std::size_t>::max();
+  std::from_chars(name.data, name.data + name.length, index);
+  return index;
+}
 
 class ObjReader {
  public:
@@ -50,14 +53,22 @@ class ObjReader {
         diagnostics_(diagnostics),
         materials_(path, options.brdf.value_or(default_brdf()), diagnostics) {}
 
-  std::optional<grf::Scene> run(const ObjText& text);
+  void read_libraries(const ObjText& text) {
+    for (const LibraryName& library : text.libraries) materials_.read(library);
+  }
+  std::optional<grf::Scene> run(ObjText text);
 
  private:
+  void smooth(const aiScene& imported);
   void read_object(const aiScene& imported, const aiNode& object);
   void read_faces(const aiScene& imported, const aiMesh& faces, MeshBuilder& builder);
-  Corner corner_of(const aiMesh& faces, unsigned vertex);
-  grf::Surface surface_of(const aiScene& imported, const aiMesh& faces);
-  void report(const ObjText& text);
+  void read_corners(const aiMesh& faces, const aiFace& face);
+  std::uint32_t vertex(std::uint32_t corner, const UvTransform& uv, std::uint32_t group,
+                       MeshBuilder& builder);
+  Corner corner_of(const ObjCorner& indices, const UvTransform& uv, std::uint32_t group) const;
+  ObjSurface surface_of(const aiScene& imported, const aiMesh& faces);
+  std::uint32_t next_group();
+  void report();
 
   std::optional<grf::Scene> fail(const std::string& message) {
     diagnostics_.error(location_, message);
@@ -67,43 +78,71 @@ class ObjReader {
   grf::SourceLocation location_;
   grf::Diagnostics& diagnostics_;
   ObjMaterials materials_;
+  ObjText text_;
+  SmoothNormals smooth_normals_;
   Losses losses_;
   std::vector<grf::Block> meshes_;
-  std::size_t face_count_ = 0;
-  bool keeps_colours_ = true;
-  bool finite_ = true;
+  std::vector<std::uint32_t> corners_;           // of the face being read
+  std::vector<std::uint32_t> vertices_;          // the same in the mesh
+  std::vector<std::uint32_t> vertex_of_corner_;  // in the mesh being built
+  std::vector<std::uint32_t> corners_with_vertex_;
+  std::size_t face_ = 0;           // how many were read
+  std::size_t smoothing_run_ = 0;  // how many runs have begun
+  bool is_sound_ = true;
 };
 
-std::optional<grf::Scene> ObjReader::run(const ObjText& text) {
-  if (text.faces == 0) {
-    report(text);
+std::optional<grf::Scene> ObjReader::run(ObjText text) {
+  text_ = std::move(text);
+  if (text_.faces == 0) {
+    report();
     return fail("the file has no faces, and nothing else can be kept");
   }
   Assimp::Importer importer;
-  const aiScene* imported = parse(importer, text.statements);
+  const aiScene* imported = parse(importer, text_.statements);
   if (imported == nullptr) return fail(importer.GetErrorString());
-  keeps_colours_ = text.uncoloured_vertices == 0;
-  for (const LibraryName& library : text.libraries) materials_.read(library);
+  std::string().swap(text_.statements);
+  if (!text_.smoothing.empty()) smooth(*imported);
+  vertex_of_corner_.assign(text_.corners.size(), ObjCorner::None);
+  face_ = 0;
+  smoothing_run_ = 0;
   for (unsigned i = 0; i < imported->mRootNode->mNumChildren; ++i) {
     read_object(*imported, *imported->mRootNode->mChildren[i]);
   }
-  if (!finite_) return fail("a vertex or a normal is too large for a float");
-  if (face_count_ != text.faces) {
-    return fail(fmt::format("{} of {} faces could be read", face_count_, text.faces));
+  if (face_ != text_.faces || !is_sound_) {
+    return fail(fmt::format("{} of {} faces could be read", face_, text_.faces));
   }
-  report(text);
+  report();
   return scene_of(materials_.definitions(), std::move(meshes_), location_);
+}
+
+// The faces of a group may be in several objects.
+void ObjReader::smooth(const aiScene& imported) {
+  const auto add = [this](const aiMesh& mesh) {
+    for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+      const std::uint32_t group = next_group();
+      if (group == 0) continue;
+      read_corners(mesh, face);
+      for (std::uint32_t& corner : corners_) corner = text_.corners[corner].vertex;
+      smooth_normals_.add_face(group, corners_, text_.positions);
+    }
+  };
+  for (const aiNode* object : std::span(imported.mRootNode->mChildren, imported.mRootNode->mNumChildren)) {
+    for (const unsigned mesh : std::span(object->mMeshes, object->mNumMeshes)) add(*imported.mMeshes[mesh]);
+  }
 }
 
 // A mesh of Assimp's is what an object has of one material, in the order of the file.
 void ObjReader::read_object(const aiScene& imported, const aiNode& object) {
-  const std::string name = object.mName.C_Str();
-  MeshBuilder builder(name == NoObject ? "" : name);
+  const std::size_t index = index_of(object.mName);
+  is_sound_ = is_sound_ && index < text_.meshes.size();
+  if (!is_sound_) return;
+  MeshBuilder builder(text_.meshes[index]);
   for (unsigned i = 0; i < object.mNumMeshes; ++i) {
     read_faces(imported, *imported.mMeshes[object.mMeshes[i]], builder);
   }
+  for (const std::uint32_t corner : corners_with_vertex_) vertex_of_corner_[corner] = ObjCorner::None;
+  corners_with_vertex_.clear();
   if (builder.face_count() == 0) return;
-  face_count_ += builder.face_count();
   grf::Block block;
   block.content = grf::Shared<grf::Mesh>(builder.take());
   block.location = location_;
@@ -111,57 +150,87 @@ void ObjReader::read_object(const aiScene& imported, const aiNode& object) {
 }
 
 void ObjReader::read_faces(const aiScene& imported, const aiMesh& faces, MeshBuilder& builder) {
-  const std::uint32_t surface = builder.surface(surface_of(imported, faces));
-  std::vector<Corner> corners;
+  const ObjSurface material = surface_of(imported, faces);
+  const std::uint32_t surface = builder.surface(material.surface);
   for (const aiFace& face : std::span(faces.mFaces, faces.mNumFaces)) {
-    corners.clear();
-    for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) {
-      corners.push_back(corner_of(faces, vertex));
+    const std::uint32_t group = next_group();
+    read_corners(faces, face);
+    vertices_.clear();
+    for (const std::uint32_t corner : corners_) {
+      vertices_.push_back(vertex(corner, material.uv, group, builder));
     }
-    builder.add_face(corners, surface);
+    builder.add_face(vertices_, surface);
   }
 }
 
-Corner ObjReader::corner_of(const aiMesh& faces, unsigned vertex) {
-  Corner corner;
-  corner.position = to_vector(faces.mVertices[vertex]);
-  finite_ = finite_ && is_finite(corner.position);
-  if (faces.HasNormals()) {
-    const grf::Vec3f normal = to_vector(faces.mNormals[vertex]);
-    finite_ = finite_ && is_finite(normal);
-    // Where one face has normals, Assimp gives normals of no length to those that have none.
-    if (normal != grf::Vec3f(0)) corner.normal = normal;
+void ObjReader::read_corners(const aiMesh& faces, const aiFace& face) {
+  corners_.clear();
+  for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) {
+    const aiVector3D& coordinates = faces.mVertices[vertex];
+    const std::uint32_t corner = corner_at({coordinates.x, coordinates.y, coordinates.z});
+    is_sound_ = is_sound_ && corner < text_.corners.size();
+    corners_.push_back(is_sound_ ? corner : 0);
   }
-  if (keeps_colours_ && faces.HasVertexColors(0)) {
-    const aiColor4D& colour = faces.mColors[0][vertex];
-    corner.colour = grf::Colour(colour.r, colour.g, colour.b);
+}
+
+// Most corners stand for the same vertex each time.
+std::uint32_t ObjReader::vertex(std::uint32_t corner, const UvTransform& uv, std::uint32_t group,
+                                MeshBuilder& builder) {
+  const ObjCorner& indices = text_.corners[corner];
+  if (group != 0 || !uv.is_identity()) return builder.vertex(corner_of(indices, uv, group));
+  std::uint32_t& known = vertex_of_corner_[corner];
+  if (known == ObjCorner::None) {
+    known = builder.vertex(corner_of(indices, uv, group));
+    corners_with_vertex_.push_back(corner);
+  }
+  return known;
+}
+
+Corner ObjReader::corner_of(const ObjCorner& indices, const UvTransform& uv, std::uint32_t group) const {
+  Corner corner;
+  corner.position = text_.positions[indices.vertex];
+  if (text_.colours.has(indices.vertex)) corner.colour = text_.colours[indices.vertex];
+  if (indices.texture_coordinate != ObjCorner::None) {
+    const grf::Vec2f& written = text_.texture_coordinates[indices.texture_coordinate];
+    corner.uv = uv.is_identity() ? written : uv.apply(written);
+  }
+  if (indices.normal != ObjCorner::None) {
+    corner.normal = text_.normals[indices.normal];
+  } else if (group != 0) {
+    corner.normal = smooth_normals_.normal(group, indices.vertex);
   }
   return corner;
 }
 
-grf::Surface ObjReader::surface_of(const aiScene& imported, const aiMesh& faces) {
-  const aiString assimp_name = imported.mMaterials[faces.mMaterialIndex]->GetName();
-  std::string name = assimp_name.C_Str();
-  if (name == NoMaterial && !materials_.has(name)) {
-    if (!materials_.has("")) return {};
-    name.clear();
-  }
+// Faces come in the order of the file.
+std::uint32_t ObjReader::next_group() {
+  const std::vector<SmoothingRun>& runs = text_.smoothing;
+  while (smoothing_run_ < runs.size() && runs[smoothing_run_].first_face <= face_) ++smoothing_run_;
+  ++face_;
+  return smoothing_run_ == 0 ? 0 : runs[smoothing_run_ - 1].group;
+}
+
+ObjSurface ObjReader::surface_of(const aiScene& imported, const aiMesh& faces) {
+  const std::size_t index = index_of(imported.mMaterials[faces.mMaterialIndex]->GetName());
+  is_sound_ = is_sound_ && index < text_.materials.size();
+  if (!is_sound_ || index == 0) return {};
+  const std::string& name = text_.materials[index];
+  if (name.empty() && !materials_.has(name)) return {};
   return materials_.surface(name, faces.mNumFaces, losses_);
 }
 
-void ObjReader::report(const ObjText& text) {
-  losses_.add(Loss::TextureCoordinates, text.textured_faces);
-  losses_.add(Loss::SmoothingGroup, text.smooth_faces);
-  losses_.add(Loss::ShortFace, text.short_faces);
-  losses_.add(Loss::Line, text.lines);
-  losses_.add(Loss::Point, text.points);
-  if (!keeps_colours_) losses_.add(Loss::VertexColour, text.coloured_vertices);
+void ObjReader::report() {
+  losses_.add(Loss::ShortFace, text_.short_faces);
+  losses_.add(Loss::Line, text_.lines);
+  losses_.add(Loss::Point, text_.points);
+  losses_.add(Loss::LooseVertex, text_.loose_vertices);
+  losses_.add(Loss::DeepTextureCoordinate, text_.deep_texture_coordinates);
   materials_.report(location_);
   losses_.report(location_, diagnostics_);
-  if (text.unread.empty()) return;
+  if (text_.unread.empty()) return;
   std::size_t count = 0;
   std::vector<std::string> keywords;
-  for (const auto& [keyword, uses] : text.unread) {
+  for (const auto& [keyword, uses] : text_.unread) {
     count += uses;
     keywords.push_back(keyword);
   }
@@ -172,11 +241,14 @@ void ObjReader::report(const ObjText& text) {
 
 std::optional<Import> read_obj(const std::string& path, const ReadOptions& options,
                                grf::Diagnostics& diagnostics) {
-  const auto source = read_source_text(path, "an OBJ model", diagnostics);
+  auto source = read_source_text(path, "an OBJ model", diagnostics);
   if (!source) return std::nullopt;
-  const auto text = check_obj(*source, diagnostics);
+  auto text = check_obj(*source, diagnostics);
   if (!text) return std::nullopt;
-  auto scene = ObjReader(path, *source, options, diagnostics).run(*text);
+  ObjReader reader(path, *source, options, diagnostics);
+  reader.read_libraries(*text);
+  source->text.reset();  // Assimp needs the memory
+  auto scene = reader.run(std::move(*text));
   if (!scene) return std::nullopt;
   return Import{std::move(*scene), {}};
 }
@@ -190,10 +262,13 @@ Format obj_format() {
   format.extensions = {"obj"};
   format.sniff = sniff;
   format.read = read_obj;
-  format.keeps = "polygons, shared vertices, normals, vertex colours, objects, materials, emission";
+  format.write = write_obj;
+  format.keeps =
+      "polygons, shared vertices, normals or smoothing groups, texture coordinates, vertex colours, objects, "
+      "materials, textures, emission";
   format.loses =
-      "textures and their coordinates, bump and other maps, transparency, smoothing groups, lines, points, "
-      "curves, vertices without faces";
+      "transforms and instances (applied), irradiance, sampling schemes, comments; when read: bump and other "
+      "maps, transparency, lines, points, curves, vertices without faces";
   return format;
 }
 

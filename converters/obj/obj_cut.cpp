@@ -58,7 +58,7 @@ std::string CutDetector::why_numbers_cut(const Statement& statement) const {
   const std::size_t count = statement.arguments.size();
   const Usage* usage = usage_of(statement.keyword);
   const std::size_t least = statement.keyword == "vt" ? 2 : 3;
-  const std::size_t expected = usage == nullptr ? least : std::max(least, usage->fewest_arguments);
+  const std::size_t expected = usage == nullptr ? least : usage->fewest_arguments;
   if (count < expected) return fmt::format("it has {} of {} numbers", count, expected);
   const std::string_view last = statement.arguments.back();
   if (!parse_number(last) || last.ends_with('.')) return fmt::format("the number '{}' is not whole", last);

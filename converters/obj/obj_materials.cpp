@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,18 @@ namespace {
 bool exists(const std::string& path) {
   std::error_code error;
   return std::filesystem::exists(path, error);
+}
+
+/// A file that another one names, as the OBJ file has to name it.
+std::string named_from(const std::string& obj_path, const std::string& naming_file, const std::string& name) {
+  namespace fs = std::filesystem;
+  const fs::path named(name);
+  if (named.is_absolute()) return name;
+  const fs::path from = fs::path(grf::canonical_path(obj_path)).parent_path();
+  const fs::path to = fs::path(grf::canonical_path(naming_file)).parent_path();
+  if (from == to) return named.lexically_normal().string();
+  const fs::path relative = (to / named).lexically_normal().lexically_relative(from);
+  return relative.empty() ? (to / named).string() : relative.string();
 }
 
 }  // namespace
@@ -37,33 +50,69 @@ void ObjMaterials::read_file(const std::string& name, const grf::SourceLocation&
     path = usual_path;
   }
   if (!paths_.insert(grf::canonical_path(path)).second) return;
-  for (const PhongMaterial& material : read_mtl(path, location, diagnostics_)) add(material);
+  for (MtlMaterial& material : read_mtl(path, location, diagnostics_)) add(std::move(material), path);
 }
 
 // The first definition of a name holds.
-void ObjMaterials::add(const PhongMaterial& material) {
-  if (!by_name_.emplace(material.name, entries_.size()).second) {
-    defined_again_.push_back(material.name);
+void ObjMaterials::add(MtlMaterial material, const std::string& library_path) {
+  const std::string name = material.phong.name;
+  if (!by_name_.emplace(name, entries_.size()).second) {
+    defined_again_.push_back(name);
     return;
   }
-  entries_.push_back({map_material(material)});
-  if (entries_.back().material.clamped) clamped_.push_back(material.name);
+  if (material.phong.diffuse_map) {
+    std::string& image = material.phong.diffuse_map->file;
+    image = image_named_from_obj(image, library_path);
+  }
+  Entry entry;
+  entry.material = map_material(material.phong);
+  entry.uv = material.uv;
+  if (material.exact) {
+    entry.material.clamped = false;
+    entry.colour = material.exact->colour;
+    entry.has_brdf = material.exact->brdf.has_value();
+    if (entry.has_brdf) {
+      grf::BrdfModel& brdf = *material.exact->brdf;
+      if (!brdf.data_file.empty()) brdf.data_file = named_from(obj_path_, library_path, brdf.data_file);
+      entry.material.definition.body = brdf;
+      entry.material.definition.comments = {};
+    }
+  }
+  if (entry.material.clamped) clamped_.push_back(name);
+  entries_.push_back(std::move(entry));
 }
 
-grf::Surface ObjMaterials::surface(const std::string& name, std::size_t faces, Losses& losses) {
+// Models are moved more often than the images beside them are put into the folders that they name.
+std::string ObjMaterials::image_named_from_obj(const std::string& name, const std::string& library_path) {
+  const std::string beside = std::filesystem::path(name).filename().string();
+  for (const std::string& candidate : {name, beside}) {
+    std::error_code error;
+    const bool is_there = std::filesystem::is_regular_file(grf::path_beside(library_path, candidate), error);
+    if (is_there) return named_from(obj_path_, library_path, candidate);
+  }
+  missing_images_.push_back(name);
+  return named_from(obj_path_, library_path, name);
+}
+
+ObjSurface ObjMaterials::surface(const std::string& name, std::size_t faces, Losses& losses) {
   const auto [known, is_new] = by_name_.emplace(name, entries_.size());
   if (is_new) {
-    entries_.push_back({unknown_material(name, brdf_), false});
+    Entry& entry = entries_.emplace_back();
+    entry.material = unknown_material(name, brdf_);
+    entry.in_library = false;
     unknown_.push_back(name);
   }
-  const auto& [material, in_library] = entries_[known->second];
-  if (!in_library) faces_of_unknown_ += faces;
-  for (const Loss loss : material.losses) losses.add(loss, faces);
-  grf::Surface surface;
-  surface.brdf = grf::Reference{material.definition.name, {}};
-  surface.emission = material.emission;
-  if (material.texture) surface.texture = *material.texture;
-  return surface;
+  const Entry& entry = entries_[known->second];
+  if (!entry.in_library) faces_of_unknown_ += faces;
+  for (const Loss loss : entry.material.losses) losses.add(loss, faces);
+  ObjSurface result;
+  result.uv = entry.uv;
+  grf::Surface& surface = result.surface;
+  if (entry.has_brdf) surface.brdf = grf::Reference{entry.material.definition.name, {}};
+  if (entry.colour) surface.colour = *entry.colour;
+  surface.emission = entry.material.emission;
+  if (entry.material.texture) surface.texture = *entry.material.texture;
+  return result;
 }
 
 void ObjMaterials::report(const grf::SourceLocation& location) const {
@@ -82,6 +131,11 @@ void ObjMaterials::report(const grf::SourceLocation& location) const {
     diagnostics_.warning(location, fmt::format("materials are defined again ({}): the first definition holds",
                                                listed(defined_again_)));
   }
+  if (!missing_images_.empty()) {
+    diagnostics_.warning(
+        location, fmt::format("{} that materials name cannot be found ({})",
+                              counted(missing_images_.size(), "image", "images"), listed(missing_images_)));
+  }
   if (!clamped_.empty()) {
     diagnostics_.warning(location, fmt::format("values of materials are out of range, and were clamped ({})",
                                                listed(clamped_)));
@@ -90,7 +144,9 @@ void ObjMaterials::report(const grf::SourceLocation& location) const {
 
 std::vector<grf::Definition> ObjMaterials::definitions() const {
   std::vector<grf::Definition> definitions;
-  for (const Entry& entry : entries_) definitions.push_back(entry.material.definition);
+  for (const Entry& entry : entries_) {
+    if (entry.has_brdf) definitions.push_back(entry.material.definition);
+  }
   return definitions;
 }
 

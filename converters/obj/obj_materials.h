@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,10 +12,17 @@
 #include "converters/format.h"
 #include "converters/losses.h"
 #include "converters/material_mapping.h"
+#include "converters/obj/mtl.h"
 #include "converters/obj/obj_text.h"
 #include "grf/diagnostics.h"
 
 namespace convert {
+
+/// What faces with a material have.
+struct ObjSurface {
+  grf::Surface surface;
+  UvTransform uv;  ///< for their texture coordinates
+};
 
 /// The materials of an OBJ file: those of its libraries, and those that only its faces name.
 class ObjMaterials {
@@ -30,7 +38,7 @@ class ObjMaterials {
   bool has(std::string_view name) const { return by_name_.contains(name); }
 
   /// The surface of so many faces with the material, whose losses are counted.
-  grf::Surface surface(const std::string& name, std::size_t faces, Losses& losses);
+  ObjSurface surface(const std::string& name, std::size_t faces, Losses& losses);
 
   /// Warns of what is wrong with the materials, a line a kind. To be called when all faces are known.
   void report(const grf::SourceLocation& location) const;
@@ -41,11 +49,15 @@ class ObjMaterials {
  private:
   struct Entry {
     MappedMaterial material;
+    UvTransform uv;
+    std::optional<grf::Colour> colour;
+    bool has_brdf = true;
     bool in_library = true;
   };
 
   void read_file(const std::string& name, const grf::SourceLocation& location);
-  void add(const PhongMaterial& material);
+  void add(MtlMaterial material, const std::string& library_path);
+  std::string image_named_from_obj(const std::string& name, const std::string& library_path);
 
   std::string obj_path_;
   grf::BrdfModel brdf_;
@@ -54,6 +66,7 @@ class ObjMaterials {
   std::vector<Entry> entries_;
   std::map<std::string, std::size_t, std::less<>> by_name_;
   std::vector<std::string> clamped_;
+  std::vector<std::string> missing_images_;
   std::vector<std::string> defined_again_;
   std::vector<std::string> unknown_;
   std::size_t faces_of_unknown_ = 0;

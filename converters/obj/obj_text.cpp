@@ -3,42 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "converters/index_table.h"
 #include "converters/obj/obj_cut.h"
 
 namespace convert {
 namespace {
 
-/// What a face says of one of its corners. An index is 0 where it is left out.
-struct CornerIndices {
-  long long vertex = 0;
-  long long texture_coordinate = 0;
-  long long normal = 0;
-};
+/// Of the two coordinates in which Assimp gets the number of a corner.
+constexpr std::uint32_t CornersInARow = 1'000'000;
 
-/// Takes an index from the front of the text: digits that do not begin with 0, with or without a minus sign.
-bool take_index(std::string_view& text, long long& index) {
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, index);
-  const bool has_leading_zero = text.substr(text.starts_with('-') ? 1 : 0).starts_with('0');
-  if (result.ec != std::errc() || has_leading_zero) return false;
-  text.remove_prefix(static_cast<std::size_t>(result.ptr - text.data()));
-  return true;
-}
-
-/// `v`, `v/t`, `v//n` or `v/t/n`; the parts behind the vertex may be left empty.
-std::optional<CornerIndices> parse_corner(std::string_view word) {
-  CornerIndices corner;
-  if (!take_index(word, corner.vertex)) return std::nullopt;
-  for (long long* part : {&corner.texture_coordinate, &corner.normal}) {
-    if (!word.starts_with('/')) break;
-    word.remove_prefix(1);
-    if (!word.empty() && word.front() != '/' && !take_index(word, *part)) return std::nullopt;
-  }
-  return word.empty() ? std::optional(corner) : std::nullopt;
+void append_number(std::string& text, std::uint64_t number) {
+  const fmt::format_int digits(number);
+  text.append(digits.data(), digits.size());
 }
 
 /// The elements of one kind (vertices, say), and the highest index that a face has of them. Faces may stand
@@ -56,29 +38,33 @@ class Checker {
   Checker(const SourceText& source, grf::Diagnostics& diagnostics)
       : reader_(source.text, source.file),
         diagnostics_(diagnostics),
-        errors_before_(diagnostics.error_count()) {}
+        errors_before_(diagnostics.error_count()),
+        may_be_cut_(reader_.ends_inside_line()) {}
 
   std::optional<ObjText> run();
 
  private:
   void check(const Statement& statement);
+  void check_other(const Statement& statement);
   void check_cut(const Statement& statement);
-  bool check_numbers(const Statement& statement, Elements& elements,
-                     std::initializer_list<std::size_t> counts);
+  std::span<const float> check_numbers(const Statement& statement, Elements& elements,
+                                       std::initializer_list<std::size_t> counts);
   void check_vertex(const Statement& statement);
+  std::optional<grf::Vec3f> weighted(const Statement& statement);
+  void check_texture_coordinate(const Statement& statement);
+  void check_normal(const Statement& statement);
+  void check_smoothing_group(const Statement& statement);
+  void begin_mesh(const Statement& statement);
+  void begin_material(const std::string& name);
   void check_face(const Statement& statement);
   bool check_corners(const Statement& statement);
-  bool check_index(std::string_view word, long long index, Elements& elements);
+  std::optional<ObjCorner> resolve(std::string_view word, const WrittenCorner& corner);
+  bool resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index);
+  void add_corner(const ObjCorner& corner);
+  void write_face(bool has_normals);
   void check_highest_index(const Elements& elements);
+  void finish();
 
-  void keep(std::string_view keyword, std::string_view rest) {
-    text_.statements.append(keyword).append(" ").append(rest).append("\n");
-  }
-  void keep(std::string_view keyword, const std::vector<std::string_view>& arguments) {
-    text_.statements += keyword;
-    for (const std::string_view argument : arguments) text_.statements.append(" ").append(argument);
-    text_.statements += '\n';
-  }
   bool fail(std::string_view part, const std::string& message) {
     diagnostics_.error(reader_.location(part), message);
     return false;
@@ -88,17 +74,25 @@ class Checker {
   StatementReader reader_;
   grf::Diagnostics& diagnostics_;
   std::size_t errors_before_;
+  bool may_be_cut_;
   ObjText text_;
   CutDetector cut_detector_;
   Elements vertices_{"vertex", 0, 0, {}, {}};
   Elements texture_coordinates_{"texture coordinate", 0, 0, {}, {}};
   Elements normals_{"normal", 0, 0, {}, {}};
-  bool smooth_ = false;
+  std::array<float, 6> numbers_ = {};
+  IndexTable corners_;
+  std::vector<std::uint32_t> face_;                              // indices of corners
+  std::map<std::string, std::uint32_t, std::less<>> materials_;  // by name
+  std::uint32_t material_ = 0;
+  std::uint32_t written_material_ = ObjCorner::None;
+  bool mesh_has_faces_ = false;
+  std::uint32_t group_ = 0;  // of smoothing; 0 is none
 };
 
 std::optional<ObjText> Checker::run() {
-  // Assimp gives the faces before the first `usemtl` of an object the material that comes with it.
-  keep("usemtl", NoMaterial);
+  text_.meshes = {""};
+  text_.materials = {""};
   Statement statement;
   while (!diagnostics_.is_full() && reader_.next(statement)) {
     if (statement.has_line_end) {
@@ -115,29 +109,37 @@ std::optional<ObjText> Checker::run() {
     diagnostics_.warning(reader_.whole_file(),
                          "the file does not end with a line end: it may have been cut off");
   }
-  if (normals_.count > 0) text_.smooth_faces = 0;
+  finish();
   return std::move(text_);
 }
 
 void Checker::check(const Statement& statement) {
   const std::string_view keyword = statement.keyword;
-  if (keyword == "v") {
+  if (keyword == "f" || keyword == "fo") {
+    check_face(statement);
+  } else if (keyword == "v") {
     check_vertex(statement);
   } else if (keyword == "vn") {
-    check_numbers(statement, normals_, {3});
+    check_normal(statement);
   } else if (keyword == "vt") {
-    check_numbers(statement, texture_coordinates_, {2, 3});
-  } else if (keyword == "f" || keyword == "fo") {
-    check_face(statement);
-  } else if (keyword == "o" || keyword == "g") {
-    // Assimp puts the faces of an object whose name comes again into the wrong one; a group is always new.
-    keep("g", statement.text());
+    check_texture_coordinate(statement);
+  } else {
+    check_other(statement);
+  }
+  // Nothing else asks what the statements have in common.
+  if (may_be_cut_) cut_detector_.add(statement);
+}
+
+void Checker::check_other(const Statement& statement) {
+  const std::string_view keyword = statement.keyword;
+  if (keyword == "o" || keyword == "g") {
+    begin_mesh(statement);
   } else if (keyword == "usemtl") {
-    keep(keyword, statement.rest.empty() ? std::string(NoMaterial) : statement.text());
+    begin_material(statement.text());
   } else if (keyword == "mtllib") {
-    text_.libraries.push_back({statement.text(), reader_.location(statement.keyword)});
+    text_.libraries.push_back({statement.text(), reader_.location(keyword)});
   } else if (keyword == "s") {
-    smooth_ = statement.rest != "off" && statement.rest != "0";
+    check_smoothing_group(statement);
   } else if (keyword == "l") {
     ++text_.lines;
   } else if (keyword == "p") {
@@ -145,7 +147,6 @@ void Checker::check(const Statement& statement) {
   } else {
     ++text_.unread[std::string(keyword)];
   }
-  cut_detector_.add(statement);
 }
 
 void Checker::check_cut(const Statement& statement) {
@@ -157,31 +158,91 @@ void Checker::check_cut(const Statement& statement) {
   }
 }
 
-bool Checker::check_numbers(const Statement& statement, Elements& elements,
-                            std::initializer_list<std::size_t> counts) {
+std::span<const float> Checker::check_numbers(const Statement& statement, Elements& elements,
+                                              std::initializer_list<std::size_t> counts) {
   ++elements.count;
+  std::size_t count = 0;
   for (const std::string_view word : statement.arguments) {
-    if (!parse_number(word)) return fail(word, fmt::format("found '{}', expected a finite number", word));
+    const auto number = parse_float(word);
+    if (!number) {
+      fail(word, fmt::format("found '{}', expected a finite number", word));
+      return {};
+    }
+    if (count < numbers_.size()) numbers_[count] = *number;
+    ++count;
   }
-  const std::size_t count = statement.arguments.size();
   if (std::find(counts.begin(), counts.end(), count) == counts.end()) {
-    return fail(statement.keyword, fmt::format("found {} numbers for a {}, expected {}", count, elements.name,
-                                               fmt::join(counts, " or ")));
+    fail(statement.keyword, fmt::format("found {} numbers for a {}, expected {}", count, elements.name,
+                                        fmt::join(counts, " or ")));
+    return {};
   }
-  keep(statement.keyword, statement.arguments);
-  return true;
+  return std::span(numbers_).first(count);
 }
 
 void Checker::check_vertex(const Statement& statement) {
-  if (!check_numbers(statement, vertices_, {3, 4, 6})) return;
-  const std::vector<std::string_view>& numbers = statement.arguments;
-  if (numbers.size() == 4 && parse_number(numbers[3]) == 0.0) {
-    fail(numbers[3], "a vertex with a weight of 0 is infinitely far away");
+  const std::span<const float> numbers = check_numbers(statement, vertices_, {3, 4, 6});
+  if (numbers.empty()) return;
+  grf::Vec3f position(numbers[0], numbers[1], numbers[2]);
+  if (numbers.size() == 4 && numbers[3] != 1) {
+    const auto divided = weighted(statement);
+    if (!divided) return;
+    position = *divided;
   }
-  for (std::size_t i = 3; numbers.size() == 6 && i < 6; ++i) {
-    if (parse_number(numbers[i]) < 0.0) fail(numbers[i], "a colour's components are 0 or more");
+  if (numbers.size() == 6) {
+    for (std::size_t i = 3; i < 6; ++i) {
+      if (numbers[i] < 0) fail(statement.arguments[i], "a colour's components are 0 or more");
+    }
+    text_.colours.set(text_.positions.size(), grf::Colour(numbers[3], numbers[4], numbers[5]));
   }
-  ++(numbers.size() == 6 ? text_.coloured_vertices : text_.uncoloured_vertices);
+  text_.positions.push_back(position);
+}
+
+/// The position of a vertex that has a weight, by which it is divided.
+std::optional<grf::Vec3f> Checker::weighted(const Statement& statement) {
+  std::array<double, 4> numbers = {};
+  for (std::size_t i = 0; i < 4; ++i) numbers[i] = parse_number(statement.arguments[i]).value_or(0);
+  if (numbers[3] == 0) {
+    fail(statement.arguments[3], "a vertex with a weight of 0 is infinitely far away");
+    return std::nullopt;
+  }
+  const grf::Vec3f position(grf::Vec3d(numbers[0], numbers[1], numbers[2]) / numbers[3]);
+  if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) return position;
+  fail(statement.keyword, "the vertex, divided by its weight, is too large for a float");
+  return std::nullopt;
+}
+
+void Checker::check_texture_coordinate(const Statement& statement) {
+  const std::span<const float> numbers = check_numbers(statement, texture_coordinates_, {1, 2, 3});
+  if (numbers.empty()) return;
+  text_.texture_coordinates.emplace_back(numbers[0], numbers.size() > 1 ? numbers[1] : 0.0F);
+  if (numbers.size() == 3 && numbers[2] != 0) ++text_.deep_texture_coordinates;
+}
+
+void Checker::check_normal(const Statement& statement) {
+  const std::span<const float> numbers = check_numbers(statement, normals_, {3});
+  if (!numbers.empty()) text_.normals.emplace_back(numbers[0], numbers[1], numbers[2]);
+}
+
+// A number, or a word of those that exporters write in its place.
+void Checker::check_smoothing_group(const Statement& statement) {
+  const std::string_view word = statement.rest;
+  std::uint32_t number = 0;
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool is_number = !word.empty() && result.ec == std::errc() && result.ptr == word.data() + word.size();
+  group_ = is_number ? number : word.empty() || word == "off" ? 0 : 1;
+}
+
+// Groups and objects without faces leave no trace, so that they take no memory.
+void Checker::begin_mesh(const Statement& statement) {
+  if (mesh_has_faces_) text_.meshes.emplace_back();
+  text_.meshes.back() = statement.text();
+  mesh_has_faces_ = false;
+}
+
+void Checker::begin_material(const std::string& name) {
+  const auto [known, is_new] = materials_.emplace(name, static_cast<std::uint32_t>(text_.materials.size()));
+  if (is_new) text_.materials.push_back(name);
+  material_ = known->second;
 }
 
 void Checker::check_face(const Statement& statement) {
@@ -192,22 +253,20 @@ void Checker::check_face(const Statement& statement) {
       ++text_.short_faces;
       return;
     }
-    ++text_.faces;
-    if (smooth_) ++text_.smooth_faces;
-    keep("f", statement.arguments);
+    write_face(text_.corners[face_.front()].normal != ObjCorner::None);
   }
 }
 
 bool Checker::check_corners(const Statement& statement) {
+  face_.clear();
   const std::array<Elements*, 3> all_elements = {&vertices_, &texture_coordinates_, &normals_};
   for (Elements* elements : all_elements) elements->highest_word = {};
-  const std::optional<CornerIndices> first = parse_corner(statement.arguments.front());
+  const std::optional<WrittenCorner> first = parse_corner(statement.arguments.front());
   for (const std::string_view word : statement.arguments) {
-    const std::optional<CornerIndices> corner = parse_corner(word);
+    const std::optional<WrittenCorner> corner = parse_corner(word);
     if (!first || !corner) {
       return fail(word, fmt::format("found '{}', expected a corner: 'v', 'v/t', 'v//n' or 'v/t/n'", word));
     }
-    // Assimp would give the normals that are there to the corners in their order, and so to the wrong ones.
     const bool like_first = (corner->texture_coordinate == 0) == (first->texture_coordinate == 0) &&
                             (corner->normal == 0) == (first->normal == 0);
     if (!like_first) {
@@ -215,32 +274,73 @@ bool Checker::check_corners(const Statement& statement) {
                                     "true of texture coordinates",
                                     word));
     }
-    if (!check_index(word, corner->vertex, vertices_) ||
-        !check_index(word, corner->texture_coordinate, texture_coordinates_) ||
-        !check_index(word, corner->normal, normals_)) {
-      return false;
-    }
+    const std::optional<ObjCorner> resolved = resolve(word, *corner);
+    if (!resolved) return false;
+    add_corner(*resolved);
   }
   // Once a face, not once a corner: to find a column costs the length of the line.
   for (Elements* elements : all_elements) {
     if (elements->highest_word.empty()) continue;
     elements->highest_at = reader_.location(elements->highest_word);
   }
-  if (first->texture_coordinate != 0) ++text_.textured_faces;
   return true;
 }
 
-// Negative indices count back from the last element so far.
-bool Checker::check_index(std::string_view word, long long index, Elements& elements) {
-  if (index < -elements.count) {
+std::optional<ObjCorner> Checker::resolve(std::string_view word, const WrittenCorner& corner) {
+  ObjCorner resolved;
+  const bool exist =
+      resolve(word, corner.vertex, vertices_, resolved.vertex) &&
+      resolve(word, corner.texture_coordinate, texture_coordinates_, resolved.texture_coordinate) &&
+      resolve(word, corner.normal, normals_, resolved.normal);
+  return exist ? std::optional(resolved) : std::nullopt;
+}
+
+// Negative indices count back from the last element so far. One that is too high for any file is kept as the
+// highest alone, which ends in an error.
+bool Checker::resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index) {
+  if (written == 0) return true;
+  if (written < -elements.count) {
     return fail(word, fmt::format("'{}': no {} with the index {} exists: there are {} before this face", word,
-                                  elements.name, index, elements.count));
+                                  elements.name, written, elements.count));
   }
-  if (index > elements.highest_index) {
-    elements.highest_index = index;
-    elements.highest_word = word;
+  if (written > elements.highest_index) {
+    // A location takes time, and the first faces of a file each have the highest index so far.
+    if (written > elements.count) elements.highest_word = word;
+    elements.highest_index = written;
   }
+  const long long from_zero = written < 0 ? elements.count + written : written - 1;
+  index = static_cast<std::uint32_t>(std::min<long long>(from_zero, ObjCorner::None - 1));
   return true;
+}
+
+void Checker::add_corner(const ObjCorner& corner) {
+  const auto next = static_cast<std::uint32_t>(text_.corners.size());
+  const std::uint32_t index = corners_.find_or_add(
+      hash_of(corner), next, [&](std::uint32_t known) { return text_.corners[known] == corner; });
+  if (index == next) text_.corners.push_back(corner);
+  face_.push_back(index);
+}
+
+void Checker::write_face(bool has_normals) {
+  std::string& statements = text_.statements;
+  if (!mesh_has_faces_) {
+    statements += fmt::format("g {}\n", text_.meshes.size() - 1);
+    mesh_has_faces_ = true;
+  }
+  if (written_material_ != material_) {
+    statements += fmt::format("usemtl {}\n", material_);
+    written_material_ = material_;
+  }
+  statements += 'f';
+  for (const std::uint32_t corner : face_) {
+    statements += ' ';
+    append_number(statements, std::uint64_t{corner} + 1);
+  }
+  statements += '\n';
+  const std::uint32_t group = has_normals ? 0 : group_;
+  const std::uint32_t known_group = text_.smoothing.empty() ? 0 : text_.smoothing.back().group;
+  if (group != known_group) text_.smoothing.push_back({text_.faces, group});
+  ++text_.faces;
 }
 
 void Checker::check_highest_index(const Elements& elements) {
@@ -249,10 +349,28 @@ void Checker::check_highest_index(const Elements& elements) {
                                                       elements.name, elements.highest_index, elements.count));
 }
 
+void Checker::finish() {
+  std::vector<bool> used(text_.positions.size());
+  for (const ObjCorner& corner : text_.corners) used[corner.vertex] = true;
+  text_.loose_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+  for (std::size_t i = 0; i < text_.corners.size(); ++i) {
+    text_.statements += "v ";
+    append_number(text_.statements, i % CornersInARow);
+    text_.statements += ' ';
+    append_number(text_.statements, i / CornersInARow);
+    text_.statements += " 0\n";
+  }
+}
+
 }  // namespace
 
 std::optional<ObjText> check_obj(const SourceText& source, grf::Diagnostics& diagnostics) {
   return Checker(source, diagnostics).run();
+}
+
+std::uint32_t corner_at(const grf::Vec3f& coordinates) {
+  return static_cast<std::uint32_t>(coordinates.x) +
+         static_cast<std::uint32_t>(coordinates.y) * CornersInARow;
 }
 
 }  // namespace convert

@@ -1,6 +1,7 @@
 #include "converters/obj/wavefront_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -14,9 +15,25 @@
 namespace convert {
 namespace {
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-// Line ends count as space inside a statement: those that are left there stand behind a backslash.
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v' || is_line_end(c); }
+/// What a character may be; one look into a table a character, since texts are long.
+enum CharacterKind : std::uint8_t {
+  LineEnd = 1,
+  Space = 2,  // line ends too: those that are left inside a statement stand behind a backslash
+  Backslash = 4,
+};
+
+constexpr std::array<std::uint8_t, 256> character_kinds() {
+  std::array<std::uint8_t, 256> kinds = {};
+  for (const char c : {'\n', '\r'}) kinds[static_cast<std::uint8_t>(c)] = LineEnd | Space;
+  for (const char c : {' ', '\t', '\f', '\v'}) kinds[static_cast<std::uint8_t>(c)] = Space;
+  kinds[static_cast<std::uint8_t>('\\')] = Backslash;
+  return kinds;
+}
+constexpr std::array<std::uint8_t, 256> CharacterKinds = character_kinds();
+
+bool is_any(char c, unsigned kinds) { return (CharacterKinds[static_cast<std::uint8_t>(c)] & kinds) != 0; }
+bool is_line_end(char c) { return is_any(c, LineEnd); }
+bool is_space(char c) { return is_any(c, Space); }
 
 /// True at a backslash that joins the next line to this one.
 bool joins_lines(const char* position, const char* end) {
@@ -35,9 +52,18 @@ std::string_view take_word(std::string_view& text) {
   const char* end = position + text.size();
   while (position != end && (is_space(*position) || joins_lines(position, end))) ++position;
   const char* begin = position;
-  while (position != end && !is_space(*position) && !joins_lines(position, end)) ++position;
+  while (position != end &&
+         (!is_any(*position, Space | Backslash) || (*position == '\\' && !joins_lines(position, end)))) {
+    ++position;
+  }
   text.remove_prefix(static_cast<std::size_t>(position - text.data()));
   return {begin, static_cast<std::size_t>(position - begin)};
+}
+
+// A number may have a plus sign here, but not to from_chars.
+std::string_view without_plus(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  return word;
 }
 
 }  // namespace
@@ -48,9 +74,10 @@ std::string Statement::text() const {
 }
 
 StatementReader::StatementReader(std::shared_ptr<const std::string> text,
-                                 std::shared_ptr<const grf::SourceFile> file)
+                                 std::shared_ptr<const grf::SourceFile> file, LineComments comments)
     : text_(std::move(text)),
       file_(std::move(file)),
+      comments_(comments),
       position_(text_->data()),
       end_(text_->data() + text_->size()),
       line_begin_(position_) {}
@@ -62,9 +89,16 @@ bool StatementReader::next(Statement& statement) {
     line_begin_ = position_;
     std::string_view line = next_line();
     statement.keyword = take_word(line);
-    if (statement.keyword.empty() || statement.keyword.front() == '#') continue;
-    statement.rest = trimmed(line);
+    if (statement.keyword.empty()) continue;
     statement.arguments.clear();
+    if (statement.keyword.front() == '#') {
+      if (comments_ == LineComments::PassedOver) continue;
+      const char* begin = statement.keyword.data() + 1;
+      statement.rest = trimmed({begin, static_cast<std::size_t>(line.data() + line.size() - begin)});
+      statement.keyword = statement.keyword.substr(0, 1);
+      return true;
+    }
+    statement.rest = trimmed(line);
     for (auto word = take_word(line); !word.empty() && word.front() != '#'; word = take_word(line)) {
       statement.arguments.push_back(word);
     }
@@ -78,6 +112,10 @@ bool StatementReader::next(Statement& statement) {
 std::string_view StatementReader::next_line() {
   const char* begin = position_;
   while (position_ != end_ && !is_line_end(*position_)) {
+    if (*position_ != '\\') {
+      ++position_;
+      continue;
+    }
     const bool joins = joins_lines(position_, end_);
     const bool two_characters = joins && end_ - position_ > 2 && position_[1] == '\r' && position_[2] == '\n';
     position_ += joins ? (two_characters ? 3 : 2) : 1;
@@ -98,9 +136,19 @@ grf::SourceLocation StatementReader::location(std::string_view part) const {
 
 bool StatementReader::ends_inside_line() const { return !text_->empty() && !is_line_end(text_->back()); }
 
+std::optional<float> parse_float(std::string_view word) {
+  const std::string_view digits = without_plus(word);
+  float number = 0;
+  const char* end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, number);
+  if (result.ec == std::errc() && result.ptr == end && std::isfinite(number)) return number;
+  // Numbers too small for a float are sound, and are out of its range all the same.
+  const std::optional<double> wide = parse_number(word);
+  return wide ? std::optional(static_cast<float>(*wide)) : std::nullopt;
+}
+
 std::optional<double> parse_number(std::string_view word) {
-  // A number may have a plus sign here, but not to from_chars.
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  word = without_plus(word);
   double number = 0;
   const char* end = word.data() + word.size();
   const auto result = std::from_chars(word.data(), end, number);
@@ -115,7 +163,7 @@ std::optional<SourceText> read_source_text(const std::string& path, std::string_
   const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
   if (!bytes) return std::nullopt;
   SourceText source;
-  source.text = std::make_shared<const std::string>(to_utf8(*bytes));
+  source.text = is_plain_utf8(*bytes) ? bytes : std::make_shared<const std::string>(to_utf8(*bytes));
   source.file = std::make_shared<grf::SourceFile>(grf::SourceFile{path, asked_for_at, source.text});
   const grf::SourceLocation location{source.file, 0, 0};
   if (source.text->empty()) {

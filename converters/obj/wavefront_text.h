@@ -14,7 +14,7 @@ namespace convert {
 
 /// Views are into the text of the reader that gave the statement.
 struct Statement {
-  std::string_view keyword;
+  std::string_view keyword;                 ///< `#` of a comment
   std::vector<std::string_view> arguments;  ///< words, up to a `#` that begins one
   std::string_view rest;                    ///< all that stands behind the keyword
   bool has_line_end = true;                 ///< false where the file ends inside the line, or just behind it
@@ -23,11 +23,18 @@ struct Statement {
   std::string text() const;
 };
 
+/// What becomes of lines that begin with `#`.
+enum class LineComments {
+  PassedOver,
+  Statements,  ///< of the keyword `#` without arguments
+};
+
 /// Cuts a text into statements, passing over blank lines and comments. A backslash at the end of a line joins
 /// the next one to it.
 class StatementReader {
  public:
-  StatementReader(std::shared_ptr<const std::string> text, std::shared_ptr<const grf::SourceFile> file);
+  StatementReader(std::shared_ptr<const std::string> text, std::shared_ptr<const grf::SourceFile> file,
+                  LineComments comments = LineComments::PassedOver);
 
   /// Fills in the next statement, or returns false at the end of the text.
   bool next(Statement& statement);
@@ -44,6 +51,7 @@ class StatementReader {
 
   std::shared_ptr<const std::string> text_;
   std::shared_ptr<const grf::SourceFile> file_;
+  LineComments comments_;
   const char* position_;
   const char* end_;
   const char* line_begin_;  // of the last statement
@@ -52,6 +60,9 @@ class StatementReader {
 
 /// The number that the word is from its first character to its last, if a float can hold it.
 std::optional<double> parse_number(std::string_view word);
+
+/// The float nearest to such a number: rounded once, unlike the double above.
+std::optional<float> parse_float(std::string_view word);
 
 /// A file's text as UTF-8, with the file that stands for it in messages.
 struct SourceText {

@@ -75,7 +75,7 @@ TEST(ObjMaterials, AreNeverMerged) {
 TEST(ObjMaterials, KeepTheirNames) {
   for (const std::string name :
        {"Wall-inner", "many  spaces, and $ and #", "1", "none", "\u00E6/\"q\"\\ x", "ward"}) {
-    const Reading reading = read_obj_text(Library + Square + "usemtl " + name + "\nf 1 2 3\n",
+    const Reading reading = read_obj_text(Library + Square + "usemtl " + name + "\nf 1 2 3 4\n",
                                           "newmtl  " + name + " \nKd 0.25 0.25 0.25\n");
     ASSERT_TRUE(reading.scene.has_value()) << reading.text();
     EXPECT_THAT(reading.text(), IsEmpty());
@@ -122,7 +122,7 @@ TEST(ObjMaterials, OfALibraryThatIsMissingAreReportedWithItsName) {
 }
 
 TEST(ObjMaterials, OfAFileWithoutLibrariesAreNamesAlone) {
-  const Reading reading = read_obj_text(Square + "usemtl gold\nf 1 2 3\n");
+  const Reading reading = read_obj_text(Square + "usemtl gold\nf 1 2 3 4\n");
   EXPECT_EQ(reading.diagnostics.warning_count(), 0U);
   EXPECT_THAT(reading.text(), HasSubstr("note: 1 face is of materials that no library defines ('gold')"));
 }
@@ -166,7 +166,8 @@ TEST(ObjMaterials, TheOptionGivesABrdfToFacesThatHaveNone) {
 }
 
 TEST(ObjMaterials, LossesAreCountedInFaces) {
-  EXPECT_THAT(warnings_of_material("map_Kd a.png\n"), HasSubstr("2 faces lost their texture: "));
+  EXPECT_THAT(warnings_of_material("map_Kd -clamp on a.png\n"),
+              HasSubstr("2 faces lost an option of their texture"));
   EXPECT_THAT(warnings_of_material("bump a.png\nnorm b.png\n"), HasSubstr("2 faces lost their bump map: "));
   EXPECT_THAT(warnings_of_material("map_Ns a.png\nmap_Ks b.png\n"), HasSubstr("2 faces lost their map of"));
   EXPECT_THAT(warnings_of_material("Pm 1\n"), HasSubstr("2 faces lost their physically based parameters"));

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "converters/obj/wavefront_text.h"
+#include "grf/math.h"
+
+namespace convert {
+
+/// Where an image is looked up: at uv * scale + offset.
+struct UvTransform {
+  grf::Vec2d scale = grf::Vec2d(1);
+  grf::Vec2d offset = grf::Vec2d(0);
+
+  bool is_identity() const { return scale == grf::Vec2d(1) && offset == grf::Vec2d(0); }
+  grf::Vec2f apply(const grf::Vec2f& uv) const { return grf::Vec2f(grf::Vec2d(uv) * scale + offset); }
+};
+
+/// An image as a statement of MTL names it, behind options such as `-s 2 2 1`.
+struct MtlImage {
+  std::string name;                ///< with `/` between folders, without quotes
+  UvTransform uv;                  ///< of `-s` and `-o`
+  bool has_other_options = false;  ///< that change how it looks
+};
+
+/// Nothing if the statement names no image.
+std::optional<MtlImage> parse_image(const Statement& statement);
+
+}  // namespace convert

@@ -1,0 +1,224 @@
+#include "converters/obj/mtl_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "grf/visit.h"
+#include "grf/write.h"
+
+namespace convert {
+namespace {
+
+std::vector<float> components(const std::optional<grf::Colour>& colour) {
+  return colour ? std::vector{colour->x, colour->y, colour->z} : std::vector<float>();
+}
+
+std::string numbers(const grf::Vec3d& v) {
+  return fmt::format("{} {} {}", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+}
+
+/// Names may have spaces inside, but a line holds none at its ends, and no line end.
+bool fits_a_line(std::string_view name) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
+  return !name.empty() && name.front() != ' ' && name.back() != ' ' &&
+         std::none_of(name.begin(), name.end(), is_control);
+}
+
+std::string name_of_definition(const grf::Definition& definition) {
+  const std::string name = grf::from_identifier(definition.name);
+  return fits_a_line(name) ? name : definition.name;
+}
+
+/// A BRDF's text as a name without spaces: `ward_sx_0.2_ks_0.4`.
+std::string name_of_text(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool is_kept = grf::is_word_character(c) || c == '.' || c == '-';
+    if (is_kept) name += c;
+    if (!is_kept && !name.empty() && name.back() != '_') name += '_';
+  }
+  while (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
+/// Models whose values MTL holds, with the lobe that it means.
+bool is_exact_in_mtl(const grf::BrdfModel& brdf) {
+  constexpr std::array<std::string_view, 4> Exact = {"diffuse", "specular", "phong", "lewis"};
+  return std::any_of(Exact.begin(), Exact.end(),
+                     [&brdf](std::string_view keyword) { return grf::same_keyword(brdf.keyword, keyword); });
+}
+
+int illumination_of(Reflection reflection) {
+  return reflection == Reflection::None ? 1 : reflection == Reflection::Glossy ? 2 : 3;
+}
+
+}  // namespace
+
+MtlWriter::MtlWriter(const grf::Scene& scene, const WorldMeshes& meshes) {
+  find_definitions(scene);
+  std::vector<Key> keys;  // different ones, in the order of faces
+  std::set<Key> known;
+  for (const WorldMesh& mesh : meshes.meshes()) {
+    for (const WorldSurface& surface : mesh.surfaces()) {
+      const Key key = key_of(surface, mesh.is_light());
+      if (surface.faces == 0 || key.is_plain()) continue;
+      if (key.brdf != nullptr && !is_exact_in_mtl(*key.brdf)) approximated_faces_ += surface.faces;
+      if (known.insert(key).second) keys.push_back(key);
+    }
+  }
+  if (returns_to_plain(meshes)) keys.emplace_back();
+  add_materials(std::move(keys));
+}
+
+/// Whether faces without a material come after others, so that they need the name of one.
+bool MtlWriter::returns_to_plain(const WorldMeshes& meshes) {
+  bool has_material = false;
+  for (const WorldMesh& mesh : meshes.meshes()) {
+    std::vector<bool> plain;
+    for (const WorldSurface& surface : mesh.surfaces()) {
+      plain.push_back(key_of(surface, mesh.is_light()).is_plain());
+    }
+    for (const std::uint32_t surface : mesh.mesh().surface_of_face) {
+      if (has_material && plain[surface]) return true;
+      has_material = has_material || !plain[surface];
+    }
+  }
+  return false;
+}
+
+MtlWriter::Key MtlWriter::key_of(const WorldSurface& surface, bool is_light) {
+  Key key;
+  key.brdf = surface.brdf;
+  key.is_black = surface.brdf == nullptr && (is_light || surface.emission);
+  if (surface.texture != nullptr) key.image = surface.texture->file;
+  key.colour = components(surface.colour);
+  key.emission = components(surface.emission);
+  return key;
+}
+
+void MtlWriter::find_definitions(const grf::Scene& scene) {
+  grf::SceneVisitor visitor;
+  visitor.definition = [this](const grf::Definition& definition, const grf::Placement& placement) {
+    const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body);
+    if (brdf == nullptr) return;
+    definitions_.push_back(&definition);
+    add_terms(*brdf, placement.scope);
+  };
+  visitor.mesh = [this](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    for (const grf::Surface& surface : mesh.surfaces) {
+      const auto* brdf = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
+      if (brdf != nullptr) add_terms(*brdf, placement.scope);
+    }
+  };
+  grf::visit(scene, visitor);
+}
+
+void MtlWriter::add_terms(const grf::BrdfModel& brdf, const grf::Scope& scope) {
+  for (const grf::CombineTerm& term : brdf.terms) {
+    terms_.emplace(&term, scope.find<grf::BrdfModel>(term.brdf.name));
+  }
+}
+
+// In the order of the definitions, since the terms of a sum are to stand before it; then what has no name.
+void MtlWriter::add_materials(std::vector<Key> keys) {
+  for (const grf::Definition* definition : definitions_) {
+    const auto* brdf = std::get_if<grf::BrdfModel>(&definition->body);
+    const std::string name = name_of_definition(*definition);
+    const auto of_another = [brdf](const Key& key) { return key.brdf != brdf; };
+    const auto own = std::stable_partition(keys.begin(), keys.end(), of_another);
+    for (auto key = own; key != keys.end(); ++key) add(*key, name);
+    if (own == keys.end()) {
+      Key unused;
+      unused.brdf = brdf;
+      add(unused, name);
+    }
+    keys.erase(own, keys.end());
+  }
+  for (const Key& key : keys) {
+    const char* without_brdf = key.is_black ? "light" : "default";
+    add(key, key.brdf == nullptr ? without_brdf : name_of_text(grf::to_text(*key.brdf)));
+  }
+}
+
+void MtlWriter::add(const Key& key, const std::string& name) {
+  std::string free = name;
+  for (int i = 2; !names_.insert(free).second; ++i) free = fmt::format("{}_{}", name, i);
+  first_of_brdf_.emplace(key.brdf, materials_.size());
+  by_key_.emplace(key, materials_.size());
+  materials_.push_back({key, free});
+}
+
+const std::string* MtlWriter::name_of(const WorldSurface& surface, bool is_light) const {
+  const Key key = key_of(surface, is_light);
+  if (key.is_plain()) return nullptr;
+  const auto known = by_key_.find(key);
+  return known == by_key_.end() ? nullptr : &materials_[known->second].name;
+}
+
+const std::string* MtlWriter::name_of_none() const {
+  const auto known = by_key_.find(Key());
+  return known == by_key_.end() ? nullptr : &materials_[known->second].name;
+}
+
+std::string MtlWriter::text() const {
+  std::string text = "# A comment \"grf:\" is the exact BRDF, and goes before the values below it.\n";
+  for (const Material& material : materials_) text += text_of(material);
+  return text;
+}
+
+/// The BRDF with the identifiers of materials for its terms; nothing if one of them means nothing.
+std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const grf::BrdfModel& brdf) const {
+  grf::BrdfModel named = brdf;
+  for (std::size_t i = 0; i < named.terms.size(); ++i) {
+    const auto term = terms_.find(&brdf.terms[i]);
+    const auto first = term == terms_.end() ? first_of_brdf_.end() : first_of_brdf_.find(term->second);
+    if (first == first_of_brdf_.end() || first->first == nullptr) return std::nullopt;
+    named.terms[i].brdf.name = grf::to_identifier(materials_[first->second].name);
+  }
+  return named;
+}
+
+PhongMaterial MtlWriter::phong_of(const Key& key) const {
+  PhongMaterial phong;
+  if (key.brdf != nullptr) {
+    phong = nearest_phong(*key.brdf, [this](const grf::CombineTerm& term) {
+      const auto found = terms_.find(&term);
+      return found == terms_.end() ? nullptr : found->second;
+    });
+  } else {
+    phong.diffuse = grf::Vec3d(key.is_black ? 0 : 0.5);
+    phong.reflection = Reflection::None;
+  }
+  if (!key.colour.empty()) {
+    const grf::Vec3d colour(key.colour[0], key.colour[1], key.colour[2]);
+    phong.diffuse *= colour;
+    phong.specular *= colour;
+  }
+  return phong;
+}
+
+std::string MtlWriter::text_of(const Material& material) const {
+  const Key& key = material.key;
+  const auto brdf = key.brdf == nullptr ? std::nullopt : with_named_terms(*key.brdf);
+  // A backslash at the end of a line would join the next one to it.
+  std::string text = fmt::format("\nnewmtl {}{}\n", material.name, material.name.ends_with('\\') ? " " : "");
+  if (brdf) text += fmt::format("# grf: {}\n", grf::to_text(*brdf));
+  if (key.brdf == nullptr) text += "# grf: none\n";
+  if (!key.colour.empty() && (brdf || key.brdf == nullptr)) {
+    text += fmt::format("# grf rgb: ({})\n", fmt::join(key.colour, ", "));
+  }
+  const PhongMaterial phong = phong_of(key);
+  text += fmt::format("Kd {}\nKs {}\n", numbers(phong.diffuse), numbers(phong.specular));
+  if (phong.exponent) text += fmt::format("Ns {}\n", static_cast<float>(*phong.exponent));
+  text += fmt::format("illum {}\n", illumination_of(phong.reflection));
+  if (!key.emission.empty()) text += fmt::format("Ke {}\n", fmt::join(key.emission, " "));
+  if (key.image) text += fmt::format("map_Kd {}{}\n", key.image->starts_with('-') ? "./" : "", *key.image);
+  return text;
+}
+
+}  // namespace convert
