@@ -41,7 +41,8 @@ void SmoothNormals::add_face(std::uint32_t group, std::span<const std::uint32_t>
     const grf::Vec3d here(positions[vertices[i]]);
     const grf::Vec3d next(positions[vertices[(i + 1) % count]]);
     const grf::Vec3d previous(positions[vertices[(i + count - 1) % count]]);
-    sums_[key_of(group, vertices[i])] += normal * angle_between(next - here, previous - here, normal);
+    const auto sum = sums_.try_emplace(key_of(group, vertices[i]), 0.0).first;
+    sum->second += normal * angle_between(next - here, previous - here, normal);
   }
 }
 
