@@ -25,8 +25,8 @@ std::string numbers(const grf::Vec3d& v) {
 /// Names may have spaces inside, but a line holds none at its ends, and no line end.
 bool fits_a_line(std::string_view name) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
-  return !name.empty() && name.front() != ' ' && name.back() != ' ' &&
-         std::none_of(name.begin(), name.end(), is_control);
+  if (name.empty()) return true;  // OBJ files have such a name, too
+  return name.front() != ' ' && name.back() != ' ' && std::none_of(name.begin(), name.end(), is_control);
 }
 
 std::string name_of_definition(const grf::Definition& definition) {
