@@ -119,7 +119,11 @@ std::vector<grf::TransformStep> transform_steps(const Matrix44d& matrix) {
 std::string DefinitionNames::take(std::string_view name) {
   const std::string wanted = grf::to_identifier(name);
   std::string free = wanted;
-  for (int i = 2; !taken_.insert(free).second; ++i) free = fmt::format("{}_{}", wanted, i);
+  if (taken_.insert(free).second) return free;
+  int& number = next_numbers_.emplace(wanted, 2).first->second;
+  do {
+    free = fmt::format("{}_{}", wanted, number++);
+  } while (!taken_.insert(free).second);
   return free;
 }
 

@@ -1,6 +1,7 @@
 // What all readers make a scene of.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -30,6 +31,7 @@ class DefinitionNames {
 
  private:
   std::set<std::string, std::less<>> taken_;
+  std::map<std::string, int, std::less<>> next_numbers_;  // of names that were taken already
 };
 
 }  // namespace convert
