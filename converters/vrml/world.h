@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "converters/scene_parts.h"
+#include "converters/vrml/appearance.h"
+#include "converters/vrml/node.h"
+#include "converters/vrml/polygons.h"
+#include "converters/vrml/report.h"
+
+namespace convert::vrml {
+
+/// A document, and where its file lies.
+struct OpenDocument {
+  std::unique_ptr<const Document> document;
+  std::string folder;     ///< from that of the first file
+  std::string canonical;  ///< the one spelling of its path
+};
+
+/// Where in the tree of nodes a reader is.
+struct Place {
+  unsigned depth = 0;
+  std::string_view name;  ///< the nearest that DEF gave, of the node itself or of one around it
+};
+
+/// A mesh in the making: the faces of a shape and what they look like.
+struct ShapeParts {
+  Polygons polygons;
+  std::vector<grf::Surface> surfaces;
+};
+
+/// What the readers of both versions share while a file, and what it inlines, becomes a scene.
+class World {
+ public:
+  World(std::string path, grf::Diagnostics& diagnostics);
+
+  /// The scene that the file stands for, or nothing after an error.
+  std::optional<grf::Scene> read(std::shared_ptr<const Source> source);
+
+  Report& report() { return report_; }
+  Appearances& appearances() { return appearances_; }
+  const std::string& path() const { return path_; }
+
+  /// To be asked at each node that is met: false after an error, such as too deep a tree, or too many nodes
+  /// (since USE doubles what it names, a short file can stand for any number).
+  bool enter(const Node& node, const Place& place);
+
+  /// The mesh that a list of nodes makes, as a block. It is built once, however often it is placed. Empty if
+  /// it has no faces, or after an error.
+  std::vector<grf::Block> mesh(const std::vector<const Node*>& made_of, const Node& shape,
+                               std::string_view name,
+                               const std::function<std::optional<ShapeParts>()>& build);
+
+  /// The blocks under a transform; nothing of them if it has no inverse.
+  std::vector<grf::Block> under(const grf::Matrix44d& to_parent, std::vector<grf::Block> blocks,
+                                const Node& node);
+
+  /// What another file holds, which a node names by addresses.
+  std::vector<grf::Block> inlined(const Node& node, const std::vector<std::string>& addresses,
+                                  const std::string& folder, const Place& place);
+
+ private:
+  struct SharedMesh {
+    std::optional<grf::Shared<grf::Mesh>> mesh;
+    grf::SourceLocation location;
+    std::size_t places = 0;
+  };
+
+  const OpenDocument* open(std::shared_ptr<const Source> source, const std::string& folder);
+  std::vector<grf::Block> blocks_of(const OpenDocument& document, const Place& place);
+  const OpenDocument* inlined_document(const Node& node, const std::vector<std::string>& addresses,
+                                       const std::string& folder);
+  bool may_inline(const Node& node, const std::string& canonical);
+  std::vector<grf::Definition> definitions_of_shared_meshes();
+  void replace_shared_meshes(std::vector<grf::Block>& blocks) const;
+
+  std::string path_;
+  Report report_;
+  DefinitionNames names_;
+  Appearances appearances_;
+  std::map<std::string, OpenDocument> documents_;       // by canonical path
+  std::map<const Node*, const OpenDocument*> inlined_;  // by the node that names it; null: left out
+  std::vector<std::string> open_files_;                 // canonical paths, outermost first
+  std::map<std::vector<const Node*>, SharedMesh> meshes_;
+  std::vector<SharedMesh*> meshes_in_order_;
+  std::map<const grf::Mesh*, std::string> names_of_shared_;
+  std::size_t met_nodes_ = 0;
+};
+
+/// What a document of each version holds.
+std::vector<grf::Block> read_vrml97(World& world, const OpenDocument& document, const Place& place);
+std::vector<grf::Block> read_vrml1(World& world, const OpenDocument& document, const Place& place);
+
+}  // namespace convert::vrml
