@@ -112,7 +112,7 @@ RC_GTEST_PROP(VrmlProperty, AMeshWrittenAsVrml1ComesBack, (unsigned seed)) {
                  list_of(mesh.uv_indices) + "materialIndex " + list_of(mesh.colour_indices) + "} }"));
 }
 
-// Whatever is cut off or changed: a scene, or one error, and no crash.
+// Whatever is cut off or changed: a scene, or an error, and no crash.
 RC_GTEST_PROP(VrmlProperty, ADamagedFileIsASceneOrAnError, (unsigned seed)) {
   std::mt19937 random(seed);
   std::string text = "DEF a Transform { translation 1 2 3 children [ " +
@@ -137,7 +137,6 @@ RC_GTEST_PROP(VrmlProperty, ADamagedFileIsASceneOrAnError, (unsigned seed)) {
   }
   const Reading reading = read_vrml97(text);
   RC_ASSERT(reading.scene.has_value() != reading.diagnostics.has_errors());
-  RC_ASSERT(reading.diagnostics.error_count() <= 1U);
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ std::string error_of(const Reading& reading) {
 std::string compressed(std::string_view text) {
   z_stream stream = {};
   constexpr int GzipAlone = 16;
-  EXPECT_EQ(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS + GzipAlone, 9, Z_DEFAULT_STRATEGY), Z_OK);
+  EXPECT_EQ(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS + GzipAlone, 9, Z_DEFAULT_STRATEGY),
+            Z_OK);
   std::string bytes(deflateBound(&stream, text.size()), '\0');
   std::string input(text);
   stream.next_in = reinterpret_cast<Bytef*>(input.data());
