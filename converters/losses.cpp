@@ -158,18 +158,8 @@ void Losses::report_written(const grf::SourceLocation& location, std::string_vie
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     if (counts_[i] == 0) continue;
     const LossText text = text_of(static_cast<Loss>(i));
-    diagnostics.warning(location,
-                        fmt::format("{}: {} has none", counted(counts_[i], text.one, text.many), format));
-  }
-}
-
-void Losses::report_written(const grf::SourceLocation& location, std::string_view format,
-                            grf::Diagnostics& diagnostics) const {
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    if (counts_[i] == 0) continue;
-    const LossText text = text_of(static_cast<Loss>(i));
-    diagnostics.warning(location,
-                        fmt::format("{}: {} has none", counted(counts_[i], text.one, text.many), format));
+    diagnostics.loss(location,
+                     fmt::format("{}: {} has none", counted(counts_[i], text.one, text.many), format));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -114,6 +115,20 @@ std::vector<grf::TransformStep> transform_steps(const Matrix44d& matrix) {
   append_linear_part(steps, matrix);
   append(steps, Kind::Translation, grf::Vec3f(matrix.translation()));
   return steps;
+}
+
+void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action) {
+  for (grf::Block& block : list.blocks) {
+    if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&block.content)) action(*mesh);
+    if (auto* light = std::get_if<grf::MeshLight>(&block.content)) action(light->mesh);
+    if (auto* transform = std::get_if<grf::Transform>(&block.content)) for_each_mesh(transform->body, action);
+    auto* scope = std::get_if<grf::DefinitionScope>(&block.content);
+    if (scope == nullptr) continue;
+    for (grf::Definition& definition : scope->definitions) {
+      if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body)) action(*mesh);
+    }
+    for_each_mesh(scope->body, action);
+  }
 }
 
 std::string DefinitionNames::take(std::string_view name) {

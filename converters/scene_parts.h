@@ -1,6 +1,7 @@
-// What all readers make a scene of.
+// What readers make a scene of, and writers take it apart to.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -22,6 +23,10 @@ std::vector<grf::Block> placed(std::vector<grf::Block> blocks, const grf::Matrix
 /// Steps that together are the matrix, which is affine and has an inverse, as near as floats come: one where
 /// one does, else rotation, scale, rotation and translation, so that shears are kept too.
 std::vector<grf::TransformStep> transform_steps(const grf::Matrix44d& matrix);
+
+/// Does something with each mesh and mesh light of the blocks and of their definitions. Included files stay
+/// as they are.
+void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);
 
 /// Gives each thing of a file a name of its own among the definitions of a scene.
 class DefinitionNames {

@@ -3,56 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "converters/scene_parts.h"
 #include "grf/read.h"
 
 namespace convert {
 namespace {
 
 using tinygltf::Value;
-
-using MeshAction = std::function<void(grf::Shared<grf::Mesh>&)>;
-using DefinitionAction = std::function<void(grf::Definition&)>;
-
-/// Either action may be null.
-class Walk {
- public:
-  Walk(MeshAction mesh, DefinitionAction definition)
-      : mesh_(std::move(mesh)), definition_(std::move(definition)) {}
-
-  void walk(grf::BlockList& list) const {
-    for (grf::Block& block : list.blocks) {
-      std::visit([this](auto& content) { enter(content); }, block.content);
-    }
-  }
-
- private:
-  void enter(grf::Shared<grf::Mesh>& mesh) const {
-    if (mesh_) mesh_(mesh);
-  }
-  void enter(grf::MeshLight& light) const { enter(light.mesh); }
-  void enter(grf::Transform& transform) const { walk(transform.body); }
-  void enter(grf::DefinitionScope& scope) const {
-    for (grf::Definition& definition : scope.definitions) {
-      if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body)) enter(*mesh);
-      if (definition_) definition_(definition);
-    }
-    walk(scope.body);
-  }
-  void enter(grf::AreaLight&) const {}
-  void enter(grf::Include&) const {}
-  void enter(grf::Params&) const {}
-  void enter(grf::Use&) const {}
-
-  MeshAction mesh_;
-  DefinitionAction definition_;
-};
-
-void for_each_definition(grf::BlockList& list, const DefinitionAction& action) {
-  Walk({}, action).walk(list);
-}
 
 /// Fills one mesh with its lists.
 class ListReader {
@@ -196,26 +155,6 @@ GltfMeshLists lists_of(const Value& record) {
 }
 
 }  // namespace
-
-void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action) {
-  Walk(action, {}).walk(list);
-}
-
-void rename_textures(grf::BlockList& list, const std::map<std::string, std::string>& names) {
-  const auto rename = [&](grf::Texture& texture) {
-    const auto name = names.find(texture.file);
-    if (name != names.end()) texture.file = name->second;
-  };
-  for_each_mesh(list, [&](grf::Shared<grf::Mesh>& mesh) {
-    for (grf::Surface& surface : mesh.edit().surfaces) {
-      auto* texture = surface.texture ? std::get_if<grf::Texture>(&*surface.texture) : nullptr;
-      if (texture != nullptr) rename(*texture);
-    }
-  });
-  for_each_definition(list, [&](grf::Definition& definition) {
-    if (auto* texture = std::get_if<grf::Texture>(&definition.body)) rename(*texture);
-  });
-}
 
 grf::Mesh without_lists(const grf::Mesh& mesh) {
   grf::Mesh stub;

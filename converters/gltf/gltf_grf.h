@@ -2,8 +2,6 @@
 // there as GRF, but for the lists of meshes, which are accessors.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -12,13 +10,6 @@
 #include "grf/scene.h"
 
 namespace convert {
-
-/// Does something with each mesh of a scene without includes, those of mesh lights too, in the order of its
-/// text.
-void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);
-
-/// Gives textures other names, where they are known by one of the first.
-void rename_textures(grf::BlockList& list, const std::map<std::string, std::string>& names);
 
 /// A mesh with the same name, comments and surfaces, but one triangle for each surface that faces have.
 grf::Mesh without_lists(const grf::Mesh& mesh);

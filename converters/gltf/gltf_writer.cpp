@@ -12,6 +12,7 @@
 #include "converters/gltf/gltf_images.h"
 #include "converters/gltf/gltf_material_writer.h"
 #include "converters/gltf/gltf_node_writer.h"
+#include "converters/scene_parts.h"
 #include "converters/text_encoding.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
@@ -51,7 +52,7 @@ class Writer {
   bool add_extras(nlohmann::json lists) {
     grf::Scene stubs = scene_;
     for_each_mesh(stubs.contents, [](grf::Shared<grf::Mesh>& mesh) { mesh = without_lists(*mesh); });
-    rename_textures(stubs.contents, materials_.embedded());
+    grf::relocate(stubs, path_, path_, materials_.embedded());
     const std::string text = to_utf8(grf::to_text(stubs));
     grf::Diagnostics problems;
     if (!grf::read_text(text, path_, problems)) {

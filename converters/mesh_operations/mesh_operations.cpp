@@ -8,9 +8,9 @@
 
 #include "converters/mesh_operations/decimate.h"
 #include "converters/mesh_operations/normals.h"
-#include "converters/mesh_operations/rebuild.h"
 #include "converters/mesh_operations/triangulate.h"
 #include "converters/mesh_operations/weld.h"
+#include "converters/scene_parts.h"
 #include "converters/wording.h"
 
 namespace convert {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
-#include <variant>
 
 #include "grf/topology.h"
 
@@ -89,20 +88,6 @@ grf::Mesh without_geometry(const grf::Mesh& mesh) {
   empty.comments = mesh.comments;
   empty.surfaces = mesh.surfaces;
   return empty;
-}
-
-void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action) {
-  for (grf::Block& block : list.blocks) {
-    if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&block.content)) action(*mesh);
-    if (auto* light = std::get_if<grf::MeshLight>(&block.content)) action(light->mesh);
-    if (auto* transform = std::get_if<grf::Transform>(&block.content)) for_each_mesh(transform->body, action);
-    auto* scope = std::get_if<grf::DefinitionScope>(&block.content);
-    if (scope == nullptr) continue;
-    for (grf::Definition& definition : scope->definitions) {
-      if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body)) action(*mesh);
-    }
-    for_each_mesh(scope->body, action);
-  }
 }
 
 }  // namespace convert

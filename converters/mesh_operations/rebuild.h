@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,9 +33,5 @@ class Rebuild {
 
 /// A mesh without vertices and faces that is else like another one.
 grf::Mesh without_geometry(const grf::Mesh& mesh);
-
-/// Does something with each mesh and mesh light of the blocks and of their definitions. Included files stay
-/// as they are.
-void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);
 
 }  // namespace convert

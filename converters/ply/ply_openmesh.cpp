@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ios>
 #include <limits>
 #include <locale>
 #include <mutex>
@@ -195,16 +196,33 @@ OpenMesh::IO::Options wanted(const PlyHeader& header) {
   return options;
 }
 
+/// Keeps OpenMesh from writing its messages to the standard error.
+class Silence {
+ public:
+  Silence() : was_enabled_(omerr().is_enabled()) { omerr().disable(); }
+  ~Silence() {
+    if (was_enabled_) omerr().enable();
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  bool was_enabled_;
+};
+
 /// OpenMesh has one reader of PLY files, which keeps what it knows of a file in itself, and one stream of
-/// messages, to the standard error: both are held for one reading.
+/// messages: both are held for one reading. A number that cannot be read ends it at once, since OpenMesh
+/// would go on with what the variable held before, which can be the length of a list.
 bool read_by_manager(std::istream& stream, Importer& importer, OpenMesh::IO::Options options) {
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
-  const bool was_enabled = omerr().is_enabled();
-  omerr().disable();
-  const bool is_read = OpenMesh::IO::IOManager().read(stream, "ply", importer, options);
-  if (was_enabled) omerr().enable();
-  return is_read;
+  const Silence silence;
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
+  try {
+    return OpenMesh::IO::IOManager().read(stream, "ply", importer, options);
+  } catch (const std::ios::failure&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -221,7 +239,7 @@ bool read_ply_by_openmesh(const PlySource& source, const PlyHeader& header, PlyM
   stream.imbue(std::locale::classic());
   const std::uint64_t vertices = header.elements[0].count;
   Importer importer(mesh, vertices);
-  if (!read_by_manager(stream, importer, wanted(header)) || stream.fail()) return false;
+  if (!read_by_manager(stream, importer, wanted(header))) return false;
   importer.finish_face();
   const bool is_whole = mesh.vertex_count() == vertices && importer.faces_met() == header.elements[1].count;
   end = stream.eof() ? source.bytes->size() : static_cast<std::size_t>(stream.tellg());

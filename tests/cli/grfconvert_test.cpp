@@ -41,7 +41,8 @@ TEST(Grfconvert, ConvertsARealModelAndLosesNothingOnTheWay) {
   const auto written = grf::read(output, diagnostics);
   const auto imported = convert::read(*convert::find_format("obj"), Bunny, {}, diagnostics);
   ASSERT_TRUE(written.has_value()) << diagnostics.to_text();
-  EXPECT_TRUE(written == imported);
+  ASSERT_TRUE(imported.has_value());
+  EXPECT_TRUE(*written == imported->scene);
   const grf::Summary summary = grf::summarize(*written);
   EXPECT_EQ(summary.vertices, 34835U);
   EXPECT_EQ(summary.faces, 69666U);
@@ -149,7 +150,7 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
            {{input, input, "-o", folder.path()}, "would both be written to '" + folder.path("t.grf") + "'"},
            {{input, folder.path("b.obj"), "-o", output}, "several files are to be written, and '" + output},
            {{input, folder.path("b.obj"), "-o", input}, "several files are to be written, and '" + input},
-           {{input, "-o", folder.path("made/"), "--to", "obj"}, "obj files are not written"},
+           {{input, "-o", folder.path("made/"), "--to", "3ds"}, "3ds files are not written"},
            {{input, "-o", output, "--weld", "-1"},
             "--weld: -1 is out of range, expected a length of 0 or more"},
            {{input, "-o", output, "--weld", "x"}, "--weld"},

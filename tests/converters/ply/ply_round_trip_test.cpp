@@ -312,6 +312,8 @@ RC_GTEST_PROP(PlyRoundTrip, AssimpReadsWhatIsWritten, ()) {
   const std::string path = folder.path("a.ply");
   RC_ASSERT(
       find_format(coin() ? "ply" : "ply-ascii")->write(scene_of_mesh(mesh, {"gold"}), path, diagnostics));
+  // Assimp takes a first byte of binary data that is a line feed for the second end of the header's line.
+  RC_PRE(test::bytes_of(path).find("end_header\n\n") == std::string::npos);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, 0);
   RC_ASSERT(scene != nullptr);
