@@ -1,5 +1,7 @@
-// Reading a GLB file of a million triangles, beside what tinygltf alone takes to load it.
+// Reading a GLB file of a million triangles, and the memory that it takes at its peak, beside what tinygltf
+// alone takes to load it.
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -10,6 +12,8 @@
 
 #include "converters/format.h"
 #include "tests/converters/gltf/gltf_maker.h"
+#include "tests/grf/allocation_meter.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -43,32 +47,39 @@ const std::string& million_triangles() {
   return bytes;
 }
 
-void read_glb(benchmark::State& state) {
+/// Runs what reads the file, and counts bytes and memory.
+template <class Read>
+void measure(benchmark::State& state, const Read& read) {
   const test::TemporaryFolder folder;
   const std::string path = folder.add("million.glb", million_triangles());
-  const convert::Format& format = *convert::find_format("glb");
+  std::size_t memory = 0;
   for (auto _ : state) {
-    grf::Diagnostics diagnostics;
-    const auto import = convert::read(format, path, {}, diagnostics);
-    if (!import) throw std::runtime_error(diagnostics.to_text());
-    benchmark::DoNotOptimize(&*import);
+    const std::size_t before = grf::allocated_bytes();
+    grf::restart_peak();
+    read(path);
+    memory = grf::peak_bytes() - before;
   }
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(million_triangles().size()));
+  state.counters["peak_bytes"] = static_cast<double>(memory);
+}
+
+void read_glb(benchmark::State& state) {
+  measure(state, [](const std::string& path) {
+    grf::Diagnostics diagnostics;
+    const auto import = convert::read(*convert::find_format("glb"), path, {}, diagnostics);
+    if (!import) throw std::runtime_error(diagnostics.to_text());
+  });
 }
 BENCHMARK(read_glb)->Unit(benchmark::kMillisecond);
 
 void read_glb_by_tinygltf_alone(benchmark::State& state) {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.add("million.glb", million_triangles());
-  for (auto _ : state) {
+  measure(state, [](const std::string& path) {
     tinygltf::Model model;
     tinygltf::TinyGLTF parser;
     std::string errors;
     std::string warnings;
     if (!parser.LoadBinaryFromFile(&model, &errors, &warnings, path)) throw std::runtime_error(errors);
-    benchmark::DoNotOptimize(&model);
-  }
-  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(million_triangles().size()));
+  });
 }
 BENCHMARK(read_glb_by_tinygltf_alone)->Unit(benchmark::kMillisecond);
 
