@@ -1,6 +1,7 @@
 #include "converters/material_mapping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "converters/mapping_parts.h"
@@ -75,6 +76,23 @@ class Mapping {
 }  // namespace
 
 MappedMaterial map_material(const PhongMaterial& material) { return Mapping(material).run(); }
+
+PhongMaterial phong_material(const BrdfParts& parts) {
+  /// The exponent of a mirror, as MTL files have it.
+  constexpr double WrittenMirrorExponent = 1000;
+  PhongMaterial material;
+  material.diffuse = parts.matte;
+  material.specular = parts.glossy;
+  if (parts.glossy == grf::Vec3d(0)) {
+    material.reflection = Reflection::None;
+  } else if (std::isinf(parts.exponent)) {
+    material.reflection = Reflection::Mirror;
+    material.exponent = WrittenMirrorExponent;
+  } else {
+    material.exponent = std::min(about_mirror(parts.exponent), HighestExponent);
+  }
+  return material;
+}
 
 MappedMaterial unknown_material(const std::string& name, const grf::BrdfModel& brdf) {
   MappedMaterial material;

@@ -1,4 +1,4 @@
-// How materials of other formats become GRF's: the one place that decides it (FORMATS.md shows the table).
+// How materials of other formats become GRF's: the one place that decides it (FORMATS.md shows the tables).
 #pragma once
 
 #include <optional>
@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "converters/brdf_parts.h"
 #include "converters/losses.h"
 #include "grf/math.h"
 #include "grf/scene.h"
-#include "grf/visit.h"
 
 namespace convert {
 
@@ -20,6 +20,10 @@ enum class Reflection {
   Mirror,  ///< a mirror image; where an exponent is given, only if that is of a mirror's sharpness
 };
 
+/// The exponent of a lobe about the mirror direction, max(0, u.r)^n, that is about as wide as one of the
+/// cosine between normal and half vector: the half vector turns half as fast.
+constexpr double about_mirror(double half_vector_exponent) { return half_vector_exponent / 4; }
+
 /// A material of the Phong family, such as those of MTL files. Values are kept in double so that 1 - 0.9,
 /// once rounded to float, is written 0.1.
 struct PhongMaterial {
@@ -27,7 +31,7 @@ struct PhongMaterial {
   grf::Vec3d diffuse = grf::Vec3d(0.5);  ///< GRF's default
   grf::Vec3d specular = grf::Vec3d(0);
   grf::Vec3d emission = grf::Vec3d(0);  ///< radiance, W/(sr m2)
-  std::optional<double> exponent;
+  std::optional<double> exponent;       ///< about the mirror direction
   std::optional<grf::Texture> diffuse_map;
   Reflection reflection = Reflection::Glossy;
 
@@ -76,16 +80,19 @@ grf::BrdfModel default_brdf();
 
 // The way back, for formats that have such materials.
 
-/// What a BRDF reflects as facets over a matte part. Facets reflect `specular` at normal incidence.
+/// The material of the Phong family with these parts: the inverse of `map_material` for the BRDFs that it
+/// gives. Name, emission and image are left as they are by default.
+PhongMaterial phong_material(const BrdfParts& parts);
+
+/// What facets over a matte part are: `diffuse` is the albedo that the matte part would have without them.
 struct FacetValues {
   grf::Vec3d diffuse = grf::Vec3d(0);
-  grf::Vec3d specular = grf::Vec3d(0);
+  grf::Vec3d specular = grf::Vec3d(0);  ///< at normal incidence
   double slope = 1;
 };
 
-/// The nearest values of a BRDF; the terms of a `combine` are looked up in the scope. What is known of no
-/// model, and data files, count as GRF's default.
-FacetValues facet_values(const grf::BrdfModel& brdf, const grf::Scope& scope);
+/// The facets with these parts: the inverse of `map_material` too, but for the index of its metals.
+FacetValues facet_values(const BrdfParts& parts);
 
 /// The parameters of glTF's metallic-roughness materials, each 0 to 1.
 struct MetallicRoughness {

@@ -61,7 +61,7 @@ int GltfMaterialWriter::add(json material) {
 int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& scope) {
   const grf::ResolvedSurface resolved = grf::resolve(surface, scope);
   FacetValues facets{grf::Vec3d(resolved.emission ? 0 : 0.5), grf::Vec3d(0), 1};
-  if (resolved.brdf != nullptr) facets = facet_values(*resolved.brdf, resolved.brdf_scope);
+  if (resolved.brdf != nullptr) facets = facet_values(brdf_parts(*resolved.brdf, resolved.brdf_scope));
   MetallicRoughness values = metallic_roughness(facets);
   values.base_colour *= grf::Vec3d(resolved.colour);
   json material;

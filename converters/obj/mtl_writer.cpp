@@ -107,21 +107,15 @@ void MtlWriter::find_definitions(const grf::Scene& scene) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body);
     if (brdf == nullptr) return;
     definitions_.push_back(&definition);
-    add_terms(*brdf, placement.scope);
+    find_terms(*brdf, placement.scope, terms_);
   };
   visitor.mesh = [this](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
     for (const grf::Surface& surface : mesh.surfaces) {
       const auto* brdf = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
-      if (brdf != nullptr) add_terms(*brdf, placement.scope);
+      if (brdf != nullptr) find_terms(*brdf, placement.scope, terms_);
     }
   };
   grf::visit(scene, visitor);
-}
-
-void MtlWriter::add_terms(const grf::BrdfModel& brdf, const grf::Scope& scope) {
-  for (const grf::CombineTerm& term : brdf.terms) {
-    terms_.emplace(&term, scope.find<grf::BrdfModel>(term.brdf.name));
-  }
 }
 
 // In the order of the definitions, since the terms of a sum are to stand before it; then what has no name.
@@ -186,10 +180,7 @@ std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const grf::BrdfModel& 
 PhongMaterial MtlWriter::phong_of(const Key& key) const {
   PhongMaterial phong;
   if (key.brdf != nullptr) {
-    phong = nearest_phong(*key.brdf, [this](const grf::CombineTerm& term) {
-      const auto found = terms_.find(&term);
-      return found == terms_.end() ? nullptr : found->second;
-    });
+    phong = phong_material(brdf_parts(*key.brdf, terms_));
   } else {
     phong.diffuse = grf::Vec3d(key.is_black ? 0 : 0.5);
     phong.reflection = Reflection::None;

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "converters/nearest_phong.h"
+#include "converters/brdf_parts.h"
+#include "converters/material_mapping.h"
 #include "converters/world_meshes.h"
 #include "grf/scene.h"
 
@@ -56,7 +57,6 @@ class MtlWriter {
   static bool returns_to_plain(const WorldMeshes& meshes);
   static Key key_of(const WorldSurface& surface, bool is_light);
   void find_definitions(const grf::Scene& scene);
-  void add_terms(const grf::BrdfModel& brdf, const grf::Scope& scope);
   void add_materials(std::vector<Key> keys);
   void add(const Key& key, const std::string& name);
   std::optional<grf::BrdfModel> with_named_terms(const grf::BrdfModel& brdf) const;
@@ -64,7 +64,7 @@ class MtlWriter {
   std::string text_of(const Material& material) const;
 
   std::vector<const grf::Definition*> definitions_;
-  std::map<const grf::CombineTerm*, const grf::BrdfModel*> terms_;  // null where a name means nothing
+  TermBrdfs terms_;
   std::map<const grf::BrdfModel*, std::size_t> first_of_brdf_;
   std::vector<Material> materials_;
   std::map<Key, std::size_t> by_key_;

@@ -140,32 +140,6 @@ grf::BrdfModel model(const std::string& text) {
   return grf::read_brdf(text, "test", diagnostics).value();
 }
 
-TEST(FacetValues, KnowEveryModelOfTheCatalogue) {
-  for (const grf::ModelInfo& info : reflectance::catalogue().brdfs) {
-    if (info.takes != grf::ModelInfo::Takes::Parameters) continue;
-    grf::BrdfModel short_form;
-    short_form.keyword = info.keyword;
-    grf::BrdfModel long_form = short_form;  // with what the catalogue has for defaults
-    for (const grf::ParameterInfo& parameter : info.parameters) {
-      if (!parameter.default_from.empty()) continue;
-      grf::Value value = parameter.default_value;
-      if (parameter.kind == grf::ParameterKind::Boolean) value = parameter.default_value != 0;
-      if (parameter.kind == grf::ParameterKind::Word) continue;
-      if (parameter.default_rgb) value = *parameter.default_rgb;
-      long_form.arguments.push_back({std::string(parameter.name), value, {}});
-    }
-    const FacetValues a = facet_values(short_form, {});
-    const FacetValues b = facet_values(long_form, {});
-    EXPECT_LE((a.diffuse - b.diffuse).length(), 1e-6) << info.keyword;
-    EXPECT_LE((a.specular - b.specular).length(), 1e-6) << info.keyword;
-    EXPECT_NEAR(a.slope, b.slope, 1e-6) << info.keyword;
-    const FacetValues nothing = facet_values(model("nosuchmodel"), {});
-    const bool is_default = a.diffuse == nothing.diffuse && a.specular == nothing.specular;
-    EXPECT_EQ(is_default, info.keyword == "diffuse" || info.keyword == "minnaert" || info.keyword == "oren")
-        << info.keyword;
-  }
-}
-
 TEST(FacetValues, OfMetallicRoughnessComeBack) {
   for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {
     for (const double grey : {0.2, 0.5, 0.9}) {
