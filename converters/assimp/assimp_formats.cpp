@@ -39,8 +39,8 @@ constexpr AssimpRules ColladaRules = {.source = "COLLADA",
                                       .unlit_has_no_reflection = true};
 constexpr AssimpRules FbxRules = {.source = "FBX", .root_is_conversion = true, .map_replaces_diffuse = true};
 constexpr AssimpRules LwoRules = {.source = "LWO"};
-constexpr AssimpRules Ac3dRules = {.source = "AC3D"};
-constexpr AssimpRules XRules = {.source = "X"};
+constexpr AssimpRules Ac3dRules = {.source = "AC3D", .exponent_is_of_half_vector = true};
+constexpr AssimpRules XRules = {.source = "X", .exponent_is_of_half_vector = true};
 constexpr AssimpRules OtherRules = {.source = "Assimp"};
 
 /// The bytes of a file that has any.

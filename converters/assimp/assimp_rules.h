@@ -24,6 +24,9 @@ struct AssimpRules {
   bool map_replaces_diffuse = false;     ///< a texture stands in the place of the diffuse colour
   bool emission_is_of_diffuse = false;   ///< emission is a factor of the diffuse colour
   bool shininess_is_percentage = false;  ///< and not an exponent
+  /// Highlights are those of Direct3D or OpenGL, powers of the cosine of the half vector, whatever Assimp
+  /// calls them. Blinn's always are.
+  bool exponent_is_of_half_vector = false;
   bool unlit_has_no_reflection = false;  ///< unlit materials have an emission alone
 };
 

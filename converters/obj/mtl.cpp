@@ -136,6 +136,8 @@ void MtlReader::read(const Statement& statement) {
   } else if (same_keyword(keyword, "Ke")) {
     assign(phong.emission, colour(statement));
   } else if (same_keyword(keyword, "Ns")) {
+    // About the mirror direction: the format's specification means Blinn's half vector, but exporters write
+    // Phong's exponent or a made-up scale of it, and so the number stays what people see in the file.
     assign(phong.exponent, number(statement));
   } else if (same_keyword(keyword, "illum")) {
     const int illumination = static_cast<int>(std::clamp(number(statement).value_or(2), 0.0, 99.0));

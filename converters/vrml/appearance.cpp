@@ -44,8 +44,10 @@ class MaterialReader {
     material_.diffuse = look_.has_colours || image_replaces ? Vec3d(1) : diffuse;
     material_.specular = colour("specularColor", Vec3d(0));
     material_.emission = colour("emissiveColor", Vec3d(0));
-    constexpr double ExponentOfShininess1 = 128;
-    material_.exponent = number("shininess", 0.2) * ExponentOfShininess1;
+    // The lighting equations (4.14.4) raise the cosine of the half vector to 128 shininess; the lobe of
+    // `lewis` is about the mirror direction.
+    constexpr double HalfVectorExponent = 128;
+    material_.exponent = about_mirror(number("shininess", 0.2) * HalfVectorExponent);
     if (number("transparency", 0) > 0) material_.losses.push_back(Loss::Transparency);
     number("ambientIntensity", 0.2);
     colour("ambientColor", Vec3d(0.2));

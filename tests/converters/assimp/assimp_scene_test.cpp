@@ -118,7 +118,8 @@ TEST(AssimpScene, AMaterialHasTheLobeOfItsShadingModel) {
       "<diffuse><color>0.5 0.5 0.5 1</color></diffuse><specular><color>0.25 0.25 0.25 1</color></specular>"
       "<shininess><float>20</float></shininess>";
   EXPECT_EQ(brdf_of("<phong>" + rest + "</phong>"), "lewis n=20 ks=0.25 kd=0.5");
-  EXPECT_EQ(brdf_of("<blinn>" + rest + "</blinn>"), "lewis n=20 ks=0.25 kd=0.5");
+  EXPECT_EQ(brdf_of("<blinn>" + rest + "</blinn>"), "lewis n=5 ks=0.25 kd=0.5")
+      << "a power of the half vector";
   EXPECT_EQ(brdf_of("<lambert>" + rest + "</lambert>"), "diffuse kd=0.5")
       << "Assimp makes up a specular colour for these";
 }

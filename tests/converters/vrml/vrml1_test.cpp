@@ -193,7 +193,7 @@ TEST(Vrml1Materials, OfOneValue) {
         Faces + "}");
     ASSERT_TRUE(reading.scene.has_value()) << reading.text();
     EXPECT_THAT(materials_of(meshes_of(*reading.scene)[0]), ElementsAre("m", "m"));
-    EXPECT_EQ(brdf_text(definitions_of(*reading.scene)[0]), "lewis n=64 ks=0.1 kd=(0.5, 0, 0)");
+    EXPECT_EQ(brdf_text(definitions_of(*reading.scene)[0]), "lewis n=16 ks=0.1 kd=(0.5, 0, 0)");
   }
 }
 
@@ -221,8 +221,8 @@ TEST(Vrml1Materials, OfFacesThatDifferInMoreThanTheirColour) {
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   EXPECT_THAT(materials_of(meshes_of(*reading.scene)[0]), ElementsAre("m_2", "m_1"));
   for (const grf::Definition& definition : definitions_of(*reading.scene)) {
-    EXPECT_EQ(brdf_text(definition), definition.name == "m_2" ? "lewis n=128 ks=0.5 kd=(0, 0.5, 0)"
-                                                              : "lewis n=64 ks=0.5 kd=(0, 0.5, 0)");
+    EXPECT_EQ(brdf_text(definition), definition.name == "m_2" ? "lewis n=32 ks=0.5 kd=(0, 0.5, 0)"
+                                                              : "lewis n=16 ks=0.5 kd=(0, 0.5, 0)");
   }
 }
 

@@ -29,9 +29,9 @@ TEST(VrmlMaterial, BecomesTheNearestBrdf) {
   EXPECT_EQ(brdf_of(read_material("")), "diffuse kd=0.8");
   EXPECT_EQ(brdf_of(read_material("diffuseColor 0.1 0.2 0.3")), "diffuse kd=(0.1, 0.2, 0.3)");
   EXPECT_EQ(brdf_of(read_material("diffuseColor 0.5 0.5 0.5 specularColor 0.25 0.25 0.25 shininess 0.5")),
-            "lewis n=64 ks=0.25 kd=0.5");
+            "lewis n=16 ks=0.25 kd=0.5");
   EXPECT_EQ(brdf_of(read_material("diffuseColor 0.5 0.5 0.5 specularColor 0.25 0.25 0.25")),
-            "lewis n=25.6 ks=0.25 kd=0.5");
+            "lewis n=6.4 ks=0.25 kd=0.5");
 }
 
 TEST(VrmlMaterial, KeepsWhatTheFileSaysInAComment) {
@@ -75,11 +75,11 @@ TEST(VrmlMaterial, ThatIsUsedAgainIsOneDefinition) {
 TEST(VrmlMaterial, IsWhiteBehindColoursAndImages) {
   const std::string red = "material Material { diffuseColor 1 0 0 specularColor 0.1 0.1 0.1 }";
   const std::string colours = "color Color { color [ 1 0 0 0 1 0 0 0 1 1 1 1 ] } ";
-  EXPECT_EQ(brdf_of(read_vrml97(shape(square(colours), red))), "lewis n=25.6 ks=0.1 kd=0.9");
+  EXPECT_EQ(brdf_of(read_vrml97(shape(square(colours), red))), "lewis n=6.4 ks=0.1 kd=0.9");
   EXPECT_EQ(brdf_of(read_vrml97(shape(square(colours + "colorPerVertex FALSE"), red))),
-            "lewis n=25.6 ks=0.1 kd=0.9");
+            "lewis n=6.4 ks=0.1 kd=0.9");
   EXPECT_EQ(brdf_of(read_vrml97(shape(square(), red + "texture ImageTexture { url \"a.png\" }"))),
-            "lewis n=25.6 ks=0.1 kd=0.9");
+            "lewis n=6.4 ks=0.1 kd=0.9");
   const Reading both = read_vrml97(shape(square(colours), red + "texture ImageTexture { url \"a.png\" }"));
   EXPECT_THAT(both.text(), HasSubstr("2 faces lost their colours: its texture takes their place"));
   EXPECT_TRUE(meshes_of(*both.scene)[0].colours.empty());
