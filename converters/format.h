@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "converters/material_rule.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -49,6 +50,9 @@ struct Format {
 
   std::string_view keeps;
   std::string_view loses;
+
+  std::span<const MaterialRule> read_materials;     ///< what becomes of its materials
+  std::span<const MaterialRule> written_materials;  ///< and of GRF's
 };
 
 /// All formats, in the order in which they are listed.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "converters/assimp/assimp_import.h"
+#include "converters/assimp/assimp_materials.h"
 #include "converters/assimp/assimp_rules.h"
 #include "converters/assimp/assimp_scene.h"
 #include "converters/assimp/stl_check.h"
@@ -20,28 +21,6 @@
 
 namespace convert {
 namespace {
-
-constexpr AssimpRules ThreeDsRules = {.source = "3DS",
-                                      .root_is_conversion = true,
-                                      .places_all_meshes = true,
-                                      .map_replaces_diffuse = true,
-                                      .emission_is_of_diffuse = true,
-                                      .shininess_is_percentage = true};
-// A facet's normal says what its corners say.
-constexpr AssimpRules StlRules = {
-    .source = "STL", .errors_are_fatal = true, .has_materials = false, .has_normals = false};
-// Assimp's table of colours is not AutoCAD's, and all numbers over 15 wrap around in it.
-constexpr AssimpRules DxfRules = {
-    .source = "DXF", .root_is_conversion = true, .has_materials = false, .has_colours = false};
-constexpr AssimpRules ColladaRules = {.source = "COLLADA",
-                                      .root_is_conversion = true,
-                                      .map_replaces_diffuse = true,
-                                      .unlit_has_no_reflection = true};
-constexpr AssimpRules FbxRules = {.source = "FBX", .root_is_conversion = true, .map_replaces_diffuse = true};
-constexpr AssimpRules LwoRules = {.source = "LWO"};
-constexpr AssimpRules Ac3dRules = {.source = "AC3D", .exponent_is_of_half_vector = true};
-constexpr AssimpRules XRules = {.source = "X", .exponent_is_of_half_vector = true};
-constexpr AssimpRules OtherRules = {.source = "Assimp"};
 
 /// The bytes of a file that has any.
 struct SourceBytes {
@@ -231,6 +210,7 @@ Format three_ds_format() {
       "triangles, shared vertices, smoothing groups, texture coordinates, objects, transforms, instances, "
       "materials, textures, emission";
   format.loses = "bump and other maps, transparency, cameras, lights, animation";
+  format.read_materials = assimp_material_rules();
   return format;
 }
 
@@ -245,10 +225,8 @@ Format stl_format() {
   format.keeps = "triangles; when read, solids and colours of facets";
   format.loses =
       "when read, normals of facets that their corners contradict; when written, shared vertices, polygons "
-      "(cut "
-      "into triangles), names, materials, colours, textures and their coordinates, normals, lights, "
-      "irradiance, "
-      "transforms and instances (the faces stand where they put them)";
+      "(cut into triangles), names, materials, colours, textures and their coordinates, normals, lights, "
+      "irradiance, transforms and instances (the faces stand where they put them)";
   return format;
 }
 
@@ -277,6 +255,7 @@ Format collada_format() {
       "polygons, shared vertices, normals, one set of texture coordinates, vertex colours, objects, "
       "transforms, instances, materials, textures, emission";
   format.loses = "bump and other maps, transparency, lines, cameras, lights, animation, bones";
+  format.read_materials = assimp_material_rules();
   return format;
 }
 
@@ -305,6 +284,7 @@ Format lwo_format() {
       "polygons, shared vertices, smoothing angles, one set of texture coordinates, vertex colours, layers, "
       "materials, textures, emission";
   format.loses = "bump and other maps, transparency, subdivision, lines, points";
+  format.read_materials = assimp_material_rules();
   return format;
 }
 
@@ -318,6 +298,7 @@ Format ac3d_format() {
   format.keeps =
       "polygons, shared vertices, texture coordinates, objects, transforms, materials, textures, emission";
   format.loses = "transparency, crease angles, subdivision, lines, lights";
+  format.read_materials = assimp_material_rules();
   return format;
 }
 
@@ -334,6 +315,7 @@ Format x_format() {
       "polygons, shared vertices, normals, one set of texture coordinates, vertex colours, objects, "
       "transforms, materials, textures, emission";
   format.loses = "other maps, transparency, animation, bones";
+  format.read_materials = assimp_material_rules();
   return format;
 }
 
@@ -350,6 +332,7 @@ Format other_assimp_format() {
   format.read = read_other;
   format.keeps = "what Assimp reads: faces, normals, texture coordinates, colours, transforms, materials";
   format.loses = "bump and other maps, transparency, lines, points, cameras, lights, animation, bones";
+  format.read_materials = assimp_material_rules();
   return format;
 }
 

@@ -153,6 +153,35 @@ void read_diffuse_map(const aiMaterial& material, AssimpMaterial& result) {
   }
 }
 
+/// What `read_material` reads, and the mapping makes of it; examples are named as in comments.
+constexpr std::array<MaterialRule, 13> Rules = {{
+    {"shading flat, Gouraud, Oren-Nayar, Minnaert or none, or no specular colour", "`diffuse kd=diffuse`",
+     "AC3D: shadingm 2; diffuse 0.5; specular 0.25", "diffuse kd=0.5", ""},
+    {"other shading or none given, specular colour times its strength > 0",
+     "`lewis n=shininess ks=specular kd=diffuse`",
+     "FBX: shadingm 3; diffuse 0.5; specular 0.5; shinpercent 0.5; shininess 20", "lewis n=20 ks=0.25 kd=0.5",
+     ""},
+    {"shading of Blinn, and all of AC3D and X, whose exponents are of a half vector", "`n` = shininess/4",
+     "COLLADA: shadingm 4; diffuse 0.5; specular 0.25; shininess 20", "lewis n=5 ks=0.25 kd=0.5", ""},
+    {"shininess of 3DS, a percentage p", "`n` = 2^(p/10), as 3D Studio has it",
+     "3DS: shadingm 3; diffuse 0.5; specular 0.25; shininess 50", "lewis n=32 ks=0.25 kd=0.5", ""},
+    {"a diffuse map", "`texture`, which multiplies all of the BRDF", "LWO: diffuse 0.5; file wood.png",
+     "diffuse kd=0.5 texture \"wood.png\"", ""},
+    {"the same in 3DS, COLLADA and FBX", "in place of the diffuse colour", "FBX: diffuse 0.5; file wood.png",
+     "diffuse kd=1 texture \"wood.png\"", ""},
+    {"emissive colour > 0", "`light rgb` on the faces", "X: diffuse 0.5; emissive 3",
+     "diffuse kd=0.5 light rgb (3, 3, 3)", ""},
+    {"the same in 3DS", "a share of the diffuse colour", "3DS: diffuse 0.5; emissive 0.5",
+     "diffuse kd=0.5 light rgb (0.25, 0.25, 0.25)", ""},
+    {"no shading in COLLADA", "no reflection", "COLLADA: shadingm 9; diffuse 0.5; emissive 3",
+     "diffuse kd=0 light rgb (3, 3, 3)", ""},
+    {"opacity < 1", "lost", "3DS: diffuse 0.5; opacity 0.5", "diffuse kd=0.5", "transparency"},
+    {"other maps", "lost", "3DS: diffuse 0.5; bump wood.png", "diffuse kd=0.5", "bump map"},
+    {"metallic and roughness", "lost", "FBX: diffuse 0.5; roughnessFactor 0.5", "diffuse kd=0.5",
+     "physically based parameters"},
+    {"all others", "kept in the comment alone", "3DS: diffuse 0.5; ambient 0.5", "diffuse kd=0.5", ""},
+}};
+
 /// 3D Studio's percentage of glossiness is a logarithm of the exponent, which goes up to 1024.
 double exponent_of_percentage(double percentage) { return std::exp2(percentage / 10); }
 
@@ -214,5 +243,7 @@ bool is_invented(const aiMaterial& material, const AssimpRules& rules) {
   // A file may have a material of the first name, which then has more to it than a name and a colour.
   return (name == AI_DEFAULT_MATERIAL_NAME && material.mNumProperties <= 2) || name == "%%%DEFAULT";
 }
+
+std::span<const MaterialRule> assimp_material_rules() { return Rules; }
 
 }  // namespace convert

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <assimp/material.h>
 
 #include "converters/assimp/assimp_rules.h"
 #include "converters/material_mapping.h"
+#include "converters/material_rule.h"
 #include "grf/math.h"
 
 namespace convert {
@@ -31,5 +33,8 @@ AssimpMaterial read_material(const aiMaterial& material, const AssimpRules& rule
 
 /// True of the material that Assimp gives to faces without one.
 bool is_invented(const aiMaterial& material, const AssimpRules& rules);
+
+/// What becomes of materials that are read.
+std::span<const MaterialRule> assimp_material_rules();
 
 }  // namespace convert

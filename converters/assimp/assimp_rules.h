@@ -30,4 +30,27 @@ struct AssimpRules {
   bool unlit_has_no_reflection = false;  ///< unlit materials have an emission alone
 };
 
+inline constexpr AssimpRules ThreeDsRules = {.source = "3DS",
+                                             .root_is_conversion = true,
+                                             .places_all_meshes = true,
+                                             .map_replaces_diffuse = true,
+                                             .emission_is_of_diffuse = true,
+                                             .shininess_is_percentage = true};
+// A facet's normal says what its corners say.
+inline constexpr AssimpRules StlRules = {
+    .source = "STL", .errors_are_fatal = true, .has_materials = false, .has_normals = false};
+// Assimp's table of colours is not AutoCAD's, and all numbers over 15 wrap around in it.
+inline constexpr AssimpRules DxfRules = {
+    .source = "DXF", .root_is_conversion = true, .has_materials = false, .has_colours = false};
+inline constexpr AssimpRules ColladaRules = {.source = "COLLADA",
+                                             .root_is_conversion = true,
+                                             .map_replaces_diffuse = true,
+                                             .unlit_has_no_reflection = true};
+inline constexpr AssimpRules FbxRules = {
+    .source = "FBX", .root_is_conversion = true, .map_replaces_diffuse = true};
+inline constexpr AssimpRules LwoRules = {.source = "LWO"};
+inline constexpr AssimpRules Ac3dRules = {.source = "AC3D", .exponent_is_of_half_vector = true};
+inline constexpr AssimpRules XRules = {.source = "X", .exponent_is_of_half_vector = true};
+inline constexpr AssimpRules OtherRules = {.source = "Assimp"};
+
 }  // namespace convert

@@ -1,6 +1,9 @@
 #include "converters/command/list_formats.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,10 +37,13 @@ void print_formats(bool json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"formats", list}}.dump(2));
     return;
   }
+  std::size_t width = 0;
+  for (const Format& format : formats()) width = std::max(width, format.name.size());
   for (const Format& format : formats()) {
-    fmt::print("{:<6} {} (.{}): {}\n", format.name, format.title, fmt::join(format.extensions, ", ."),
-               directions(format));
-    fmt::print("       keeps {}\n       loses {}\n", format.keeps, format.loses);
+    fmt::print("{:<{}}  {} (.{}): {}\n", format.name, width, format.title,
+               fmt::join(format.extensions, ", ."), directions(format));
+    fmt::print("{:{}}  keeps {}\n", "", width, format.keeps);
+    fmt::print("{:{}}  loses {}\n", "", width, format.loses);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "converters/gltf/gltf_file.h"
+#include "converters/gltf/gltf_material_writer.h"
+#include "converters/gltf/gltf_materials.h"
 #include "converters/gltf/gltf_reader.h"
 #include "converters/gltf/gltf_writer.h"
 #include "grf/text_file.h"
@@ -32,8 +34,9 @@ Format common() {
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials, emission";
   format.loses =
       "maps other than of the base colour, transparency, points, lines, cameras, point lights, animations; "
-      "for "
-      "other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
+      "for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
+  format.read_materials = gltf_material_rules();
+  format.written_materials = gltf_material_writer_rules();
   return format;
 }
 

@@ -1,6 +1,7 @@
 #include "converters/gltf/gltf_material_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -40,6 +41,33 @@ void emit(json& material, json& root, const grf::Colour& radiance) {
   json& used = root["extensionsUsed"];
   if (!used.is_array()) used = json::array({"KHR_materials_emissive_strength"});
 }
+
+/// What `GltfMaterialWriter::material` writes of a surface.
+constexpr std::array<MaterialRule, 6> Rules = {{
+    {"a matte part m under a highlight g", "D = m/(1 - g) and F0 = g, solved for base colour and metallic",
+     "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 0, "
+     "\"roughnessFactor\": 0.5}",
+     ""},
+    {"the highlight's exponent h", "`roughnessFactor` = (2/(h + 2))^(1/4); 0 for a mirror",
+     "brdf specular ks=0.5",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 1, "
+     "\"roughnessFactor\": 0}",
+     ""},
+    {"no highlight", "`roughnessFactor` 1", "brdf diffuse kd=0.25",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.25, 0.25, 0.25, 1], \"metallicFactor\": 0, "
+     "\"roughnessFactor\": 1}",
+     ""},
+    {"`rgb` of a face", "a factor of `baseColorFactor`", "rgb (0.5, 1, 1) brdf diffuse kd=0.5",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.25, 0.5, 0.5, 1]}", ""},
+    {"`light rgb` of a face, lights", "`emissiveFactor`, and `emissiveStrength` where it is over 1",
+     "light rgb (4, 2, 1)",
+     "\"emissiveFactor\": [1, 0.5, 0.25], \"extensions\": {\"KHR_materials_emissive_strength\": "
+     "{\"emissiveStrength\": 4}}, \"doubleSided\": false",
+     ""},
+    {"`texture`", "`baseColorTexture`", "brdf diffuse kd=0.5 texture \"wood.png\"",
+     "\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}", ""},
+}};
 
 /// The name under which people know the surface: that of its BRDF's definition, or the model's.
 std::string name_of(const grf::Surface& surface) {
@@ -143,5 +171,7 @@ void GltfMaterialWriter::report() const {
   warn(unreadable_, "cannot be read, so that faces lose their texture in other programs than Granada");
   warn(unknown_, "of a kind that glTF does not know, which is PNG and JPEG alone");
 }
+
+std::span<const MaterialRule> gltf_material_writer_rules() { return Rules; }
 
 }  // namespace convert

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "converters/gltf/gltf_document.h"
 #include "converters/gltf/gltf_images.h"
+#include "converters/material_rule.h"
 #include "grf/diagnostics.h"
 #include "grf/visit.h"
 
@@ -51,5 +53,8 @@ class GltfMaterialWriter {
   std::vector<std::string> unreadable_;
   std::vector<std::string> unknown_;
 };
+
+/// What becomes of surfaces that are written.
+std::span<const MaterialRule> gltf_material_writer_rules();
 
 }  // namespace convert

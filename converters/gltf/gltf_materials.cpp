@@ -1,6 +1,7 @@
 #include "converters/gltf/gltf_materials.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -60,6 +61,56 @@ TextureLookup lookup_of(int set, const Value* transform) {
 }
 
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
+
+/// What `Reading` reads, and the mapping makes of it.
+constexpr std::array<MaterialRule, 15> Rules = {{
+    {"metallic = 1, or D = 0 of specular-glossiness", "`torrance rough=a nreal=1 nimag=100 ks=F0 kd=0`",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"roughnessFactor\": 0.5}",
+     "torrance rough=0.25 nreal=1 nimag=100 ks=(1, 0.5, 0.25) kd=0", ""},
+    {"the same, a < 0.0001", "`specular ks=F0`", "\"pbrMetallicRoughness\": {\"roughnessFactor\": 0}",
+     "specular ks=1", ""},
+    {"others", "`ashikhmin ex=2/a^2-2 Rs=F0 Rd=D`",
+     "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0.5}",
+     "ashikhmin ex=30 Rs=0.04 Rd=1", ""},
+    {"the same, where `ex` would pass 1000000", "`coupled Rm=D R0=F0`",
+     "\"pbrMetallicRoughness\": {\"metallicFactor\": 0.5, \"roughnessFactor\": 0}", "coupled Rm=0.5 R0=0.52",
+     ""},
+    {"`KHR_materials_ior`, `KHR_materials_specular`", "they change the 0.04",
+     "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}}, \"pbrMetallicRoughness\": {\"metallicFactor\": "
+     "0, \"roughnessFactor\": 0.5}",
+     "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
+    {"`KHR_materials_pbrSpecularGlossiness`", "read in place of metallic-roughness",
+     "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"specularFactor\": [0.25, 0.25, 0.25], "
+     "\"glossinessFactor\": 0.5}}",
+     "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
+    {"F0 = 0", "`diffuse kd=D`",
+     "\"extensions\": {\"KHR_materials_specular\": {\"specularFactor\": 0}}, \"pbrMetallicRoughness\": "
+     "{\"metallicFactor\": 0}",
+     "diffuse kd=1", ""},
+    {"`KHR_materials_unlit`", "`diffuse kd=D`, lost",
+     "\"extensions\": {\"KHR_materials_unlit\": {}}, \"pbrMetallicRoughness\": {\"metallicFactor\": 0}",
+     "diffuse kd=1", "without light"},
+    {"`baseColorTexture`", "`texture`, which multiplies all of the BRDF",
+     "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\": {\"index\": 0}}",
+     "ashikhmin ex=0 Rs=0.04 Rd=1 texture \"wood.png\"", ""},
+    {"`emissiveFactor` times `emissiveStrength` > 0", "`light rgb` on the faces",
+     "\"emissiveFactor\": [1, 0.5, 0], \"extensions\": {\"KHR_materials_emissive_strength\": "
+     "{\"emissiveStrength\": 8}}",
+     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0 light rgb (8, 4, 0)", ""},
+    {"`emissiveTexture`", "lost, and the emission with it",
+     "\"emissiveFactor\": [1, 1, 1], \"emissiveTexture\": {\"index\": 0}",
+     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "map of emission"},
+    {"alpha", "lost", "\"alphaMode\": \"BLEND\"", "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0",
+     "transparency"},
+    {"other maps", "lost", "\"normalTexture\": {\"index\": 0}",
+     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "normal map"},
+    {"other extensions", "lost", "\"extensions\": {\"KHR_materials_sheen\": {}}",
+     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "what KHR_materials_sheen says"},
+    {"`extras` with a BRDF, and the values that were written with it", "that very BRDF",
+     "\"extras\": {\"grf\": {\"brdf\": \"oren r=0.5\"}}, \"pbrMetallicRoughness\": {\"baseColorFactor\": "
+     "[0.5, 0.5, 0.5, 1], \"metallicFactor\": 0}",
+     "oren r=0.5", ""},
+}};
 
 /// Makes of one material of the file what the mapping takes.
 class Reading {
@@ -294,5 +345,7 @@ void GltfMaterials::report(const grf::SourceLocation& location, grf::Diagnostics
                                               counted(faces, "face lost", "faces lost"), extension));
   }
 }
+
+std::span<const MaterialRule> gltf_material_rules() { return Rules; }
 
 }  // namespace convert

@@ -4,12 +4,14 @@
 #include <compare>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "converters/gltf/gltf_file.h"
 #include "converters/gltf/gltf_images.h"
 #include "converters/losses.h"
+#include "converters/material_rule.h"
 #include "converters/materials.h"
 #include "grf/diagnostics.h"
 
@@ -52,5 +54,8 @@ class GltfMaterials {
   std::vector<std::vector<std::string>> lost_extensions_;  ///< of each material
   std::map<std::string, std::size_t> lost_;                ///< faces of each extension
 };
+
+/// What becomes of materials that are read.
+std::span<const MaterialRule> gltf_material_rules();
 
 }  // namespace convert

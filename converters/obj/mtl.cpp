@@ -1,6 +1,7 @@
 #include "converters/obj/mtl.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <optional>
 #include <set>
@@ -44,6 +45,41 @@ Reflection reflection_of(int illumination) {
 bool refracts(int illumination) {
   return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
 }
+
+/// What `MtlReader` reads, and the mapping makes of it.
+constexpr std::array<MaterialRule, 14> Rules = {{
+    {"`Ks` = 0 or absent, or `illum` 0 or 1", "`diffuse kd=Kd`; an absent `Kd` is 0.5",
+     "Kd 0.5 0.25 0.1; Ks 0.5; illum 1", "diffuse kd=(0.5, 0.25, 0.1)", ""},
+    {"`Ks` > 0, any other `illum` or none",
+     "`lewis n=Ns ks=Ks kd=Kd`, the normalised Phong lobe; without `Ns`, its default `n`",
+     "Kd 0.5; Ks 0.25; Ns 40; illum 2", "lewis n=40 ks=0.25 kd=0.5", ""},
+    {"the same, `Kd` + `Ks` over 1 in a component", "`kd` is reduced there to what `ks` leaves of 1",
+     "Kd 0.8; Ks 0.4 0.1 0.1; Ns 10", "lewis n=10 ks=(0.4, 0.1, 0.1) kd=(0.6, 0.8, 0.8)", ""},
+    {"the same with `illum` 3 to 9 (a traced reflection) and `Ns` of 900 or more, or none",
+     "`specular ks=Ks`", "Kd 0; Ks 0.5; Ns 1000; illum 3", "specular ks=0.5", ""},
+    {"and a diffuse part is left", "`lewis n=1000000 ks=Ks kd=Kd`, a lobe of a tenth of a degree",
+     "Kd 0.5; Ks 0.5; illum 3", "lewis n=1000000 ks=0.5 kd=0.5", ""},
+    {"`Ke` > 0", "`light rgb` on the faces, which keep their BRDF", "Kd 0.5; Ke 3 2 1",
+     "diffuse kd=0.5 light rgb (3, 2, 1)", ""},
+    {"`map_Kd`",
+     "`texture`, which multiplies the highlight too; `-s` and `-o` are applied to the texture coordinates; "
+     "`Kd` is then 1 if absent",
+     "map_Kd -s 2 2 wood.png", "diffuse kd=1 texture \"wood.png\"", ""},
+    {"`map_Kd` with `-clamp on`, `-cc on`, `-blendu off`, `-mm`, `-t`, `-imfchan` that change something",
+     "the image is kept, the option is lost", "map_Kd -clamp on wood.png",
+     "diffuse kd=1 texture \"wood.png\"", "option"},
+    {"`d` < 1, `Tr` > 0, `illum` 4, 6, 7 or 9", "lost", "Kd 0.5; d 0.5", "diffuse kd=0.5", "transparency"},
+    {"other maps, `bump`, `norm`, `disp`, `refl`", "lost", "Kd 0.5; bump wood.png", "diffuse kd=0.5",
+     "bump map"},
+    {"`Pr`, `Pm` and other extensions", "lost", "Kd 0.5; Pr 0.3", "diffuse kd=0.5",
+     "physically based parameters"},
+    {"values out of range", "clamped", "Kd 1.5", "diffuse kd=1", "out of range"},
+    {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept in the comment alone", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
+     ""},
+    {"`# grf: BRDF`, `# grf rgb: (R, G, B)`",
+     "that very BRDF and colour, whatever the values say; `# grf: none`: the faces have no BRDF",
+     "# grf: ward sx=0.1; # grf rgb: (0.5, 1, 1); Kd 0.5", "ward sx=0.1 rgb (0.5, 1, 1)", ""},
+}};
 
 class MtlReader {
  public:
@@ -256,5 +292,7 @@ std::vector<MtlMaterial> read_mtl(const std::string& path, const grf::SourceLoca
   }
   return source ? MtlReader(*source, diagnostics).run() : std::vector<MtlMaterial>();
 }
+
+std::span<const MaterialRule> mtl_rules() { return Rules; }
 
 }  // namespace convert

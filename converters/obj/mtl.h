@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "converters/material_mapping.h"
+#include "converters/material_rule.h"
 #include "converters/obj/mtl_image.h"
 #include "grf/diagnostics.h"
 
@@ -29,5 +31,8 @@ struct MtlMaterial {
 /// be read, of which `asked_for_at` is the place that names it.
 std::vector<MtlMaterial> read_mtl(const std::string& path, const grf::SourceLocation& asked_for_at,
                                   grf::Diagnostics& diagnostics);
+
+/// What becomes of materials that are read.
+std::span<const MaterialRule> mtl_rules();
 
 }  // namespace convert

@@ -53,6 +53,21 @@ bool is_exact_in_mtl(const grf::BrdfModel& brdf) {
                      [&brdf](std::string_view keyword) { return grf::same_keyword(brdf.keyword, keyword); });
 }
 
+/// What `MtlWriter::text_of` writes of a surface.
+constexpr std::array<MaterialRule, 6> Rules = {{
+    {"only a matte part", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1", ""},
+    {"a highlight of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
+     "Kd 0.375 0.375 0.375; Ks 0.25 0.25 0.25; Ns 20; illum 2", ""},
+    {"a mirror", "`Ks`, `Ns 1000`, `illum 3`", "brdf coupled R0=0.5 Rm=0.5",
+     "Kd 0.25 0.25 0.25; Ks 0.5 0.5 0.5; Ns 1000; illum 3", ""},
+    {"`rgb` of a face", "a factor of `Kd` and `Ks`", "rgb (0.5, 1, 1) brdf diffuse kd=0.5",
+     "Kd 0.25 0.5 0.5; Ks 0 0 0; illum 1", ""},
+    {"`light rgb` of a face, lights", "`Ke`; without a BRDF they are black", "light rgb (3, 2, 1)",
+     "Kd 0 0 0; Ks 0 0 0; illum 1; Ke 3 2 1", ""},
+    {"`texture`", "`map_Kd`", "brdf diffuse kd=0.5 texture \"wood.png\"",
+     "Kd 0.5 0.5 0.5; Ks 0 0 0; illum 1; map_Kd wood.png", ""},
+}};
+
 int illumination_of(Reflection reflection) {
   return reflection == Reflection::None ? 1 : reflection == Reflection::Glossy ? 2 : 3;
 }
@@ -211,5 +226,7 @@ std::string MtlWriter::text_of(const Material& material) const {
   if (key.image) text += fmt::format("map_Kd {}{}\n", key.image->starts_with('-') ? "./" : "", *key.image);
   return text;
 }
+
+std::span<const MaterialRule> mtl_writer_rules() { return Rules; }
 
 }  // namespace convert

@@ -4,11 +4,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "converters/brdf_parts.h"
 #include "converters/material_mapping.h"
+#include "converters/material_rule.h"
 #include "converters/world_meshes.h"
 #include "grf/scene.h"
 
@@ -71,5 +73,8 @@ class MtlWriter {
   std::set<std::string> names_;
   std::size_t approximated_faces_ = 0;
 };
+
+/// What becomes of surfaces that are written.
+std::span<const MaterialRule> mtl_writer_rules();
 
 }  // namespace convert

@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include "converters/mesh_builder.h"
+#include "converters/obj/mtl.h"
+#include "converters/obj/mtl_writer.h"
 #include "converters/obj/obj_materials.h"
 #include "converters/obj/obj_text.h"
 #include "converters/obj/obj_writer.h"
@@ -269,6 +271,8 @@ Format obj_format() {
   format.loses =
       "transforms and instances (applied), irradiance, sampling schemes, comments; when read: bump and other "
       "maps, transparency, lines, points, curves, vertices without faces";
+  format.read_materials = mtl_rules();
+  format.written_materials = mtl_writer_rules();
   return format;
 }
 

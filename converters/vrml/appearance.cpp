@@ -22,6 +22,47 @@ std::span<const double> values_at(const NodeReader& material, std::string_view f
   return numbers.subspan(std::min(index, numbers.size() / size - 1) * size, size);
 }
 
+/// What `MaterialReader` and the readers of shapes read, and the mapping makes of it.
+constexpr std::array<MaterialRule, 13> Rules = {{
+    {"`specularColor` = 0, as by default", "`diffuse kd=diffuseColor`, by default 0.8",
+     "material Material {}", "diffuse kd=0.8", ""},
+    {"`specularColor` > 0",
+     "`lewis n=32*shininess ks=specularColor kd=diffuseColor`, since 128 times shininess is the exponent of "
+     "a half vector",
+     "material Material { specularColor 0.1 0.1 0.1 shininess 0.5 }", "lewis n=16 ks=0.1 kd=0.8", ""},
+    {"`emissiveColor` > 0", "`light rgb` on the faces, which keep their BRDF",
+     "material Material { emissiveColor 1 0.5 0 }", "diffuse kd=0.8 light rgb (1, 0.5, 0)", ""},
+    {"colours of vertices or faces",
+     "colours of vertices or faces, and `kd` = 1; in GRF they tint the highlight too",
+     "material Material {}; color Color { color [ 1 0 0, 0 1 0 ] } colorPerVertex FALSE",
+     "diffuse kd=1 rgb (1, 0, 0)", ""},
+    {"`ImageTexture`",
+     "`texture`, and `kd` = 1, since an image takes the place of `diffuseColor` and of colours",
+     "material Material {} texture ImageTexture { url \"wood.png\" }", "diffuse kd=1 texture \"wood.png\"",
+     ""},
+    {"`Texture2` of VRML 1.0", "`texture`, and `kd` = `diffuseColor`",
+     "Material {} Texture2 { filename \"wood.png\" }", "diffuse kd=0.8 texture \"wood.png\"", ""},
+    {"no `Material`", "no BRDF, or what `--brdf` says", "texture ImageTexture { url \"wood.png\" }",
+     "texture \"wood.png\"", ""},
+    {"`transparency` > 0", "lost", "material Material { transparency 0.5 }", "diffuse kd=0.8",
+     "transparency"},
+    {"`PixelTexture`, `MovieTexture`, `image` of `Texture2`", "lost",
+     "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was passed over"},
+    {"`ambientIntensity`, `ambientColor`", "kept in the comment alone",
+     "material Material { ambientIntensity 0.5 }", "diffuse kd=0.8", ""},
+    {"several values in a `Material` of VRML 1.0, bound to faces, that differ in `diffuseColor` alone and "
+     "have no highlight",
+     "colours of faces", "Material { diffuseColor [ 1 0 0, 0 1 0 ] } MaterialBinding { value PER_FACE }",
+     "diffuse kd=1 rgb (1, 0, 0)", ""},
+    {"others bound to faces", "one definition a value, `name_0` and so on",
+     "Material { diffuseColor [ 1 0 0, 0 1 0 ] shininess [ 0.5, 1 ] specularColor 0.1 0.1 0.1 } "
+     "MaterialBinding { value PER_FACE }",
+     "lewis n=16 ks=0.1 kd=(0.9, 0, 0)", ""},
+    {"bound to vertices", "colours of vertices, from `diffuseColor`; the rest is of the first value",
+     "Material { diffuseColor [ 1 0 0, 0 1 0, 0 0 1, 1 1 1 ] } MaterialBinding { value PER_VERTEX }",
+     "diffuse kd=1", ""},
+}};
+
 /// Reads one material of a Material node, and takes down what it says.
 class MaterialReader {
  public:
@@ -194,5 +235,7 @@ std::optional<std::string> texture_of(const Node* texture, const std::string& fo
   }
   return file;
 }
+
+std::span<const MaterialRule> material_rules() { return Rules; }
 
 }  // namespace convert::vrml

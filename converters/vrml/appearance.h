@@ -2,10 +2,12 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "converters/material_rule.h"
 #include "converters/materials.h"
 #include "converters/vrml/node.h"
 #include "converters/vrml/report.h"
@@ -56,5 +58,8 @@ void transform_uvs(std::vector<grf::Vec2f>& uvs, const Node& transform, Report& 
 /// the report, if it is none that can be kept; nothing alone if there is no texture.
 std::optional<std::string> texture_of(const Node* texture, const std::string& folder,
                                       const std::string& main_path, Report& report);
+
+/// What becomes of materials that are read.
+std::span<const MaterialRule> material_rules();
 
 }  // namespace convert::vrml

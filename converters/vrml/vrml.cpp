@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "converters/vrml/appearance.h"
 #include "converters/vrml/source.h"
 #include "converters/vrml/world.h"
 
@@ -40,6 +41,7 @@ Format vrml_format() {
   format.loses =
       "transparency, lights, viewpoints, lines, points, text, prototypes, scripts, animation, pixels of "
       "textures in the file, curves of solids";
+  format.read_materials = vrml::material_rules();
   return format;
 }
 

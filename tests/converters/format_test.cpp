@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,18 +76,6 @@ TEST(Formats, OfFilesThatCannotBeToldAreAnError) {
   EXPECT_THAT(diagnostics.to_text(), HasSubstr("empty.dat: error: the file is empty"));
   EXPECT_THAT(diagnostics.to_text(), HasSubstr("missing.dat: error: cannot read the file: No such file"));
   EXPECT_THAT(diagnostics.to_text(), HasSubstr("it is a directory"));
-}
-
-TEST(Formats, StandInTheDocument) {
-  const std::string document = test::bytes_of(GRANADA_SOURCE_DIR "/converters/FORMATS.md");
-  const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
-  for (const Format& format : formats()) {
-    const std::string row =
-        fmt::format("| `{}` | {} | .{} | {} | {} | {} | {} |\n", format.name, format.title,
-                    fmt::join(format.extensions, ", ."), yes_or_no(format.read != nullptr),
-                    yes_or_no(format.write != nullptr), format.keeps, format.loses);
-    EXPECT_THAT(document, HasSubstr(row));
-  }
 }
 
 TEST(GrfFormat, ReadsWhatItWrites) {
