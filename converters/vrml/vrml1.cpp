@@ -1,5 +1,4 @@
 // VRML 1.0: nodes act one after the other on a state, which a Separator keeps from what follows it.
-#include <iterator>
 
 #include "converters/vrml/transforms.h"
 #include "converters/vrml/vrml1_shapes.h"
@@ -8,7 +7,6 @@
 namespace convert::vrml {
 namespace {
 
-using Blocks = std::vector<grf::Block>;
 using grf::Matrix44d;
 
 constexpr int AllChildren = -3;
@@ -34,19 +32,10 @@ class Vrml1Reader {
 
   Blocks read(const Node& node, Place place);
   Blocks read_all(std::span<const Node* const> nodes, const Place& place) {
-    Blocks blocks;
-    for (const Node* node : nodes) append(blocks, read(*node, place));
-    return blocks;
+    return read_each(*this, nodes, place);
   }
 
  private:
-  static void append(Blocks& blocks, Blocks more) {
-    if (blocks.empty()) {
-      blocks = std::move(more);
-    } else {
-      std::move(more.begin(), more.end(), std::back_inserter(blocks));
-    }
-  }
   NodeReader reader(const Node& node) { return {node, report_.diagnostics()}; }
   std::optional<Blocks> read_group(const Node& node, const Place& place);
   Blocks read_separated(const Node& node, std::span<const Node* const> nodes, const Place& place);

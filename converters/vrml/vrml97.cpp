@@ -1,6 +1,5 @@
 // VRML97: a tree of grouping nodes with shapes as its leaves.
 #include <algorithm>
-#include <iterator>
 
 #include "converters/vrml/transforms.h"
 #include "converters/vrml/vrml97_geometry.h"
@@ -9,16 +8,6 @@
 namespace convert::vrml {
 namespace {
 
-using Blocks = std::vector<grf::Block>;
-
-void append(Blocks& blocks, Blocks more) {
-  if (blocks.empty()) {
-    blocks = std::move(more);
-  } else {
-    std::move(more.begin(), more.end(), std::back_inserter(blocks));
-  }
-}
-
 class Vrml97Reader {
  public:
   Vrml97Reader(World& world, const OpenDocument& document)
@@ -26,9 +15,7 @@ class Vrml97Reader {
 
   Blocks read(const Node& node, Place place);
   Blocks read_all(std::span<const Node* const> nodes, const Place& place) {
-    Blocks blocks;
-    for (const Node* node : nodes) append(blocks, read(*node, place));
-    return blocks;
+    return read_each(*this, nodes, place);
   }
 
  private:

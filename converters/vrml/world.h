@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "converters/scene_parts.h"
@@ -30,6 +33,23 @@ struct Place {
   unsigned depth = 0;
   std::string_view name;  ///< the nearest that DEF gave, of the node itself or of one around it
 };
+
+using Blocks = std::vector<grf::Block>;
+
+/// The blocks of all nodes in their order, as the reader of either version has them.
+template <class Reader>
+Blocks read_each(Reader& reader, std::span<const Node* const> nodes, const Place& place) {
+  Blocks blocks;
+  for (const Node* node : nodes) {
+    Blocks more = reader.read(*node, place);
+    if (blocks.empty()) {
+      blocks = std::move(more);
+    } else {
+      std::move(more.begin(), more.end(), std::back_inserter(blocks));
+    }
+  }
+  return blocks;
+}
 
 /// A mesh in the making: the faces of a shape and what they look like.
 struct ShapeParts {
