@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -102,6 +103,11 @@ void GltfNodeWriter::write(const grf::AreaLight& light, Nodes& nodes) {
   grf::Mesh mesh;
   mesh.positions = {light.corner, light.corner + light.edge1, light.corner + light.edge1 + light.edge2,
                     light.corner + light.edge2};
+  // glTF has no infinity: a corner beyond the largest float stands there.
+  constexpr float Largest = std::numeric_limits<float>::max();
+  for (grf::Vec3f& position : mesh.positions) {
+    for (int k = 0; k < 3; ++k) position[k] = std::clamp(position[k], -Largest, Largest);
+  }
   constexpr std::array<std::uint32_t, 4> Corners = {0, 1, 2, 3};
   mesh.add_face(Corners, 0);
   const grf::Colour radiance = light.radiance.value_or(grf::Colour(1));
