@@ -68,6 +68,7 @@ class Check {
     };
     const std::size_t errors_before = diagnostics_.error_count();
     visit(scene, visitor);
+    faces_.report(diagnostics_);
     warn_of_irradiance();
     // After an error these could be its consequences.
     if (diagnostics_.error_count() > errors_before) return;
@@ -82,13 +83,12 @@ class Check {
       if (surface.brdf) check_model_attribute(*surface.brdf, brdfs_, scope);
       if (surface.pdf) check_model_attribute(*surface.pdf, pdfs_, scope);
       check_colour_attribute(surface.colour, place, scope);
-      check_texture(surface.texture, scope);
+      check_texture(surface.texture, place, scope);
       if (surface.emission) check_not_negative(*surface.emission, place, "radiance");
     }
     check_vertices(mesh, location);
     warn_of_default(mesh, location);
-    warn_of_missing_uvs(mesh, location);
-    check_faces(mesh, location, diagnostics_);
+    faces_.add(mesh, location, diagnostics_);
   }
 
   void check_mesh_light(const Mesh& mesh, const Scope& scope, const SourceLocation& location) {
@@ -102,7 +102,7 @@ class Check {
       }
     }
     check_vertices(mesh, location);
-    check_faces(mesh, location, diagnostics_);
+    faces_.add(mesh, location, diagnostics_);
   }
 
   void check_vertices(const Mesh& mesh, const SourceLocation& location) {
@@ -136,19 +136,6 @@ class Check {
       diagnostics_.warning(location, "faces without a BRDF: they are diffuse with kd=0.5");
       return;
     }
-  }
-
-  void warn_of_missing_uvs(const Mesh& mesh, const SourceLocation& location) {
-    std::size_t faces = 0;
-    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-      const auto corners = mesh.face(i);
-      const auto lacks_uv = [&](std::uint32_t corner) { return !mesh.uvs.has(corner); };
-      if (mesh.surface(i).texture && std::any_of(corners.begin(), corners.end(), lacks_uv)) ++faces;
-    }
-    if (faces == 0) return;
-    diagnostics_.warning(location, fmt::format("{} with a texture {} corners without uv: it is (0, 0) there",
-                                               faces == 1 ? "a face" : fmt::format("{} faces", faces),
-                                               faces == 1 ? "has" : "have"));
   }
 
   template <class ModelOfKind>
@@ -242,21 +229,23 @@ class Check {
     if (colour != nullptr) check_colour(*colour, scope.find(reference->name)->location, "colour");
   }
 
-  void check_texture(const std::optional<TextureAttribute>& attribute, const Scope& scope) {
+  void check_texture(const std::optional<TextureAttribute>& attribute, const SourceLocation& place,
+                     const Scope& scope) {
     if (!attribute) return;
     if (const auto* reference = std::get_if<Reference>(&*attribute)) {
       check_reference<Texture>(*reference, "texture", scope);
     } else {
-      check_image(std::get<Texture>(*attribute));
+      const auto& texture = std::get<Texture>(*attribute);
+      check_image(texture, texture.location.file ? texture.location : place);
     }
   }
 
   // A scene is of use without its images, so one that is missing is no error. Each is reported once.
-  void check_image(const Texture& texture) {
-    const std::string path = path_of(texture.location, texture.file);
+  void check_image(const Texture& texture, const SourceLocation& place) {
+    const std::string path = path_of(place, texture.file);
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error) || !known_images_.insert(path).second) return;
-    diagnostics_.warning(texture.location, fmt::format("there is no image '{}'", path));
+    diagnostics_.warning(place, fmt::format("there is no image '{}'", path));
   }
 
   template <class Body>
@@ -279,7 +268,7 @@ class Check {
     } else if (const auto* colour = std::get_if<Colour>(&definition.body)) {
       check_not_negative(*colour, definition.location, "colour");
     } else if (const auto* texture = std::get_if<Texture>(&definition.body)) {
-      check_image(*texture);
+      check_image(*texture, texture->location);
     } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body)) {
       check_mesh(**mesh, scope, definition.location);
     }
@@ -320,6 +309,7 @@ class Check {
   const Kind<BrdfModel> brdfs_;
   const Kind<PdfModel> pdfs_;
   Diagnostics& diagnostics_;
+  FaceCheck faces_;
   LightCheck lights_;
   std::map<std::string, LargestAlbedo> largest_albedos_;  ///< of the texts of BRDFs
   std::set<std::string> files_with_default_;

@@ -35,40 +35,71 @@ bool has_normals_behind(const Mesh& mesh, std::size_t face, const Vec3d& area) {
   });
 }
 
-/// Faces that something is wrong with.
-struct Offenders {
-  std::size_t count = 0;
-  std::size_t first = 0;
+bool lacks_uv(const Mesh& mesh, std::size_t face) {
+  const auto corners = mesh.face(face);
+  return mesh.surface(face).texture && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+           return !mesh.uvs.has(corner);
+         });
+}
 
-  void add(std::size_t face) {
-    if (count++ == 0) first = face;
-  }
-  std::string subject() const {
-    return count == 1 ? fmt::format("face {}", first)
-                      : fmt::format("{} faces, the first is {},", count, first);
-  }
-  const char* verb() const { return count == 1 ? "has" : "have"; }
-};
+std::string subject(const Offenders& faces) {
+  if (faces.count == 1) return fmt::format("face {} has", faces.first);
+  if (faces.meshes > 1) return fmt::format("{} faces of {} meshes have", faces.count, faces.meshes);
+  return fmt::format("{} faces, the first is {}, have", faces.count, faces.first);
+}
+
+void add_face(Offenders& faces, std::size_t face) {
+  if (faces.count++ == 0) faces.first = face;
+  faces.meshes = 1;
+}
+
+void add_all(Offenders& faces, const Offenders& others) {
+  if (faces.count == 0) faces.first = others.first;
+  faces.count += others.count;
+  faces.meshes += others.meshes;
+}
+
+std::string path_of(const SourceLocation& location) {
+  return location.file ? location.file->path : std::string();
+}
 
 }  // namespace
 
-void check_faces(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics) {
-  Offenders flat;
-  Offenders turned;
+void FaceCheck::add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics) {
+  Found found{location, {}, {}, {}};
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const Vec3d area = doubled_area_vector(mesh, i, Matrix44d());
     if (area.length() <= LeastArea * longest_edge2(mesh, i)) {
-      flat.add(i);
+      add_face(found.flat, i);
     } else if (has_normals_behind(mesh, i, area)) {
-      turned.add(i);
+      add_face(found.turned, i);
     }
+    if (lacks_uv(mesh, i)) add_face(found.without_uv, i);
   }
-  if (flat.count > 0) {
-    diagnostics.warning(location, fmt::format("{} {} no area", flat.subject(), flat.verb()));
+  if (location.line > 0) return report(found, diagnostics);
+  const auto of_file = std::find_if(without_lines_.begin(), without_lines_.end(), [&](const Found& other) {
+    return path_of(other.location) == path_of(location);
+  });
+  if (of_file == without_lines_.end()) return without_lines_.push_back(found);
+  add_all(of_file->flat, found.flat);
+  add_all(of_file->turned, found.turned);
+  add_all(of_file->without_uv, found.without_uv);
+}
+
+void FaceCheck::report(Diagnostics& diagnostics) const {
+  for (const Found& found : without_lines_) report(found, diagnostics);
+}
+
+void FaceCheck::report(const Found& found, Diagnostics& diagnostics) {
+  if (found.flat.count > 0) {
+    diagnostics.warning(found.location, subject(found.flat) + " no area");
   }
-  if (turned.count > 0) {
-    diagnostics.warning(location, fmt::format("{} {} normals that point away from the front",
-                                              turned.subject(), turned.verb()));
+  if (found.turned.count > 0) {
+    diagnostics.warning(found.location, subject(found.turned) + " normals that point away from the front");
+  }
+  if (found.without_uv.count > 0) {
+    diagnostics.warning(found.location,
+                        subject(found.without_uv) + " a texture and corners without uv: it is (0, 0) there");
   }
 }
 

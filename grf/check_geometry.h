@@ -10,8 +10,33 @@
 
 namespace grf {
 
-/// Warns of faces that have no area, and of those that have all their normals on their back.
-void check_faces(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics);
+/// Faces of one or more meshes that something is wrong with.
+struct Offenders {
+  std::size_t count = 0;
+  std::size_t first = 0;  ///< in its mesh
+  std::size_t meshes = 0;
+};
+
+/// Warns of faces that have no area, that have all their normals on their back, or that have a texture and no
+/// place in it: mesh by mesh if meshes have lines of their own, and else of all meshes of a file in one.
+class FaceCheck {
+ public:
+  void add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics);
+
+  /// Once everything was added.
+  void report(Diagnostics& diagnostics) const;
+
+ private:
+  struct Found {
+    SourceLocation location;
+    Offenders flat;
+    Offenders turned;
+    Offenders without_uv;
+  };
+  static void report(const Found& found, Diagnostics& diagnostics);
+
+  std::vector<Found> without_lines_;  ///< one a file
+};
 
 /// Finds the lights in front of which there is nothing that they could light.
 class LightCheck {

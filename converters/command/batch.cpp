@@ -105,7 +105,8 @@ class Report {
       print_json({{"conversions", conversions}, {"failed", failed_}});
     } else if (!options_.each.quiet) {
       const std::size_t count = options_.inputs.size();
-      fmt::print("{} of {} files converted{}\n", count - failed_.size(), count,
+      fmt::print("{} of {} files {}{}\n", count - failed_.size(), count,
+                 options_.each.dry_run ? "can be converted (not written: --dry-run)" : "converted",
                  failed_.empty() ? "" : fmt::format("; failed: {}", listed(failed_)));
     }
   }

@@ -1,8 +1,12 @@
 #include "converters/command/convert.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,6 +71,57 @@ std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<Embed
   if (is_ready && output_format(options)->write(written, options.output, diagnostics)) return files;
   remove_created(*files);
   return std::nullopt;
+}
+
+/// A folder that goes when it is done with.
+class ShortLivedFolder {
+ public:
+  ShortLivedFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "grfconvert_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
+    path_ = name;
+  }
+  ~ShortLivedFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ShortLivedFolder(const ShortLivedFolder&) = delete;
+  ShortLivedFolder& operator=(const ShortLivedFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Says what was said of a file of another.
+void say_of(const std::string& path, const grf::Diagnostics& said, grf::Diagnostics& diagnostics) {
+  const grf::SourceLocation location = grf::whole_file(path);
+  for (const grf::Diagnostic& entry : said.entries()) {
+    const auto& losses = said.losses();
+    if (entry.severity == grf::Severity::Error) {
+      diagnostics.error(location, entry.message);
+    } else if (entry.severity == grf::Severity::Note) {
+      diagnostics.note(location, entry.message);
+    } else if (std::find(losses.begin(), losses.end(), entry.message) != losses.end()) {
+      diagnostics.loss(location, entry.message);
+    } else {
+      diagnostics.warning(location, entry.message);
+    }
+  }
+}
+
+/// Does all that writing does, where nobody sees it, for what there is to say of it.
+std::optional<WrittenFiles> try_to_write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
+                                             const ConvertOptions& options, grf::Diagnostics& diagnostics) {
+  const ShortLivedFolder folder;
+  ConvertOptions elsewhere = options;
+  elsewhere.output_format = output_format(options);
+  elsewhere.output = (folder.path() / std::filesystem::path(options.output).filename()).string();
+  grf::Diagnostics said;
+  const auto written = write_all(scene, embedded, elsewhere, said);
+  say_of(options.output, said, diagnostics);
+  return written ? std::optional(WrittenFiles()) : std::nullopt;
 }
 
 struct Counts {
@@ -141,7 +196,8 @@ ExitCode convert_file(const ConvertOptions& options) {
   if (input) {
     grf::Scene scene = changed(std::move(input->scene), options, diagnostics);
     counts = counts_of(scene);
-    files = options.dry_run ? WrittenFiles() : write_all(scene, input->files, options, diagnostics);
+    const auto write = options.dry_run ? &try_to_write_all : &write_all;
+    files = write(scene, input->files, options, diagnostics);
   }
   print(diagnostics, options.quiet);
   if (!files) return ExitCode::BadInput;

@@ -175,7 +175,8 @@ std::optional<grf::Scene> read_grf_extras(const GltfFile& file, GltfAccessors& a
   const Value& extras = file.model.extras.Get("grf");
   if (!extras.Has("scene") || !extras.Get("scene").IsString())
     return accessors.fail("the extras have no scene");
-  auto scene = grf::read_text(extras.Get("scene").Get<std::string>(), file.path, diagnostics);
+  // Lines of the scene are none of the file's.
+  auto scene = grf::read_text(extras.Get("scene").Get<std::string>(), file.path + "#grf", diagnostics);
   if (!scene) return std::nullopt;
   const Value none;
   const Value& records = extras.Has("meshes") ? extras.Get("meshes") : none;

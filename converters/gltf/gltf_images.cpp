@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "converters/wording.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 
@@ -104,13 +103,10 @@ std::string ImageNames::take(std::string_view wanted, std::string_view extension
 }
 
 bool GltfImages::load() {
-  std::vector<std::string> missing;
   for (std::size_t i = 0; i < file_.model.images.size(); ++i) {
     const tinygltf::Image& image = file_.model.images[i];
     if (!image.uri.empty()) {
       names_.push_back(from_uri(image.uri));
-      std::error_code error;
-      if (!fs::exists(grf::path_beside(file_.path, names_.back()), error)) missing.push_back(names_.back());
       continue;
     }
     std::string_view bytes(reinterpret_cast<const char*>(image.image.data()), image.image.size());
@@ -125,11 +121,6 @@ bool GltfImages::load() {
     }
     names_.push_back(free_name(image, i, bytes));
     embedded_.push_back({names_.back(), std::string(bytes)});
-  }
-  if (!missing.empty()) {
-    diagnostics_.warning(
-        grf::whole_file(file_.path),
-        fmt::format("{} missing: {}", counted(missing.size(), "image is", "images are"), listed(missing)));
   }
   return true;
 }

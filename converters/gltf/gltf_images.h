@@ -28,8 +28,7 @@ class ImageNames {
 /// The images of a glTF file: files beside it, or bytes inside it that become files of their own.
 class GltfImages {
  public:
-  GltfImages(const GltfFile& file, GltfAccessors& accessors, grf::Diagnostics& diagnostics)
-      : file_(file), accessors_(accessors), diagnostics_(diagnostics) {}
+  GltfImages(const GltfFile& file, GltfAccessors& accessors) : file_(file), accessors_(accessors) {}
 
   /// Takes the embedded images out of the file; false after an error.
   bool load();
@@ -47,7 +46,6 @@ class GltfImages {
 
   const GltfFile& file_;
   GltfAccessors& accessors_;
-  grf::Diagnostics& diagnostics_;
   std::vector<std::string> names_;  ///< of each image
   ImageNames free_names_;
   std::vector<EmbeddedFile> embedded_;

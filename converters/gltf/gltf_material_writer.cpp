@@ -162,14 +162,19 @@ json GltfMaterialWriter::image(const std::string& file) {
 }
 
 void GltfMaterialWriter::report() const {
-  const auto warn = [this](const std::vector<std::string>& files, const char* what) {
+  const auto warn = [this](const std::vector<std::string>& files, const char* one, const char* many) {
     if (files.empty()) return;
-    diagnostics_.warning(
-        grf::whole_file(path_),
-        fmt::format("{} {} ({})", counted(files.size(), "image", "images"), what, listed(files)));
+    std::vector<std::string> paths;
+    for (const std::string& file : files) {
+      paths.push_back(std::filesystem::path(grf::path_beside(path_, file)).lexically_normal().string());
+    }
+    diagnostics_.warning(grf::whole_file(path_),
+                         fmt::format("{}: faces lose their texture in other programs than Granada ({})",
+                                     counted(files.size(), one, many), listed(paths)));
   };
-  warn(unreadable_, "cannot be read, so that faces lose their texture in other programs than Granada");
-  warn(unknown_, "of a kind that glTF does not know, which is PNG and JPEG alone");
+  warn(unreadable_, "image cannot be read", "images cannot be read");
+  warn(unknown_, "image is neither PNG nor JPEG, all that glTF has",
+       "images are neither PNG nor JPEG, all that glTF has");
 }
 
 std::span<const MaterialRule> gltf_material_writer_rules() { return Rules; }

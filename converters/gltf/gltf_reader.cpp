@@ -250,7 +250,7 @@ std::optional<Import> read_gltf(const std::string& path, const ReadOptions&, grf
   const auto file = load_gltf(path, diagnostics);
   if (!file) return std::nullopt;
   GltfAccessors accessors(*file, diagnostics);
-  GltfImages images(*file, accessors, diagnostics);
+  GltfImages images(*file, accessors);
   if (!images.load()) return std::nullopt;
   if (file->is_unchanged_grf) {
     if (auto scene = scene_in_extras(*file, diagnostics))

@@ -43,7 +43,7 @@ class Operator {
     };
     lose(unused_vertices_, "vertex was left out", "vertices were left out", "no face uses it");
     lose(collapsed_faces_, "face was left out", "faces were left out",
-         "fewer than three of its corners are at different places once vertices are welded");
+         "fewer than three different corners are left once vertices are welded");
     if (operations_.weld) {
       diagnostics.note(location,
                        fmt::format("{} welded", counted(merged_vertices_, "vertex was", "vertices were")));

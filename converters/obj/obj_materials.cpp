@@ -90,7 +90,6 @@ std::string ObjMaterials::image_named_from_obj(const std::string& name, const st
     const bool is_there = std::filesystem::is_regular_file(grf::path_beside(library_path, candidate), error);
     if (is_there) return named_from(obj_path_, library_path, candidate);
   }
-  missing_images_.push_back(name);
   return named_from(obj_path_, library_path, name);
 }
 
@@ -130,11 +129,6 @@ void ObjMaterials::report(const grf::SourceLocation& location) const {
   if (!defined_again_.empty()) {
     diagnostics_.warning(location, fmt::format("materials are defined again ({}): the first definition holds",
                                                listed(defined_again_)));
-  }
-  if (!missing_images_.empty()) {
-    diagnostics_.warning(
-        location, fmt::format("{} that materials name cannot be found ({})",
-                              counted(missing_images_.size(), "image", "images"), listed(missing_images_)));
   }
   if (!clamped_.empty()) {
     diagnostics_.warning(location, fmt::format("values of materials are out of range, and were clamped ({})",

@@ -66,7 +66,6 @@ class ObjMaterials {
   std::vector<Entry> entries_;
   std::map<std::string, std::size_t, std::less<>> by_name_;
   std::vector<std::string> clamped_;
-  std::vector<std::string> missing_images_;
   std::vector<std::string> defined_again_;
   std::vector<std::string> unknown_;
   std::size_t faces_of_unknown_ = 0;

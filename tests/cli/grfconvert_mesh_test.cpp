@@ -47,7 +47,7 @@ TEST(GrfconvertMeshes, ReportFacesThatWeldingCollapses) {
                                             folder.path("out.grf"), "--weld", "0.01"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err,
-              HasSubstr("in.obj: warning: 1 face was left out: fewer than three of its corners"));
+              HasSubstr("in.obj: warning: 1 face was left out: fewer than three different corners are left"));
   EXPECT_THAT(outcome.out, HasSubstr("1 mesh, 1 face\n"));
 }
 
