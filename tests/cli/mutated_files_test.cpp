@@ -1,0 +1,252 @@
+// Damaged files of all formats that are read, given to `grfconvert`. What it makes of each is a scene or an
+// error; nothing takes it down, nor lasts, nor eats the memory. What files of this test do harm are kept in
+// the folder `found_mutants` beside that of the programs.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "converters/format.h"
+#include "tests/cli/grfconvert.h"
+#include "tests/cli/mutation.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MutantsPerFormat = MUTANTS_PER_FORMAT;
+constexpr std::size_t LargestSeed = 200'000;
+constexpr const char* MostSeconds = "10";
+constexpr long MostMemory = 4L << 20;  // kilobytes
+
+/// A sound file, and those beside it that it names.
+struct Seed {
+  std::string path;
+  std::vector<std::string> companions;
+};
+
+bool is_small_file(const fs::directory_entry& entry) {
+  return entry.is_regular_file() && entry.file_size() > 0 && entry.file_size() <= LargestSeed;
+}
+
+std::vector<std::string> companions_of(const std::string& path, const std::string& bytes) {
+  std::vector<std::string> companions;
+  for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path())) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path() != path && is_small_file(entry) && bytes.find(name) != std::string::npos) {
+      companions.push_back(entry.path().string());
+    }
+  }
+  std::sort(companions.begin(), companions.end());
+  return companions;
+}
+
+/// Puts a file and its companions into a folder of their own; gives the file's path. One of them, by its
+/// index, is damaged; the file itself comes behind its companions.
+std::string add_copy(const Seed& seed, const std::string& name, const test::TemporaryFolder& folder,
+                     const std::function<std::string(std::size_t index, const std::string& bytes)>& damage) {
+  for (std::size_t i = 0; i < seed.companions.size(); ++i) {
+    const fs::path companion = seed.companions[i];
+    folder.add(name + "/" + companion.filename().string(), damage(i, test::bytes_of(companion.string())));
+  }
+  const std::string extension = fs::path(seed.path).extension().string();
+  return folder.add(name + "/" + name + extension, damage(seed.companions.size(), test::bytes_of(seed.path)));
+}
+
+/// A file is a seed if it is sound where nothing else is but its companions: what is refused anyway tells
+/// nothing of damages.
+bool is_sound(const Seed& seed, const convert::Format& format) {
+  const test::TemporaryFolder folder;
+  const auto keep_whole = [](std::size_t, const std::string& bytes) { return bytes; };
+  grf::Diagnostics diagnostics;
+  return format.read(add_copy(seed, "copy", folder, keep_whole), {}, diagnostics).has_value();
+}
+
+/// Files of each format that is written, into the folder.
+void write_seeds(const test::TemporaryFolder& folder) {
+  grf::Diagnostics diagnostics;
+  const auto import = convert::find_format("obj")->read(test::CubeWithMaterials, {}, diagnostics);
+  ASSERT_TRUE(import.has_value()) << diagnostics.to_text();
+  for (const convert::Format& format : convert::formats()) {
+    if (format.write == nullptr) continue;
+    const std::string path = folder.path(fmt::format("{}.{}", format.name, format.extensions.front()));
+    EXPECT_TRUE(format.write(import->scene, path, diagnostics)) << diagnostics.to_text();
+  }
+}
+
+std::vector<std::string> small_files(const test::TemporaryFolder& written) {
+  const std::string sources = GRANADA_SOURCE_DIR;
+  std::vector<std::string> paths;
+  for (const std::string& folder :
+       {std::string("/usr/share/assimp/models"), std::string("/usr/share/glmark2/models"), written.path(),
+        sources + "/samples", sources + "/tests/grf/corpus/valid", sources + "/tests/fuzz/vrml_corpus"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (is_small_file(entry)) paths.push_back(entry.path().string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+std::vector<Seed> find_seeds(const convert::Format& format, const test::TemporaryFolder& written) {
+  std::vector<Seed> seeds;
+  for (const std::string& path : small_files(written)) {
+    grf::Diagnostics diagnostics;
+    if (convert::recognise(path, diagnostics) != &format) continue;
+    const Seed seed = {path, companions_of(path, test::bytes_of(path))};
+    if (is_sound(seed, format)) seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+/// Puts a copy of a seed into the folder that is damaged, or has a damaged companion.
+std::string add_mutant(const Seed& seed, const std::string& name, const test::TemporaryFolder& folder,
+                       std::mt19937& random) {
+  const std::size_t count = seed.companions.size();
+  const std::size_t damaged = count > 0 && random() % 4 == 0 ? random() % count : count;
+  return add_copy(seed, name, folder, [&](std::size_t index, const std::string& bytes) {
+    return index == damaged ? test::mutated(bytes, random) : bytes;
+  });
+}
+
+/// What became of the mutants of one format.
+struct Fates {
+  std::size_t converted = 0;
+  std::size_t refused = 0;
+  std::vector<std::string> crashed;
+  std::vector<std::string> late;
+  std::vector<std::string> hungry;
+};
+
+/// The last error of each mutant, by its name: it may be of the file, of one beside it, or of the output.
+std::map<std::string, std::string> errors_of(const std::string& text, const test::TemporaryFolder& folder) {
+  std::map<std::string, std::string> errors;
+  std::istringstream lines(text);
+  constexpr std::string_view Mark = ": error: ";
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t mark = line.find(Mark);
+    if (mark == std::string::npos || !line.starts_with(folder.path() + "/")) continue;
+    const std::string path = line.substr(folder.path().size() + 1, line.find(':') - folder.path().size() - 1);
+    const std::string name =
+        path.starts_with("out/") ? fs::path(path).stem().string() : path.substr(0, path.find('/'));
+    errors[name] = line.substr(mark + Mark.size());
+  }
+  return errors;
+}
+
+void keep(const std::string& path) {
+  const fs::path folder = fs::path(GRANADA_BIN_DIR).parent_path() / "found_mutants";
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  fs::copy(fs::path(path).parent_path(), folder / fs::path(path).stem(),
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing, ignored);
+}
+
+void add_failure(const std::string& path, const std::string& error, Fates& fates) {
+  std::vector<std::string>* harmful = error.starts_with("the conversion crashed")  ? &fates.crashed
+                                      : error.starts_with("not done after")        ? &fates.late
+                                      : error.starts_with("more memory is needed") ? &fates.hungry
+                                                                                   : nullptr;
+  if (harmful == nullptr) {
+    ++fates.refused;
+  } else {
+    harmful->push_back(path);
+    keep(path);
+  }
+}
+
+Fates convert_mutants(const std::vector<std::string>& paths, const test::TemporaryFolder& folder) {
+  Fates fates;
+  std::vector<std::string> arguments = {"-o",         folder.path("out"), "--jobs", "2",
+                                        "--max-time", MostSeconds,        "--json"};
+  arguments.insert(arguments.end(), paths.begin(), paths.end());
+  const test::Outcome outcome = test::grfconvert(arguments);
+  const auto report = nlohmann::json::parse(outcome.out, nullptr, false);
+  EXPECT_FALSE(report.is_discarded()) << outcome.exit_code << outcome.err;
+  if (report.is_discarded()) return fates;
+
+  const std::set<std::string> all(paths.begin(), paths.end());
+  std::set<std::string> told;
+  for (const auto& conversion : report["conversions"]) told.insert(conversion["input"].get<std::string>());
+  fates.converted = told.size();
+  const auto errors = errors_of(outcome.err, folder);
+  for (const std::string path : report["failed"]) {
+    EXPECT_TRUE(told.insert(path).second) << path << " is converted and failed";
+    const auto error = errors.find(fs::path(path).stem().string());
+    const bool is_explained = error != errors.end();
+    EXPECT_TRUE(is_explained) << path << " failed without an error";
+    if (!is_explained) keep(path);
+    if (is_explained) add_failure(path, error->second, fates);
+  }
+  EXPECT_EQ(told, all) << "each file is converted, or failed";
+  EXPECT_EQ(outcome.exit_code, report["failed"].empty() ? 0 : 1);
+  return fates;
+}
+
+/// Those that no part of Assimp reads.
+bool is_read_by_us(const std::string& format) {
+  static const std::set<std::string> names = {"grf", "obj", "ply", "gltf", "glb", "vrml", "off"};
+  return names.contains(format);
+}
+
+class MutatedFiles : public testing::TestWithParam<std::string> {};
+
+TEST_P(MutatedFiles, AreConvertedOrRefused) {
+  // So that what a sanitizer finds is a crash, too.
+  ::setenv("ASAN_OPTIONS", "abort_on_error=1:detect_leaks=0", 1);
+  ::setenv("UBSAN_OPTIONS", "abort_on_error=1", 1);
+  const test::TemporaryFolder written;
+  write_seeds(written);
+  const std::vector<Seed> seeds = find_seeds(*convert::find_format(GetParam()), written);
+  ASSERT_FALSE(seeds.empty());
+
+  const test::TemporaryFolder folder;
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < MutantsPerFormat; ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    paths.push_back(add_mutant(seeds[i % seeds.size()], fmt::format("{}_{}", GetParam(), i), folder, random));
+  }
+  const Fates fates = convert_mutants(paths, folder);
+  fmt::print("{}: {} files, {} converted, {} refused, {} crashed, {} late, {} out of memory\n", GetParam(),
+             paths.size(), fates.converted, fates.refused, fates.crashed.size(), fates.late.size(),
+             fates.hungry.size());
+  if (is_read_by_us(GetParam())) {
+    EXPECT_THAT(fates.crashed, testing::IsEmpty());
+    EXPECT_THAT(fates.late, testing::IsEmpty());
+    EXPECT_THAT(fates.hungry, testing::IsEmpty());
+  }
+  EXPECT_EQ(fates.converted + fates.refused + fates.crashed.size() + fates.late.size() + fates.hungry.size(),
+            paths.size());
+  rusage used = {};
+  ASSERT_EQ(::getrusage(RUSAGE_CHILDREN, &used), 0);
+  if (test::LimitsMemory) {
+    EXPECT_LT(used.ru_maxrss, MostMemory);
+  }
+}
+
+std::vector<std::string> formats_that_are_read() {
+  std::vector<std::string> names;
+  for (const convert::Format& format : convert::formats()) {
+    if (format.read != nullptr) names.emplace_back(format.name);
+  }
+  return names;
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return "Of_" + info.param; }
+
+INSTANTIATE_TEST_SUITE_P(OfFormat, MutatedFiles, testing::ValuesIn(formats_that_are_read()), name_of);
+
+}  // namespace
