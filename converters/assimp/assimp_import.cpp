@@ -4,6 +4,7 @@
 #include <array>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include <assimp/DefaultLogger.hpp>
@@ -91,8 +92,12 @@ AssimpReading import_by(Read read) {
   configure(importer);
   try {
     read(importer);
+    // Assimp makes a text of any exception.
+    if (importer.GetErrorString() == std::string_view(std::bad_alloc().what())) throw std::bad_alloc();
     reading.error = text_of(aiString(importer.GetErrorString()));
     reading.scene.reset(importer.GetOrphanedScene());
+  } catch (const std::bad_alloc&) {
+    throw;  // it says nothing of the file
   } catch (const std::exception& exception) {
     reading.error = text_of(aiString(exception.what()));
   }

@@ -26,6 +26,8 @@ struct AssimpReading {
   std::vector<AssimpMessage> messages;  ///< each text once, in order
 };
 
+// Throw std::bad_alloc where Assimp had not the memory.
+
 /// Reads bytes by the reader that Assimp has for an extension.
 AssimpReading import_bytes(std::string_view bytes, const std::string& extension);
 

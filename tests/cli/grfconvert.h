@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,12 @@ constexpr bool LimitsMemory = !__has_feature(address_sanitizer) && !__has_featur
 #else
 constexpr bool LimitsMemory = true;
 #endif
+
+/// Makes what sanitizers find in `grfconvert` from now on a crash, and gives it a limit of memory with them.
+inline void crash_on_findings() {
+  ::setenv("ASAN_OPTIONS", "abort_on_error=1:max_allocation_size_mb=4096:hard_rss_limit_mb=4096", 1);
+  ::setenv("UBSAN_OPTIONS", "abort_on_error=1", 1);
+}
 
 inline Outcome grfconvert(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), GRANADA_BIN_DIR "/grfconvert");

@@ -2,7 +2,6 @@
 // error; nothing takes it down, nor lasts, nor eats the memory. What files of this test do harm are kept in
 // the folder `found_mutants` beside that of the programs.
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -205,9 +204,7 @@ bool is_read_by_us(const std::string& format) {
 class MutatedFiles : public testing::TestWithParam<std::string> {};
 
 TEST_P(MutatedFiles, AreConvertedOrRefused) {
-  // So that what a sanitizer finds is a crash, too.
-  ::setenv("ASAN_OPTIONS", "abort_on_error=1:detect_leaks=0", 1);
-  ::setenv("UBSAN_OPTIONS", "abort_on_error=1", 1);
+  test::crash_on_findings();
   const test::TemporaryFolder written;
   write_seeds(written);
   const std::vector<Seed> seeds = find_seeds(*convert::find_format(GetParam()), written);

@@ -1,0 +1,92 @@
+// What becomes of `grfconvert` itself where a file crashes Assimp, makes it run for ever or want more memory
+// than there is.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/grfconvert.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using nlohmann::json;
+using test::grfconvert;
+using test::TemporaryFolder;
+using test::Triangle;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::UnorderedElementsAreArray;
+
+// Files that do such things to Assimp 5.2.5. An MD5 mesh is written into without a look at its size; the
+// joints of an SMD file are looked for beyond the file's end.
+const std::string Crashing = "MD5Version 10\n}\nmesh {\nnumverts 1\nnumtris 1\n}\n";
+const std::string Greedy = "MD5Version 10\n}\nmesh {\nnumverts 2147483647\nnumtris 1\n}\n";
+const std::string Endless = "version 1\nnodes\n0 \"";
+
+/// A folder with files of all three kinds, and a good one.
+class GrfconvertIsolation : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { test::crash_on_findings(); }
+
+  TemporaryFolder folder_;
+  std::string crashing_ = folder_.add("in/crashing.md5mesh", Crashing);
+  std::string endless_ = folder_.add("in/endless.smd", Endless);
+  std::string greedy_ = folder_.add("in/greedy.md5mesh", Greedy);
+  std::string good_ = folder_.add("in/good.obj", Triangle);
+
+  std::string crash_error() const { return crashing_ + ": error: the conversion crashed ("; }
+  std::string time_error() const {
+    return endless_ + ": error: not done after the 0.5 s that --max-time allows\n";
+  }
+  std::string memory_error() const {
+    return greedy_ + ": error: more memory is needed than the 4 GB that --max-memory allows\n";
+  }
+
+  /// Converts, tells about and checks a file.
+  void expect_error_of_all_commands(const std::string& path, const std::string& error) const {
+    for (std::vector<std::string> command :
+         {std::vector<std::string>{path, "-o", folder_.path("out.grf")}, {"info", path}, {"check", path}}) {
+      command.insert(command.end(), {"--max-time", "0.5"});
+      const test::Outcome outcome = grfconvert(command);
+      EXPECT_EQ(outcome.exit_code, 1) << command[0];
+      EXPECT_THAT(outcome.err, HasSubstr(error)) << command[0];
+    }
+    EXPECT_THAT(folder_.names(), ElementsAre("in")) << "nothing half done is left";
+  }
+};
+
+TEST_F(GrfconvertIsolation, TellsOfACrash) { expect_error_of_all_commands(crashing_, crash_error()); }
+
+TEST_F(GrfconvertIsolation, TellsOfARunaway) { expect_error_of_all_commands(endless_, time_error()); }
+
+TEST_F(GrfconvertIsolation, TellsOfAHugeAllocation) {
+  if (!test::LimitsMemory) GTEST_SKIP();
+  expect_error_of_all_commands(greedy_, memory_error());
+}
+
+TEST_F(GrfconvertIsolation, LosesTheFilesAloneThatAreToBlame) {
+  std::vector<std::string> bad = {crashing_, endless_};
+  if (test::LimitsMemory) bad.push_back(greedy_);
+  for (const std::string jobs : {"1", "4"}) {
+    const std::string output = folder_.path("out" + jobs);
+    std::vector<std::string> command = bad;
+    command.insert(command.end(), {good_, "-o", output, "--max-time", "0.5", "--jobs", jobs, "--json"});
+    const test::Outcome outcome = grfconvert(command);
+    EXPECT_EQ(outcome.exit_code, 1);
+    const json report = json::parse(outcome.out);
+    ASSERT_EQ(report["conversions"].size(), 1U);
+    EXPECT_EQ(report["conversions"][0]["input"], good_);
+    EXPECT_THAT(report["failed"].get<std::vector<std::string>>(), UnorderedElementsAreArray(bad));
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(output)) {
+      names.push_back(entry.path().filename().string());
+    }
+    EXPECT_THAT(names, ElementsAre("good.grf"));
+  }
+}
+
+}  // namespace
