@@ -25,13 +25,16 @@
 namespace convert {
 namespace {
 
+// Elements come behind vertices, so that none is first. NFF files begin with the same letters: a `v` without
+// numbers, an `s` with four.
 bool sniff(std::string_view first_bytes) {
-  constexpr std::array<std::string_view, 12> FirstKeywords = {"v", "vt", "vn", "vp", "f",      "l",
-                                                              "p", "o",  "g",  "s",  "mtllib", "usemtl"};
+  constexpr std::array<std::string_view, 7> FirstKeywords = {"vt", "vn", "vp", "o", "g", "mtllib", "usemtl"};
   StatementReader reader(std::make_shared<const std::string>(to_utf8(first_bytes)), nullptr);
   Statement first;
-  return reader.next(first) &&
-         std::find(FirstKeywords.begin(), FirstKeywords.end(), first.keyword) != FirstKeywords.end();
+  if (!reader.next(first)) return false;
+  if (first.keyword == "v") return !first.arguments.empty();
+  if (first.keyword == "s") return first.arguments.size() <= 1;
+  return std::find(FirstKeywords.begin(), FirstKeywords.end(), first.keyword) != FirstKeywords.end();
 }
 
 /// Parses statements that were checked; null if Assimp finds a fault all the same. No step of Assimp's own

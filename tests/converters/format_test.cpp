@@ -51,6 +51,9 @@ TEST(Formats, AreToldByContentFirst) {
   EXPECT_EQ(recognised("a.dat", "v 1 2 3"), "obj");
   EXPECT_EQ(recognised("a.obj", "ply\r\nformat ascii 1.0\r\n"), "ply");
   EXPECT_EQ(recognised("a.dat", std::string_view("\xFE\xFF\0v\0 \0001", 8)), "obj");
+  EXPECT_EQ(recognised("a.nff", "v\nfrom 0 0 5\nat 0 0 0\n"), "other");
+  EXPECT_EQ(recognised("a.nff", "s 0 0 0 1\n"), "other");
+  EXPECT_EQ(recognised("a.nff", "f 1 0 0 0.5 0.5 20 0 1\n"), "other");
 }
 
 TEST(Formats, AreToldByNameWhereTheContentSaysNothing) {

@@ -2,7 +2,6 @@
 // Assimp, and in OFF: against figures of Assimp's scenes as Assimp has them, or against a second reader.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <span>
@@ -21,16 +20,13 @@
 #include "grf/write.h"
 #include "tests/converters/assimp/golden_models.h"
 #include "tests/converters/assimp/reference_models.h"
+#include "tests/converters/model_files.h"
 #include "tests/converters/reading.h"
 
 namespace convert {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-const std::string AssimpModels = "/usr/share/assimp/models/";
-const std::string Glmark2Models = "/usr/share/glmark2/models/";
 
 using Position = std::tuple<float, float, float>;
 
@@ -119,34 +115,6 @@ std::set<Position> positions_of(const grf::Scene& scene) {
   return positions;
 }
 
-bool is_of_assimp(const Format& format) {
-  static const std::set<std::string_view> names = {"3ds", "stl", "off",  "dxf", "collada",
-                                                   "fbx", "lwo", "ac3d", "x",   "other"};
-  return names.contains(format.name);
-}
-
-std::vector<std::string> model_paths() {
-  std::vector<std::string> paths;
-  for (const std::string& folder : {AssimpModels, Glmark2Models}) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (!entry.is_regular_file()) continue;
-      const std::string path = entry.path().string();
-      grf::Diagnostics diagnostics;
-      const Format* format = format_of_name(path);
-      // The content may say otherwise, as in the file names of the models for such tests.
-      if (format == nullptr || is_of_assimp(*format)) format = recognise(path, diagnostics);
-      if (format != nullptr && is_of_assimp(*format)) paths.push_back(path);
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
-std::string short_name(const std::string& path) {
-  return path.starts_with(AssimpModels) ? path.substr(AssimpModels.size())
-                                        : path.substr(Glmark2Models.size());
-}
-
 /// Files that Assimp by itself cannot read, and others that hold the same model.
 const std::map<std::string, std::string> Equals = {
     {"AC/SphereWithLight_UTF16LE.ac", "AC/SphereWithLight.ac"},
@@ -200,24 +168,20 @@ TEST_P(ReadableAssimpModel, IsTheSameSceneOnceItIsWritten) {
   EXPECT_TRUE(*again == *reading.scene);
 }
 
-std::string readable_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = short_name(info.param);
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !grf::is_word_character(c); }, '_');
-  return name;
-}
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return test_name(info.param); }
 
 std::vector<std::string> readable_paths() {
-  std::vector<std::string> paths = model_paths();
+  std::vector<std::string> paths = model_files(formats_of_assimp_models());
   const auto is_broken = [](const std::string& path) { return expected_errors().contains(short_name(path)); };
   paths.erase(std::remove_if(paths.begin(), paths.end(), is_broken), paths.end());
   return paths;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfDebian, AssimpModel, testing::ValuesIn(model_paths()), readable_name);
-INSTANTIATE_TEST_SUITE_P(OfDebian, ReadableAssimpModel, testing::ValuesIn(readable_paths()), readable_name);
+INSTANTIATE_TEST_SUITE_P(OfDebian, AssimpModel, testing::ValuesIn(model_files(formats_of_assimp_models())),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(OfDebian, ReadableAssimpModel, testing::ValuesIn(readable_paths()), name_of);
 
-TEST(AssimpModels, AreAllThere) { EXPECT_GE(model_paths().size(), 200U); }
+TEST(AssimpModels, AreAllThere) { EXPECT_GE(model_files(formats_of_assimp_models()).size(), 200U); }
 
 }  // namespace
 }  // namespace convert

@@ -73,6 +73,7 @@ const std::map<std::string, std::string>& expected_errors() {
        "Impossible to properly load a model from an MDL sequence file."},
       {"MDL/MDL (HL1)/unnamed_sequence_groups/unnamed_sequence_groups09.mdl",
        "Impossible to properly load a model from an MDL sequence file."},
+      {"NFF/NFF/cone.nff", "Cannot parse string \"cantfindme.png\" as a real number"},
       {"OFF/invalid.off", "the line ends here, expected the index of a vertex"},
       {"OpenGEX/animation_example.ogex", "OpenGEX: Not enough values to fill 4-element color, only 3"},
       {"OpenGEX/empty_camera.ogex", "the file has no objects"},

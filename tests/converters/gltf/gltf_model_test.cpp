@@ -1,6 +1,5 @@
 // The glTF models of Debian's package assimp-testmodels, against what Assimp makes of them.
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -10,15 +9,13 @@
 
 #include "grf/keywords.h"
 #include "tests/converters/gltf/assimp_count.h"
+#include "tests/converters/model_files.h"
 #include "tests/converters/reading.h"
 
 namespace convert {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-const std::string Models = "/usr/share/assimp/models/";
 
 /// The models that give an error, and a part of its text.
 const std::map<std::string, std::string> Errors = {
@@ -61,27 +58,6 @@ const std::set<std::string> NotForAssimp = {
     "glTF2/issue_3269/texcoord_crash.gltf", "glTF2/wrongTypes/badExtension.gltf",
     "glTF2/wrongTypes/badObject.gltf", "glTF2/wrongTypes/badString.gltf", "glTF2/wrongTypes/badUint.gltf"};
 
-std::vector<std::string> model_names() {
-  std::vector<std::string> names;
-  for (const std::string folder : {"glTF", "glTF2"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(Models + folder)) {
-      const std::string extension = entry.path().extension().string();
-      if (extension == ".gltf" || extension == ".glb") {
-        names.push_back(fs::relative(entry.path(), Models).string());
-      }
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::string readable_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !grf::is_word_character(c) || c == '$'; }, '_');
-  return name;
-}
-
 void expect_same(const ModelCount& found, const ModelCount& expected, bool is_posed) {
   EXPECT_EQ(found.faces, expected.faces);
   EXPECT_EQ(found.positions, expected.positions);
@@ -95,27 +71,31 @@ void expect_same(const ModelCount& found, const ModelCount& expected, bool is_po
 class GltfModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(GltfModel, IsReadAsAssimpReadsItOrNotAtAll) {
-  const Reading reading = read_path(Models + GetParam());
-  if (const auto error = Errors.find(GetParam()); error != Errors.end()) {
+  const std::string name = short_name(GetParam());
+  const Reading reading = read_path(GetParam());
+  if (const auto error = Errors.find(name); error != Errors.end()) {
     EXPECT_FALSE(reading.scene.has_value());
     EXPECT_THAT(reading.text(), HasSubstr(error->second));
     return;
   }
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   EXPECT_FALSE(reading.diagnostics.has_errors());
-  const auto expected = assimp_count(Models + GetParam());
-  EXPECT_EQ(expected.has_value(), !NotForAssimp.contains(GetParam()));
-  if (expected) expect_same(count_of(*reading.scene), *expected, Posed.contains(GetParam()));
+  const auto expected = assimp_count(GetParam());
+  EXPECT_EQ(expected.has_value(), !NotForAssimp.contains(name));
+  if (expected) expect_same(count_of(*reading.scene), *expected, Posed.contains(name));
 }
 
-INSTANTIATE_TEST_SUITE_P(OfDebian, GltfModel, testing::ValuesIn(model_names()), readable_name);
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return test_name(info.param); }
 
-TEST(GltfModels, AreAllThere) { EXPECT_GE(model_names().size(), 50U); }
+INSTANTIATE_TEST_SUITE_P(OfDebian, GltfModel, testing::ValuesIn(model_files(formats_of_gltf_models())),
+                         name_of);
+
+TEST(GltfModels, AreAllThere) { EXPECT_GE(model_files(formats_of_gltf_models()).size(), 53U); }
 
 // GRF -> glTF -> GRF, with real models: the same scene, and for Assimp the same shapes.
 TEST_P(GltfModel, GoesThroughGltfAndBack) {
-  if (Errors.contains(GetParam())) return;
-  const Reading reading = read_path(Models + GetParam());
+  if (Errors.contains(short_name(GetParam()))) return;
+  const Reading reading = read_path(GetParam());
   ASSERT_TRUE(reading.scene.has_value());
   const test::TemporaryFolder folder;
   for (const char* name : {"out.gltf", "out.glb"}) {

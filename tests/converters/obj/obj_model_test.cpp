@@ -1,6 +1,5 @@
-// The OBJ models of Debian's package assimp-testmodels, against a second reading of them.
+// The OBJ models of Debian's packages assimp-testmodels and glmark2-data, against a second reading of them.
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -11,16 +10,14 @@
 
 #include "grf/keywords.h"
 #include "grf/summary.h"
+#include "tests/converters/model_files.h"
 #include "tests/converters/obj/reference_obj.h"
 #include "tests/converters/reading.h"
 
 namespace convert {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-const std::string Models = "/usr/share/assimp/models/";
 
 /// The models that give an error, and a part of its text.
 const std::map<std::string, std::string> Errors = {
@@ -31,29 +28,11 @@ const std::map<std::string, std::string> Errors = {
     {"invalid/empty.obj", "empty.obj: error: the file is empty, expected an OBJ model"},
     {"invalid/malformed.obj", "malformed.obj:28:3: error: found '0', expected a corner"},
     {"invalid/malformed2.obj", "malformed2.obj:23:1: error: a face without corners"},
+    {"jellyfish.jobj", "jellyfish.jobj: error: the file has no faces"},
 };
 
 /// Files that the second reader cannot read, and others that hold the same model.
 const std::map<std::string, std::string> Equals = {{"OBJ/box_UTF16BE.obj", "OBJ/box.obj"}};
-
-std::vector<std::string> model_names() {
-  std::vector<std::string> names;
-  for (const std::string folder : {"OBJ", "invalid"}) {
-    for (const auto& entry : fs::directory_iterator(Models + folder)) {
-      if (entry.path().extension() == ".obj")
-        names.push_back(folder + "/" + entry.path().filename().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::string readable_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = fs::path(info.param).stem().string();
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !grf::is_word_character(c); }, '_');
-  return name;
-}
 
 /// The faces of all meshes, one after the other, as the second reader has them.
 std::vector<ReferenceFace> faces_of(const grf::Scene& scene) {
@@ -76,17 +55,18 @@ bool agree(const grf::Vec3d& a, const grf::Vec3d& b) {
 class ObjModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(ObjModel, IsReadAsTheSecondReaderReadsItOrNotAtAll) {
-  const Reading reading = read_path(Models + GetParam());
-  if (const auto error = Errors.find(GetParam()); error != Errors.end()) {
+  const std::string name = short_name(GetParam());
+  const Reading reading = read_path(GetParam());
+  if (const auto error = Errors.find(name); error != Errors.end()) {
     EXPECT_FALSE(reading.scene.has_value());
     EXPECT_THAT(reading.text(), HasSubstr(error->second));
     return;
   }
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   EXPECT_FALSE(reading.diagnostics.has_errors());
-  const auto equal = Equals.find(GetParam());
+  const auto equal = Equals.find(name);
   const ReferenceModel reference =
-      read_reference(Models + (equal == Equals.end() ? GetParam() : equal->second));
+      read_reference(equal == Equals.end() ? GetParam() : AssimpModels + equal->second);
 
   const std::vector<ReferenceFace> faces = faces_of(*reading.scene);
   ASSERT_EQ(faces.size(), reference.faces.size());
@@ -94,30 +74,40 @@ TEST_P(ObjModel, IsReadAsTheSecondReaderReadsItOrNotAtAll) {
     const ReferenceFace& expected = reference.faces[i];
     ASSERT_EQ(faces[i].corners.size(), expected.corners.size()) << "face " << i;
     // One model has its names in Latin-1, which are UTF-8 in the scene.
-    if (GetParam() != "OBJ/regr01.obj") {
+    if (name != "OBJ/regr01.obj") {
       EXPECT_EQ(faces[i].material, expected.material) << "face " << i;
     }
     for (std::size_t k = 0; k < expected.corners.size(); ++k) {
       EXPECT_TRUE(agree(faces[i].corners[k], expected.corners[k])) << "face " << i << ", corner " << k;
     }
   }
-  EXPECT_NEAR(grf::summarize(*reading.scene).area, reference.area(), 1e-5 * reference.area());
+  const grf::Summary summary = grf::summarize(*reading.scene);
+  EXPECT_NEAR(summary.area, reference.area(), 1e-5 * reference.area());
+  grf::Box3d bounds;
+  for (const ReferenceFace& face : reference.faces) {
+    for (const grf::Vec3d& corner : face.corners) bounds.extendBy(corner);
+  }
+  EXPECT_TRUE(agree(grf::Vec3d(summary.bounds.min), bounds.min));
+  EXPECT_TRUE(agree(grf::Vec3d(summary.bounds.max), bounds.max));
   EXPECT_EQ((ReferenceModel{faces}.distinct_positions()), reference.distinct_positions());
 }
 
-INSTANTIATE_TEST_SUITE_P(OfDebian, ObjModel, testing::ValuesIn(model_names()), readable_name);
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return test_name(info.param); }
 
-TEST(ObjModels, AreAllThere) { EXPECT_GE(model_names().size(), 25U); }
+INSTANTIATE_TEST_SUITE_P(OfDebian, ObjModel, testing::ValuesIn(model_files(formats_of_obj_models())),
+                         name_of);
+
+TEST(ObjModels, AreAllThere) { EXPECT_GE(model_files(formats_of_obj_models()).size(), 27U); }
 
 TEST(ObjModels, TheBoxWithoutALastLineEndIsReadWithAWarningOfThatAlone) {
-  const Reading reading = read_path(Models + "OBJ/box_without_lineending.obj");
+  const Reading reading = read_path(AssimpModels + "OBJ/box_without_lineending.obj");
   ASSERT_TRUE(reading.scene.has_value());
   EXPECT_EQ(reading.diagnostics.warning_count(), 1U);
   EXPECT_THAT(reading.text(), HasSubstr("warning: the file does not end with a line end"));
 }
 
 TEST(ObjModels, NamesInLatin1BecomeUtf8) {
-  const Reading reading = read_path(Models + "OBJ/regr01.obj");
+  const Reading reading = read_path(AssimpModels + "OBJ/regr01.obj");
   ASSERT_TRUE(reading.scene.has_value());
   std::set<std::string> names;
   for (const grf::Definition& definition : definitions_of(*reading.scene)) {
@@ -127,7 +117,7 @@ TEST(ObjModels, NamesInLatin1BecomeUtf8) {
 }
 
 TEST(ObjModels, TheConcavePolygonStaysOneFace) {
-  const Reading reading = read_path(Models + "OBJ/concave_polygon.obj");
+  const Reading reading = read_path(AssimpModels + "OBJ/concave_polygon.obj");
   ASSERT_TRUE(reading.scene.has_value());
   const std::vector<grf::Mesh> meshes = meshes_of(*reading.scene);
   ASSERT_EQ(meshes.size(), 1U);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "grf/summary.h"
+#include "tests/converters/model_files.h"
 #include "tests/converters/vrml/vrml_reading.h"
 
 namespace convert {
@@ -108,6 +109,11 @@ TEST(VrmlModels, TheModelOf3dsMaxIsRead) {
     EXPECT_FALSE(material_of(mesh, 0).empty());
     EXPECT_THAT(mesh.name, HasSubstr("-FACES"));
   }
+}
+
+TEST(VrmlModels, AreTheseTwo) {
+  EXPECT_THAT(model_files(formats_of_vrml_models()),
+              ElementsAre(Models + "MotionCaptureROM.WRL", Models + "Wuson.wrl"));
 }
 
 }  // namespace
