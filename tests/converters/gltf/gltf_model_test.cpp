@@ -53,10 +53,22 @@ const std::map<std::string, std::string> Errors = {
 /// Assimp leaves skins and morph targets where they are: what it counts is the same, and no place is.
 const std::set<std::string> Posed = {"glTF2/simple_skin/simple_skin.gltf"};
 
-/// What Assimp itself cannot read.
-const std::set<std::string> NotForAssimp = {
-    "glTF2/issue_3269/texcoord_crash.gltf", "glTF2/wrongTypes/badExtension.gltf",
-    "glTF2/wrongTypes/badObject.gltf", "glTF2/wrongTypes/badString.gltf", "glTF2/wrongTypes/badUint.gltf"};
+/// What Assimp itself cannot read, and files that hold the same shape.
+const std::map<std::string, std::string> Equals = {
+    {"glTF2/wrongTypes/badExtension.gltf", "glTF2/BoxTextured-glTF/BoxTextured.gltf"},
+    {"glTF2/wrongTypes/badObject.gltf", "glTF2/BoxTextured-glTF/BoxTextured.gltf"},
+    {"glTF2/wrongTypes/badString.gltf", "glTF2/BoxTextured-glTF/BoxTextured.gltf"},
+    {"glTF2/wrongTypes/badUint.gltf", "glTF2/BoxTextured-glTF/BoxTextured.gltf"}};
+
+/// What Assimp counts of a file, or of one that holds the same shape. Nothing is like the shape of one file:
+/// by the bounds of its accessors, it is a square of side 2 behind four of side 1.
+std::optional<ModelCount> expected_count(const std::string& name) {
+  if (name == "glTF2/issue_3269/texcoord_crash.gltf") {
+    return ModelCount{10, 20, 8, {{-1.2, -1.2, -0.05259115}, {1.2, 1.2, 5e-7}}};
+  }
+  const auto equal = Equals.find(name);
+  return assimp_count(AssimpModels + (equal == Equals.end() ? name : equal->second));
+}
 
 void expect_same(const ModelCount& found, const ModelCount& expected, bool is_posed) {
   EXPECT_EQ(found.faces, expected.faces);
@@ -80,9 +92,9 @@ TEST_P(GltfModel, IsReadAsAssimpReadsItOrNotAtAll) {
   }
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   EXPECT_FALSE(reading.diagnostics.has_errors());
-  const auto expected = assimp_count(GetParam());
-  EXPECT_EQ(expected.has_value(), !NotForAssimp.contains(name));
-  if (expected) expect_same(count_of(*reading.scene), *expected, Posed.contains(name));
+  const auto expected = expected_count(name);
+  ASSERT_TRUE(expected.has_value());
+  expect_same(count_of(*reading.scene), *expected, Posed.contains(name));
 }
 
 std::string name_of(const testing::TestParamInfo<std::string>& info) { return test_name(info.param); }
