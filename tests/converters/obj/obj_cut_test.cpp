@@ -54,6 +54,10 @@ TEST(CutObj, FewerNumbersThanInAllLinesBeforeAreAnError) {
   EXPECT_EQ(verdict_on(read_obj_text(start + "v 1 1 0 0 0 1")), Verdict::PerhapsCut);
 }
 
+TEST(CutObj, NoNumbersAreAnErrorEvenIfLinesBeforeHaveNone) {
+  EXPECT_EQ(verdict_on(read_obj_text("v 0 0 0\nv\nv")), Verdict::Cut);
+}
+
 TEST(CutObj, NumbersThatCannotEndSoAreAnError) {
   for (const char* line :
        {"v 1.00 2.00 -", "v 1.00 2.00 +", "v 1.00 2.00 3.", "v 1.00 2.00 1e", "v 1.00 2.00 1.00e-"}) {
