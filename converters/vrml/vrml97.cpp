@@ -1,5 +1,4 @@
 // VRML97: a tree of grouping nodes with shapes as its leaves.
-#include <algorithm>
 
 #include "converters/vrml/transforms.h"
 #include "converters/vrml/vrml97_geometry.h"
