@@ -1,6 +1,7 @@
 #include "converters/world_meshes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "grf/keywords.h"
 
@@ -183,6 +184,19 @@ std::size_t WorldMeshes::material_of(const grf::Definition& definition) {
   const auto [known, is_new] = material_of_definition_.emplace(&definition, materials_.size());
   if (is_new) materials_.push_back(grf::from_identifier(names_.take(grf::from_identifier(definition.name))));
   return known->second;
+}
+
+bool WorldMeshes::is_finite() const {
+  const auto fits = [](const grf::Vec3f& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  for (const WorldMesh& placed : meshes_) {
+    const grf::Mesh& mesh = placed.mesh();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (!fits(placed.position(i)) || (mesh.normals.has(i) && !fits(placed.normal(i)))) return false;
+    }
+  }
+  return true;
 }
 
 void WorldMeshes::count(std::initializer_list<Loss> kinds, Losses& losses) const {

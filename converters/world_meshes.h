@@ -87,6 +87,9 @@ class WorldMeshes {
   /// different; where two definitions have one name, the second is called `name_2`.
   const std::vector<std::string>& materials() const { return materials_; }
 
+  /// False if a transform moves a vertex, or stretches a normal, beyond what a float can hold.
+  bool is_finite() const;
+
   /// Counts of the given kinds what the meshes have, lights left out: for a writer that cannot keep them.
   void count(std::initializer_list<Loss> kinds, Losses& losses) const;
 

@@ -234,21 +234,6 @@ void ObjWriter::write_face(const WorldMesh& placed, std::size_t index, Output& o
   output.pass_on();
 }
 
-bool is_finite(const grf::Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-/// False if a transform moves a vertex, or stretches a normal, beyond what a float can hold.
-bool is_finite(const WorldMeshes& meshes) {
-  for (const WorldMesh& placed : meshes.meshes()) {
-    const grf::Mesh& mesh = placed.mesh();
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      const bool is_sound =
-          is_finite(placed.position(i)) && (!mesh.normals.has(i) || is_finite(placed.normal(i)));
-      if (!is_sound) return false;
-    }
-  }
-  return true;
-}
-
 std::size_t observers_of(const grf::Scene& scene) {
   std::size_t count = 0;
   grf::SceneVisitor visitor;
@@ -265,7 +250,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   const grf::Scene flat = grf::flatten(scene, path);
   const WorldMeshes meshes(flat);
   const grf::SourceLocation location = grf::whole_file(path);
-  if (!is_finite(meshes)) {
+  if (!meshes.is_finite()) {
     diagnostics.error(location, "a transform moves a vertex so far that no float holds it");
     return false;
   }

@@ -237,6 +237,7 @@ bool PlyWriter::write(const std::string& path, grf::Diagnostics& diagnostics) co
     return false;
   };
   if (faces_ == 0) return fail("the scene has no faces that are no lights");
+  if (!world_.is_finite()) return fail("a transform moves a vertex so far that no float holds it");
   if (vertices_ > std::numeric_limits<std::int32_t>::max())
     return fail("PLY has no numbers for so many vertices");
   const bool is_written = grf::replace_file(

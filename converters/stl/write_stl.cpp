@@ -84,6 +84,7 @@ bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostic
     return false;
   };
   if (triangles == 0) return fail("the scene has no faces that are no lights");
+  if (!world.is_finite()) return fail("a transform moves a vertex so far that no float holds it");
   if (triangles > std::numeric_limits<std::uint32_t>::max())
     return fail("STL cannot count so many triangles");
   const auto fill = [&](const grf::FileWriter& write) { return write_all(world, triangles, write); };

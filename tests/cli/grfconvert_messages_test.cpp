@@ -75,6 +75,20 @@ TEST(GrfconvertMessages, TellTheSceneInsideAGltfFileFromTheFile) {
   }
 }
 
+// A file that no reader takes, our own neither, is worse than none.
+TEST(GrfconvertMessages, SayThatNoFloatHoldsAVertex) {
+  const TemporaryFolder folder;
+  const std::string scene =
+      folder.add("a.grf", "transform scale (1e30, 1e30, 1e30) scale (1e30, 1e30, 1e30) begin begin mesh" +
+                              test::Faces + " end");
+  for (const char* name : {"a.obj", "a.ply", "a.stl"}) {
+    const test::Outcome outcome = grfconvert({scene, "-o", folder.path(name)});
+    EXPECT_EQ(outcome.exit_code, 1) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("a transform moves a vertex so far that no float holds it\n"));
+  }
+  EXPECT_THAT(folder.names(), ElementsAre("a.grf"));
+}
+
 TEST(GrfconvertDryRun, SaysWhatWritingWouldSay) {
   const TemporaryFolder folder;
   const std::string model = folder.add("a.obj", "o thing\n" + Triangle);
