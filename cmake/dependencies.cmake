@@ -13,6 +13,9 @@ find_package(Boost REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(embree 3 REQUIRED)
 find_package(assimp REQUIRED)
+# Its CMake file names static libraries that the shared one has inside already. One of them, Draco, holds an older
+# tinygltf under the same names, which would take the place of the one that is meant.
+set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
 find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(PNG REQUIRED)

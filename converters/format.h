@@ -48,6 +48,9 @@ struct Format {
   /// Replaces the file, or leaves it as it was and says why. Null: the format is not written.
   bool (*write)(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) = nullptr;
 
+  /// What is written holds the images of its faces: they need not stand beside it.
+  bool embeds_images = false;
+
   std::string_view keeps;
   std::string_view loses;
 

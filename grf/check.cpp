@@ -32,6 +32,11 @@ std::string path_of(const SourceLocation& location, const std::string& file) {
   return location.file ? path_beside(location.file->path, file) : file;
 }
 
+/// GRF inside a file of another format has no name of its own.
+bool is_plain_grf_name(const std::string& path) {
+  return same_keyword(std::filesystem::path(path).extension().string(), ".grf");
+}
+
 bool is_combine(const BrdfModel& brdf) { return same_keyword(brdf.keyword, "combine"); }
 
 class Check {
@@ -114,7 +119,7 @@ class Check {
 
   void check_irradiance(const Irradiance& irradiance, const SourceLocation& location) {
     if (!irradiance_at_) irradiance_at_ = location;
-    if (location.file && !is_igrf_name(location.file->path) &&
+    if (location.file && is_plain_grf_name(location.file->path) &&
         files_to_rename_.insert(location.file->path).second) {
       diagnostics_.warning(location, "irradiance makes this an IGRF file: its name should end in '.igrf'");
     }

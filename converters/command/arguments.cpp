@@ -13,15 +13,18 @@
 namespace convert {
 namespace {
 
-CLI::IsMember is_format() {
+template <class Member>
+CLI::IsMember is_format_with(Member Format::*member) {
   std::vector<std::string> names;
-  for (const Format& format : formats()) names.emplace_back(format.name);
+  for (const Format& format : formats()) {
+    if (format.*member != nullptr) names.emplace_back(format.name);
+  }
   return CLI::IsMember(names, CLI::ignore_case);
 }
 
 void add_input_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--from", arguments.from, "Format of the input, whatever its content and name")
-      ->check(is_format());
+      ->check(is_format_with(&Format::read));
   command.add_option("--brdf", arguments.brdf,
                      "BRDF of faces that come without a material, such as \"ward sx=0.15 ks=0.3 kd=0.2\"");
 }
@@ -84,7 +87,7 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
       "for several files always");
   app.add_option("--to", arguments.to,
                  "Format of the output, whatever its name; in a folder, grf if not given")
-      ->check(is_format());
+      ->check(is_format_with(&Format::write));
   app.add_flag("--flatten", arguments.flat, "Write included files and files of BRDFs out, into one GRF file");
   app.add_flag("--grf2008", arguments.grf2008, "Write GRF by its grammar of 2008, without extensions");
   add_input_options(app, arguments);

@@ -68,9 +68,11 @@ std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<Embed
       options.grf2008 ? grf::to_grf2008(scene, options.output, diagnostics) : std::nullopt;
   const bool is_ready = !options.grf2008 || old_grammar;
   const grf::Scene& written = old_grammar ? *old_grammar : scene;
-  if (is_ready && output_format(options)->write(written, options.output, diagnostics)) return files;
+  const Format& format = *output_format(options);
+  const bool is_written = is_ready && format.write(written, options.output, diagnostics);
+  if (is_written && !format.embeds_images) return files;
   remove_created(*files);
-  return std::nullopt;
+  return is_written ? std::optional(WrittenFiles()) : std::nullopt;
 }
 
 /// A folder that goes when it is done with.

@@ -58,6 +58,7 @@ Format glb_format() {
   format.title = "glTF 2 as one binary file";
   format.extensions = {"glb"};
   format.sniff = is_glb;
+  format.embeds_images = true;
   format.write = write_glb;
   return format;
 }

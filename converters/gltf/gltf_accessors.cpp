@@ -242,7 +242,8 @@ bool GltfAccessors::fill(int index, float* values, bool infinite) {
   });
   if (!filled) return false;
   const float* end = values + accessor.count * components;
-  const float* bad = infinite ? end : std::find_if<const float*>(values, end, [](float x) { return !std::isfinite(x); });
+  const float* bad =
+      infinite ? end : std::find_if<const float*>(values, end, [](float x) { return !std::isfinite(x); });
   if (bad == end) return true;
   fail(fmt::format("accessor {}: element {} is infinite or not a number", index,
                    static_cast<std::size_t>(bad - values) / components));

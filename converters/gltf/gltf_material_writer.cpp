@@ -28,6 +28,13 @@ json factors(const grf::Vec3d& v) {
   return {rounded_factor(in_unit(v.x)), rounded_factor(in_unit(v.y)), rounded_factor(in_unit(v.z))};
 }
 
+void extend(json& material, json& root, const char* name, json values) {
+  material["extensions"][name] = std::move(values);
+  json& used = root["extensionsUsed"];
+  if (!used.is_array()) used = json::array();
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
 void emit(json& material, json& root, const grf::Colour& radiance) {
   const grf::Vec3d r(std::max(radiance.x, 0.0F), std::max(radiance.y, 0.0F), std::max(radiance.z, 0.0F));
   const double strength = std::max({r.x, r.y, r.z});
@@ -37,9 +44,7 @@ void emit(json& material, json& root, const grf::Colour& radiance) {
     return;
   }
   material["emissiveFactor"] = factors(r / strength);
-  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", strength}};
-  json& used = root["extensionsUsed"];
-  if (!used.is_array()) used = json::array({"KHR_materials_emissive_strength"});
+  extend(material, root, "KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
 }
 
 /// What `GltfMaterialWriter::material` writes of a surface.
@@ -54,9 +59,10 @@ constexpr std::array<MaterialRule, 6> Rules = {{
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 1, "
      "\"roughnessFactor\": 0}",
      ""},
-    {"no highlight", "`roughnessFactor` 1", "brdf diffuse kd=0.25",
-     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.25, 0.25, 0.25, 1], \"metallicFactor\": 0, "
-     "\"roughnessFactor\": 1}",
+    {"no highlight", "`roughnessFactor` 1, and `KHR_materials_specular` with `specularFactor` 0",
+     "brdf diffuse kd=0.25",
+     "\"extensions\": {\"KHR_materials_specular\": {\"specularFactor\": 0}}, \"pbrMetallicRoughness\": "
+     "{\"baseColorFactor\": [0.25, 0.25, 0.25, 1], \"metallicFactor\": 0, \"roughnessFactor\": 1}",
      ""},
     {"`rgb` of a face", "a factor of `baseColorFactor`", "rgb (0.5, 1, 1) brdf diffuse kd=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.25, 0.5, 0.5, 1]}", ""},
@@ -104,6 +110,10 @@ int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& 
   if (resolved.texture != nullptr) {
     const int place = texture(resolved.texture->file);
     if (place >= 0) pbr["baseColorTexture"] = {{"index", place}};
+  }
+  // Else what is matte would reflect 0.04 as well.
+  if (facets.specular == grf::Vec3d(0)) {
+    extend(material, document_.json(), "KHR_materials_specular", {{"specularFactor", 0}});
   }
   // Reflectance is two-sided in GRF, and emission is not.
   material["doubleSided"] = !resolved.emission;

@@ -63,6 +63,15 @@ TEST(GrfconvertMessages, DoNotMissImagesThatAreThere) {
   }
 }
 
+TEST(GrfconvertMessages, LeaveNoImagesBesideAFileThatHoldsThem) {
+  const TemporaryFolder folder;
+  const test::Outcome outcome = grfconvert({TexturedBox, "-o", folder.path("a.glb"), "--json"});
+  EXPECT_EQ(json::parse(outcome.out)["files"], json::array());
+  EXPECT_THAT(folder.names(), ElementsAre("a.glb"));
+  ASSERT_EQ(grfconvert({folder.path("a.glb"), "-o", folder.path("b.gltf")}).exit_code, 0);
+  EXPECT_THAT(folder.names(), ElementsAre("BoxTextured_0.png", "a.glb", "b.bin", "b.gltf"));
+}
+
 // Its lines are none of the file's, and so neither is there anything of the file to show.
 TEST(GrfconvertMessages, TellTheSceneInsideAGltfFileFromTheFile) {
   const TemporaryFolder folder;

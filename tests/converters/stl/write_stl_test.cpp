@@ -1,3 +1,5 @@
+#include "converters/stl/write_stl.h"
+
 #include <array>
 #include <cstring>
 #include <stdexcept>
@@ -9,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "converters/stl/write_stl.h"
 #include "grf/summary.h"
 #include "tests/converters/reading.h"
 
