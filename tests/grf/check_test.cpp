@@ -198,7 +198,7 @@ TEST(Check, WarnsOfImagesThatAreMissingAndOfCornersWithoutUv) {
   ASSERT_EQ(diagnostics.entries().size(), 2U) << diagnostics.to_text();
   EXPECT_EQ(diagnostics.entries()[0].message, "there is no image '" + folder.path("gone.png") + "'");
   EXPECT_EQ(diagnostics.entries()[1].message,
-            "2 faces, the first is 0, have a texture and corners without uv: it is (0, 0) there");
+            "2 faces, the first is 1, have a texture and corners without uv: it is (0, 0) there");
   Diagnostics unmissed;
   EXPECT_TRUE(check(*scene, catalogue(), unmissed, {folder.path("gone.png")}));
   EXPECT_EQ(unmissed.entries().size(), 1U) << "the image is to come";
