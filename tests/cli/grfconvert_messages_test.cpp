@@ -69,7 +69,7 @@ TEST(GrfconvertMessages, LeaveNoImagesBesideAFileThatHoldsThem) {
   EXPECT_EQ(json::parse(outcome.out)["files"], json::array());
   EXPECT_THAT(folder.names(), ElementsAre("a.glb"));
   ASSERT_EQ(grfconvert({folder.path("a.glb"), "-o", folder.path("b.gltf")}).exit_code, 0);
-  EXPECT_THAT(folder.names(), ElementsAre("BoxTextured_0.png", "a.glb", "b.bin", "b.gltf"));
+  EXPECT_THAT(folder.names(), ElementsAre("CesiumLogoFlat.png", "a.glb", "b.bin", "b.gltf"));
 }
 
 // Its lines are none of the file's, and so neither is there anything of the file to show.
