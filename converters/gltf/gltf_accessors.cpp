@@ -230,9 +230,11 @@ bool GltfAccessors::fill(int index, float* values, bool infinite) {
   if (accessor.count == 0) return true;
   const bool is_packed =
       run->stride == components * sizeof(float) && accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
-  if (run->bytes != nullptr && is_packed) {
+  if (run->bytes == nullptr) {
+    std::fill_n(values, accessor.count * components, 0.0F);
+  } else if (is_packed) {
     std::memcpy(values, run->bytes, accessor.count * run->stride);
-  } else if (run->bytes != nullptr) {
+  } else {
     for (std::size_t i = 0; i < accessor.count; ++i) {
       read_element(accessor, run->bytes + i * run->stride, values + i * components);
     }

@@ -156,10 +156,11 @@ TEST(FacetValues, OfMetallicRoughnessComeBack) {
 
 // What a mapped material reflects of light is never more than comes in.
 TEST(GltfMaterial, ConservesEnergy) {
+  const grf::Catalogue catalogue = reflectance::catalogue();
   for (const double metallic : {0.0, 0.5, 1.0}) {
     for (const double roughness : {0.0, 0.1, 0.5, 1.0}) {
       const grf::BrdfModel brdf = model(brdf_of(pbr({1, 1, 1, 1}, metallic, roughness)));
-      const grf::ModelInfo* info = grf::find_model(reflectance::catalogue().brdfs, brdf.keyword);
+      const grf::ModelInfo* info = grf::find_model(catalogue.brdfs, brdf.keyword);
       ASSERT_NE(info, nullptr);
       ASSERT_NE(info->largest_albedo, nullptr);
       EXPECT_LE(info->largest_albedo(brdf).albedo, 1.001F) << brdf.keyword << ' ' << roughness;
