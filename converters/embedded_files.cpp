@@ -30,7 +30,7 @@ std::string write_beside(const EmbeddedFile& file, const std::string& output,
                          std::vector<std::string>& created, grf::Diagnostics& diagnostics) {
   for (int attempt = 1;; ++attempt) {
     const std::filesystem::path folder = std::filesystem::path(output).parent_path();
-    const std::string path = (folder / candidate(file.name, attempt)).string();
+    std::string path = (folder / candidate(file.name, attempt)).string();
     switch (grf::create_file(path, file.bytes, diagnostics)) {
       case grf::Creation::Done:
         created.push_back(path);

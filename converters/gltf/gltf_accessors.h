@@ -35,7 +35,7 @@ class GltfAccessors {
   }
 
   /// Unsigned integers, one an element.
-  std::optional<std::vector<std::uint32_t>> integers(int accessor);
+  std::optional<std::vector<std::uint32_t>> integers(int index);
 
   /// How many elements the accessor has; 0 if there is no such accessor.
   std::size_t count(int accessor) const;
@@ -59,11 +59,11 @@ class GltfAccessors {
   };
 
   const tinygltf::Accessor* find(int accessor) const;
-  std::optional<std::size_t> checked_count(int accessor, std::size_t components, bool integers);
-  std::optional<Run> run_of(int view, std::size_t offset, std::size_t count, std::size_t element_bytes,
+  std::optional<std::size_t> checked_count(int index, std::size_t components, bool integers);
+  std::optional<Run> run_of(int index, std::size_t offset, std::size_t count, std::size_t element,
                             bool may_have_stride);
   std::optional<Run> run_of(const tinygltf::Accessor& accessor);
-  bool fill(int accessor, float* values, bool infinite);
+  bool fill(int index, float* values, bool infinite);
   template <class Put>
   bool for_sparse(const tinygltf::Accessor& accessor, const Put& put);
   std::optional<std::vector<std::uint32_t>> sparse_indices(const tinygltf::Accessor& accessor);

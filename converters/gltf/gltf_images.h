@@ -19,7 +19,7 @@ class ImageNames {
  public:
   /// The name with the extension (with a dot) of the image's kind, and with `_2` and so on before that where
   /// it was taken before. A name that came from here stays as it is.
-  std::string take(std::string_view name, std::string_view extension);
+  std::string take(std::string_view wanted, std::string_view extension);
 
  private:
   std::set<std::string> taken_;  ///< in lower case, since some file systems know no other

@@ -27,7 +27,8 @@ template <class Numbers>
 Matrix44d matrix_of(const Numbers& numbers) {
   Matrix44d matrix;
   for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 4; ++k) matrix[i][k] = numbers[static_cast<std::size_t>(4 * i + k)];
+    for (int k = 0; k < 4; ++k)
+      matrix[i][k] = numbers[4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)];
   }
   return matrix;
 }

@@ -30,7 +30,7 @@ class GltfNodes {
 
   /// What moves vertices to where the joints of a skin are, from the mesh to the scene. Nothing is returned
   /// after an error.
-  std::optional<std::vector<grf::Matrix44d>> joints(int skin);
+  std::optional<std::vector<grf::Matrix44d>> joints(int index);
 
  private:
   bool find_parents();

@@ -137,10 +137,10 @@ class ObjWriter {
  private:
   void write_mesh(const WorldMesh& mesh, Output& output);
   void write_name(const std::string& name, Output& output);
-  void write_vertices(const WorldMesh& mesh, Output& output);
-  void write_face(const WorldMesh& mesh, std::size_t index, Output& output);
+  void write_vertices(const WorldMesh& placed, Output& output);
+  void write_face(const WorldMesh& placed, std::size_t index, Output& output);
   std::uint32_t uv_index(const grf::Mesh& mesh, std::uint32_t vertex, bool face_has_uvs);
-  Numbers<6> position_and_colour(const WorldMesh& mesh, std::size_t vertex) const;
+  Numbers<6> position_and_colour(const WorldMesh& placed, std::size_t vertex) const;
 
   const WorldMeshes& meshes_;
   const MtlWriter& materials_;

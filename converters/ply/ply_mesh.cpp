@@ -124,7 +124,8 @@ std::uint32_t PlyMesh::corner_with_uv(std::uint32_t vertex, const grf::Vec2f& uv
     return vertex;
   const auto [known, is_new] = copies_.emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
   if (is_new) {
-    mesh_.positions.push_back(grf::Vec3f(mesh_.positions[vertex]));
+    const grf::Vec3f position = mesh_.positions[vertex];
+    mesh_.positions.push_back(position);
     if (mesh_.normals.has(vertex)) mesh_.normals.set(known->second, grf::Vec3f(mesh_.normals[vertex]));
     if (mesh_.colours.has(vertex)) mesh_.colours.set(known->second, grf::Colour(mesh_.colours[vertex]));
     mesh_.uvs.set(known->second, uv);

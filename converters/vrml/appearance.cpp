@@ -228,7 +228,7 @@ std::optional<std::string> texture_of(const Node* texture, const std::string& fo
   if (std::all_of(addresses.begin(), addresses.end(), [](const auto& address) { return address.empty(); })) {
     return std::nullopt;
   }
-  const auto file = local_file(addresses, folder, main_path);
+  auto file = local_file(addresses, folder, main_path);
   if (!file) report.add("texture was left out", "textures were left out", "its address is not of a file");
   if (file && !is_repeated(*texture, report)) {
     report.add("texture is repeated", "textures are repeated", "the file clamps them, and GRF repeats all");

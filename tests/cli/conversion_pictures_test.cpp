@@ -30,7 +30,9 @@ struct Model {
   Edits surfaces;         ///< BRDFs that the author assigns
   Edits change;           ///< of one parameter, by little; of the text with the author's BRDFs
 
-  friend void PrintTo(const Model& model, std::ostream* out) { *out << model.name; }
+  friend void PrintTo(const Model& model, std::ostream* out) {  // NOLINT(readability-identifier-naming)
+    *out << model.name;
+  }
 };
 
 const Model Horse = {"Horse",

@@ -25,7 +25,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-using testing::UnorderedElementsAre;
 
 TEST(GrfconvertBatch, WritesEachFileIntoTheFolder) {
   const TemporaryFolder folder;

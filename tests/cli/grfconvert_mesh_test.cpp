@@ -16,9 +16,7 @@ using test::Bunny;
 using test::grfconvert;
 using test::TemporaryFolder;
 using test::Triangle;
-using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 const std::string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";

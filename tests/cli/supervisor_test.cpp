@@ -25,8 +25,6 @@ namespace convert {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 [[noreturn]] void hang() {
   for (;;) ::pause();

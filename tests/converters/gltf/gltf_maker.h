@@ -20,7 +20,8 @@ class GltfMaker {
 
   /// An accessor of numbers that are stored as T.
   template <class T>
-  int add(const std::vector<T>& values, const char* type, int component_type, nlohmann::json more = {}) {
+  int add(const std::vector<T>& values, const char* type, int component_type,
+          const nlohmann::json& more = {}) {
     const std::size_t components = components_of(type);
     while (buffer.size() % 4 != 0) buffer += '\0';
     const std::size_t bytes = values.size() * sizeof(T);

@@ -28,7 +28,7 @@ std::optional<grf::Scene> in_utf8(const grf::Scene& scene) {
 
 std::string write(const grf::Scene& scene, const test::TemporaryFolder& folder, const std::string& name) {
   grf::Diagnostics diagnostics;
-  const std::string path = folder.path(name);
+  std::string path = folder.path(name);
   EXPECT_TRUE(format_of_name(name)->write(scene, path, diagnostics)) << diagnostics.to_text();
   return path;
 }

@@ -8,7 +8,6 @@
 namespace convert {
 namespace {
 
-using testing::HasSubstr;
 using Kind = grf::TransformStep::Kind;
 
 TEST(TransformStepsText, AreThoseOfGrfInDegrees) {
