@@ -19,6 +19,8 @@ class Names {
       : from_(from), to_(to), to_folder_(folder_of(to)), renamed_(renamed) {
     moves_ = folder_of(from) != to_folder_;
   }
+  /// Absolute names in place of those in that file.
+  explicit Names(const std::string& from) : from_(from), moves_(true) {}
 
   /// False: names read alike in both.
   bool moves() const { return moves_ || !renamed_.empty(); }
@@ -28,13 +30,15 @@ class Names {
     if (renamed != renamed_.end()) return renamed->second;
     if (!moves_ || name.empty() || is_absolute(name)) return name;
     const std::filesystem::path target = canonical_path(path_beside(from_, name));
+    if (to_folder_.empty()) return target.string();
     const std::filesystem::path relative = target.lexically_relative(to_folder_);
     return relative.empty() ? target.string() : relative.string();
   }
 
   /// A name from a file that is itself named in the first one.
   std::string moved_from(const std::string& file, const std::string& name) const {
-    return Names(path_beside(from_, file), to_).moved(name);
+    const std::string beside = path_beside(from_, file);
+    return to_folder_.empty() ? Names(beside).moved(name) : Names(beside, to_).moved(name);
   }
 
  private:
@@ -162,6 +166,12 @@ void relocate(Scene& scene, const std::string& from, const std::string& to,
               const std::map<std::string, std::string>& moved) {
   const Names names(from, to, moved);
   if (names.moves()) Mover(names, false).move(scene.contents);
+}
+
+Scene with_absolute_names(const Scene& scene, const std::string& from) {
+  Scene flat = flatten(scene, from);
+  Mover(Names(from), true).move(flat.contents);
+  return flat;
 }
 
 Scene flatten(const Scene& scene, const std::string& path) {

@@ -14,6 +14,10 @@ namespace grf {
 void relocate(Scene& scene, const std::string& from, const std::string& to,
               const std::map<std::string, std::string>& moved = {});
 
+/// Names files by absolute paths, where the scene named them from the file `from` or from those that it
+/// includes. What was included becomes part of the scene, as in `flatten`.
+Scene with_absolute_names(const Scene& scene, const std::string& from);
+
 /// The scene as one file, called `path` as the scene was: blocks of included files stand in the place of the
 /// include, BRDFs that had files of their own are written out. Comments stay where they were.
 Scene flatten(const Scene& scene, const std::string& path);

@@ -22,6 +22,9 @@ class Shared {
     return *value_;
   }
 
+  /// Whether this is a copy of the other that neither has edited: the same without a comparison.
+  bool shares(const Shared& other) const { return value_ == other.value_; }
+
   friend bool operator==(const Shared& a, const Shared& b) {
     return a.value_ == b.value_ || *a.value_ == *b.value_;
   }

@@ -9,11 +9,15 @@ class Walk {
  public:
   explicit Walk(const SceneVisitor& visitor) : visitor_(visitor) {}
 
-  void blocks(const BlockList& list, const Matrix44d& to_world) {
+  /// `before`: how many definitions stand before the blocks.
+  void blocks(const BlockList& list, const Matrix44d& to_world, std::size_t before = 0) {
+    path_.push_back(static_cast<std::uint32_t>(before));
     for (const Block& block : list.blocks) {
-      const Placement placement{to_world, scope_.scope()};
+      const Placement placement{to_world, scope_.scope(), nullptr, path_};
       std::visit([&](const auto& content) { enter(content, placement, block); }, block.content);
+      ++path_.back();
     }
+    path_.pop_back();
   }
 
  private:
@@ -36,7 +40,8 @@ class Walk {
     const Definition* definition = placement.scope.find(name);
     const auto* mesh = placement.scope.find<Shared<Mesh>>(name);
     if (mesh != nullptr) {
-      visitor_.mesh(**mesh, {placement.to_world, placement.scope.around(name), definition}, block);
+      visitor_.mesh(**mesh, {placement.to_world, placement.scope.around(name), definition, placement.path},
+                    block);
     }
   }
   void enter(const Include& include, const Placement& placement, const Block&) {
@@ -47,16 +52,22 @@ class Walk {
     blocks(transform.body, matrix_of(transform.steps) * placement.to_world);
   }
   void enter(const DefinitionScope& definitions, const Placement& placement, const Block&) {
+    path_.push_back(0);
     for (const Definition& definition : definitions.definitions) {
-      if (visitor_.definition) visitor_.definition(definition, {placement.to_world, scope_.scope()});
+      if (visitor_.definition) {
+        visitor_.definition(definition, {placement.to_world, scope_.scope(), nullptr, path_});
+      }
       scope_.enter(definition);
+      ++path_.back();
     }
-    blocks(definitions.body, placement.to_world);
+    path_.pop_back();
+    blocks(definitions.body, placement.to_world, definitions.definitions.size());
     scope_.leave(definitions.definitions.size());
   }
 
   const SceneVisitor& visitor_;
   ScopeStack scope_;
+  ScenePath path_;
 };
 
 template <class Model>

@@ -12,6 +12,7 @@
 
 #include "grf/math.h"
 #include "grf/scene.h"
+#include "grf/scene_path.h"
 
 namespace grf {
 
@@ -88,6 +89,9 @@ struct Placement {
   Scope scope;  ///< where what is placed stands: for a mesh that is used, where it is defined
   /// The definition that a `use` places, null for what stands in the scene itself.
   const Definition* instance_of = nullptr;
+  /// Where the block or the definition stands that is met: for a mesh that is used, the `use`. Good until the
+  /// visitor returns.
+  ScenePathView path = {};
 };
 
 /// What to do with each kind of thing; those that are left empty are passed over. A mesh that is defined is

@@ -56,6 +56,20 @@ TEST_F(RelocateTest, NamesFilesFromTheNewPlace) {
   }
 }
 
+TEST_F(RelocateTest, NamesFilesByAbsolutePaths) {
+  folder.add("home/parts/part.grf", triangle("texture \"d.png\"", "brdf measured \"../n.binary\""));
+  folder.add("home/gold.brdf", "ward");
+  folder.add("home/scene.grf", "include \"parts/part.grf\" def m = brdf measured \"m.binary\" begin " +
+                                   triangle("texture \"../c.png\"") + triangle("texture \"/e.png\"") + "end");
+  const std::string written =
+      to_text(with_absolute_names(read_scene("home/scene.grf"), folder.path("home/scene.grf")));
+  for (const char* name : {"home/parts/d.png", "home/n.binary", "home/m.binary", "c.png"}) {
+    EXPECT_THAT(written, HasSubstr('"' + folder.path(name) + '"'));
+  }
+  EXPECT_THAT(written, HasSubstr("\"/e.png\""));
+  EXPECT_THAT(written, Not(HasSubstr("include")));
+}
+
 TEST_F(RelocateTest, ChangesNothingInTheSameFolder) {
   const std::string text = "def t = texture \"a\\\\..\\b.png\"\nbegin\nend\n";
   EXPECT_EQ(moved(text, "home/other.grf"), text);
