@@ -1,5 +1,6 @@
 // The table, and what a key means in it.
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "grf/keywords.h"
@@ -22,10 +23,13 @@ std::vector<OptionInfo> image_options() {
   using Options = RenderOptions;
   constexpr float MostStops = 100;
   return {
-      {"BPT_Scene", "", PathOption{&Options::scene}, "path", "required", "the GRF or IGRF scene"},
+      {"BPT_Scene", "", PathOption{&Options::scene, false, {"grf", "igrf"}}, "path", "required",
+       "the GRF or IGRF scene"},
       {"BPT_Image_Resolution", "--size", SizeOption{&Options::size}, "int int", "500 400",
        "width and height in pixels"},
-      {"BPT_Output_Image", "--output", PathOption{&Options::output}, "path", "the scene's name with .exr",
+      {"BPT_Output_Image", "--output",
+       PathOption{&Options::output, false, {"exr", "hdr", "pfm", "raw", "png", "jpg", "tga"}, true}, "path",
+       "the scene's name with .exr",
        "the image; the extension says the type: exr, hdr, pfm or raw keep radiance, png, jpg or tga have 8 "
        "bits and are encoded in sRGB"},
       {"BPT_Exposure", "--exposure", NumberOption<float>{&Options::exposure, -MostStops, MostStops}, "float",
@@ -50,7 +54,9 @@ std::vector<OptionInfo> view_options() {
        "vertical field of view in degrees"},
       {"BPT_Background", "", VectorOption{&Options::background, 0}, "r g b", "0 0 0",
        "radiance that comes from where nothing is, W/(sr m2)"},
-      {"BPT_EM_Background", "--environment", PathOption{&Options::environment, true}, "path", "none",
+      {"BPT_EM_Background", "--environment",
+       PathOption{&Options::environment, true, {"exr", "hdr", "pfm", "raw", "png", "jpg", "tga"}}, "path",
+       "none",
        "environment map or background image: exr, hdr, pfm, raw, png, jpg or tga, the 8-bit ones in sRGB"},
       {"BPT_EM_Projection", "", WordOption{&Options::projection, {"latlong", "backplate"}}, "word", "latlong",
        "latlong: light from all around, y up, the image's centre looks down -z, its right is +x; backplate: "
@@ -129,7 +135,7 @@ std::vector<OptionInfo> running_options() {
        "more samples where the error is, without bias: BPT_Samples is then the mean over pixels"},
       {"BPT_MaxTime", "--time", Limit{&Options::max_seconds, 0, 1e9F, true}, "float", "none",
        "stop after so many seconds of rendering, with what there is; without BPT_Samples, not before"},
-      {"BPT_Checkpoint", "--checkpoint", PathOption{&Options::checkpoint, true}, "path", "none",
+      {"BPT_Checkpoint", "--checkpoint", PathOption{&Options::checkpoint, true, {}, true}, "path", "none",
        "where to keep what a render resumes from, every minute and at its end: the same command goes on from "
        "it, "
        "and with more samples from a finished one too"},
@@ -184,12 +190,19 @@ std::vector<OptionInfo> scheme_options() {
        "number of factors J and K for Factored"},
       {"BPT_Pdf_Factors_Half", "", Flag{&Options::factors_by_half_vector}, "bool", "false",
        "parametrise by the half vector, for Factored"},
-      {"BPT_Pdf_Factors_File", "", PathOption{&Options::factors_file, true}, "path", "none",
-       "for Factored, load NAME.txt and NAME_cdf.txt instead of factoring"},
+      {"BPT_Pdf_Factors_File", "", PathOption{&Options::factors_file, true, {"txt"}, false, true}, "path",
+       "none", "for Factored, load NAME.txt and NAME_cdf.txt instead of factoring"},
       {"BPT_Pdf_CDF_Res", "", Pair{&Options::cdf_resolution, 1, 4096}, "int int", "256 32",
        "resolution over the half vector for CascadeCDF, theta and phi"},
       {"BPT_Pdf_CDF_Compress", "", Flag{&Options::compresses_cdf}, "bool", "false",
        "compress the tables of CascadeCDF"},
+  };
+}
+
+/// Of what is written down about the time that a render takes.
+std::vector<OptionInfo> time_options() {
+  using Options = RenderOptions;
+  return {
       {"BPT_Chrono_Sampling", "", BooleanOption<bool>{&Options::writes_sampling_time}, "bool", "false",
        "append the seconds that all threads spent in drawing directions to `samplingTime` beside the image"},
       {"BPT_Chrono_Rendering", "", BooleanOption<bool>{&Options::writes_rendering_time}, "bool", "false",
@@ -203,14 +216,29 @@ std::vector<OptionInfo> scheme_options() {
 
 const std::vector<OptionInfo>& option_table() {
   static const std::vector<OptionInfo> table = [] {
-    std::vector<OptionInfo> options = image_options();
-    for (const auto& group :
-         {view_options(), estimator_options(), effect_options(), running_options(), scheme_options()}) {
-      options.insert(options.end(), group.begin(), group.end());
-    }
+    std::vector<OptionInfo> options;
+    const auto add = [&](OptionGroup group, const std::vector<OptionInfo>& infos) {
+      for (OptionInfo info : infos) {
+        info.group = group;
+        options.push_back(std::move(info));
+      }
+    };
+    add(OptionGroup::Image, image_options());
+    add(OptionGroup::View, view_options());
+    add(OptionGroup::Estimator, estimator_options());
+    add(OptionGroup::Effects, effect_options());
+    add(OptionGroup::Running, running_options());
+    add(OptionGroup::Scheme, scheme_options());
+    add(OptionGroup::Times, time_options());
     return options;
   }();
   return table;
+}
+
+std::string_view title_of(OptionGroup group) {
+  static constexpr std::array<std::string_view, 7> titles = {
+      "Scene and image", "View and light", "Estimator", "Effects", "Running", "Sampling scheme", "Times"};
+  return titles[static_cast<std::size_t>(group)];
 }
 
 const OptionInfo* find_option(std::string_view key) {

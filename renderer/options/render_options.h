@@ -156,6 +156,10 @@ struct PairOption {
 struct PathOption {
   std::string RenderOptions::*field;
   bool can_be_none = false;  ///< the word `none` means no file, and leaves the field empty
+  /// Of the files that it may name, lower case, without the dot; none: whatever they are called.
+  std::vector<std::string_view> extensions = {};
+  bool is_written = false;  ///< the render makes the file; else it has to be there
+  bool is_stem = false;     ///< the name is without the extension
 
   bool means_none(std::string_view word) const { return can_be_none && grf::same_keyword(word, "none"); }
 };
@@ -174,6 +178,11 @@ struct PlaceOption {
   std::optional<grf::Vec3f> RenderOptions::*field;
 };
 
+/// What options are about, in the order of the table.
+enum class OptionGroup { Image, View, Estimator, Effects, Running, Scheme, Times };
+
+std::string_view title_of(OptionGroup group);
+
 struct OptionInfo {
   std::string_view key;   ///< of OP files, `BPT_Depth`
   std::string_view flag;  ///< of the command line, `--depth`; empty: only in files
@@ -186,6 +195,7 @@ struct OptionInfo {
   std::string_view values;         ///< what stands behind the key, `int int`
   std::string_view default_value;  ///< in words
   std::string_view meaning;
+  OptionGroup group = OptionGroup::Image;
 };
 
 const std::vector<OptionInfo>& option_table();

@@ -1,8 +1,10 @@
 #include "renderer/options/scheme_model.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,48 +14,52 @@
 namespace options {
 namespace {
 
-/// An option that was given, the schemes that have a parameter for it, and that parameter.
-struct Given {
+/// An option of some schemes, and what it is called there: a name for each of its values.
+struct SchemeParameter {
   std::string_view key;
   std::vector<std::string_view> schemes;
-  std::string_view parameter;
-  grf::Value value;
+  std::vector<std::string_view> names;  ///< none: it is no parameter of the model
 };
 
-constexpr std::string_view FactorsFile = "BPT_Pdf_Factors_File";
+const std::vector<SchemeParameter>& scheme_parameters() {
+  static const std::vector<SchemeParameter> parameters = {
+      {"BPT_Pdf_LobeExponent", {"hemisphere", "sphere"}, {"exp"}},
+      {"BPT_Pdf_AnisoNu", {"anisotropic"}, {"nu"}},
+      {"BPT_Pdf_AnisoNv", {"anisotropic"}, {"nv"}},
+      {"BPT_QT_Precomputed", {"adaptive"}, {"nQT"}},
+      {"BPT_QT_Anisotropic", {"adaptive"}, {"nAnisoQT"}},
+      {"BPT_QT_avgnmax", {"adaptive"}, {"nmax"}},
+      {"BPT_QT_ImgRes", {"adaptive"}, {"res"}},
+      {"BPT_QT_release", {"adaptive"}, {"release"}},
+      {"BPT_Pdf_Factors_ResU", {"factored"}, {"uTh", "uPh"}},
+      {"BPT_Pdf_Factors_ResP", {"factored"}, {"pTh", "pPh"}},
+      {"BPT_Pdf_Factors_JK", {"factored"}, {"J", "K"}},
+      {"BPT_Pdf_Factors_Half", {"factored"}, {"half"}},
+      {"BPT_Pdf_Factors_File", {"factored"}, {}},
+      {"BPT_Pdf_CDF_Res", {"cascadeCDF"}, {"nTh", "nPh"}},
+      {"BPT_Pdf_CDF_Compress", {"cascadeCDF"}, {"compress"}}};
+  return parameters;
+}
 
-std::vector<Given> given_options(const RenderOptions& options) {
-  std::vector<Given> given;
-  const std::vector<std::string_view> lobes = {"hemisphere", "sphere"};
-  const auto add = [&](std::string_view key, const std::vector<std::string_view>& schemes,
-                       std::string_view parameter, const auto& value) {
-    if constexpr (std::is_same_v<decltype(*value), const bool&>) {
-      if (value) given.push_back({key, schemes, parameter, *value});
-    } else {
-      if (value) given.push_back({key, schemes, parameter, static_cast<float>(*value)});
-    }
-  };
-  const auto add_pair = [&](std::string_view key, std::string_view scheme, std::string_view first,
-                            std::string_view second, const std::optional<IntegerPair>& pair) {
-    if (!pair) return;
-    given.push_back({key, {scheme}, first, static_cast<float>(pair->first)});
-    given.push_back({key, {scheme}, second, static_cast<float>(pair->second)});
-  };
-  add("BPT_Pdf_LobeExponent", lobes, "exp", options.lobe_exponent);
-  add("BPT_Pdf_AnisoNu", {"anisotropic"}, "nu", options.anisotropic_nu);
-  add("BPT_Pdf_AnisoNv", {"anisotropic"}, "nv", options.anisotropic_nv);
-  add("BPT_QT_Precomputed", {"adaptive"}, "nQT", options.trees_over_theta);
-  add("BPT_QT_Anisotropic", {"adaptive"}, "nAnisoQT", options.trees_over_phi);
-  add("BPT_QT_avgnmax", {"adaptive"}, "nmax", options.mean_tries);
-  add("BPT_QT_ImgRes", {"adaptive"}, "res", options.tree_resolution);
-  add("BPT_QT_release", {"adaptive"}, "release", options.releases_table);
-  add_pair("BPT_Pdf_Factors_ResU", "factored", "uTh", "uPh", options.factors_u);
-  add_pair("BPT_Pdf_Factors_ResP", "factored", "pTh", "pPh", options.factors_p);
-  add_pair("BPT_Pdf_Factors_JK", "factored", "J", "K", options.factors);
-  add("BPT_Pdf_Factors_Half", {"factored"}, "half", options.factors_by_half_vector);
-  add_pair("BPT_Pdf_CDF_Res", "cascadeCDF", "nTh", "nPh", options.cdf_resolution);
-  add("BPT_Pdf_CDF_Compress", {"cascadeCDF"}, "compress", options.compresses_cdf);
-  return given;
+std::vector<grf::Value> values_of(bool value) { return {value}; }
+std::vector<grf::Value> values_of(int value) { return {static_cast<float>(value)}; }
+std::vector<grf::Value> values_of(float value) { return {value}; }
+std::vector<grf::Value> values_of(const IntegerPair& value) {
+  return {static_cast<float>(value.first), static_cast<float>(value.second)};
+}
+
+/// What was given for an option of a scheme.
+std::vector<grf::Value> given_values(const RenderOptions& options, const OptionInfo& info) {
+  return std::visit(
+      [&](const auto& value) {
+        const auto& field = options.*value.field;
+        if constexpr (requires { values_of(*field); }) {
+          return field ? values_of(*field) : std::vector<grf::Value>();
+        } else {
+          return std::vector<grf::Value>();
+        }
+      },
+      info.value);
 }
 
 /// What a scene calls the scheme of that name.
@@ -62,10 +68,57 @@ std::string keyword_of(std::string_view name) {
   return grf::same_keyword(name, "CascadeCDF") ? "cascadeCDF" : grf::lower_case(name);
 }
 
-bool is_for(const Given& option, std::string_view keyword) {
-  return std::any_of(option.schemes.begin(), option.schemes.end(),
+bool is_for(const SchemeParameter& parameter, std::string_view keyword) {
+  return std::any_of(parameter.schemes.begin(), parameter.schemes.end(),
                      [&](std::string_view scheme) { return grf::same_keyword(scheme, keyword); });
 }
+
+bool is_naive(const RenderOptions& options) { return options.integrator == "naive"; }
+
+/// Why an option has no effect; empty if it has one.
+struct Rule {
+  std::string_view key;
+  std::string_view (*why)(const RenderOptions& options);
+};
+
+std::string_view why_no_places(const RenderOptions& options) {
+  return is_naive(options) ? "" : "the integrator 'path' spreads its samples by itself";
+}
+
+std::string_view why_no_resampling(const RenderOptions& options) {
+  if (options.environment.empty()) {
+    return options.projection == "backplate" ? "a backplate lights nothing" : "no BPT_EM_Background is given";
+  }
+  if (options.projection == "backplate") return "a backplate lights nothing";
+  return is_naive(options) ? "the integrator 'naive' samples no light" : "";
+}
+
+constexpr std::array Rules = {
+    Rule{"BPT_Samples",
+         [](const RenderOptions& options) -> std::string_view {
+           return is_naive(options) ? "the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2" : "";
+         }},
+    Rule{"BPT_Branches",
+         [](const RenderOptions& options) -> std::string_view {
+           return is_naive(options) ? "the integrator 'naive' takes NSecRaysRoot^2" : "";
+         }},
+    Rule{"BPT_Irradiance",
+         [](const RenderOptions& options) -> std::string_view {
+           return is_naive(options) ? "the integrator 'naive' finds all light by its own rays" : "";
+         }},
+    Rule{"BPT_Pixel_Radial", why_no_places},
+    Rule{"BPT_Pixel_Random", why_no_places},
+    Rule{"BPT_EM_Projection",
+         [](const RenderOptions& options) -> std::string_view {
+           return options.environment.empty() ? "no BPT_EM_Background is given" : "";
+         }},
+    Rule{"BPT_RIS", why_no_resampling},
+};
+
+/// What a render of normals looks at no more than at what its rays would do behind their first hits.
+constexpr std::array UnusedByRayCasting = {"BPT_Integrator",   "BPT_Depth",           "BPT_Branches",
+                                           "BPT_Samples",      "BPT_Pixel_SampleRes", "BPT_Pixel_Random",
+                                           "BPT_Pixel_Radial", "BPT_RE_NSecRaysRoot"};
 
 }  // namespace
 
@@ -74,49 +127,44 @@ std::optional<grf::PdfModel> scheme_model(const RenderOptions& options) {
   grf::PdfModel model;
   model.keyword = keyword_of(options.name);
   model.location = options.locations.of("BPT_Pdf_Name");
-  for (const Given& option : given_options(options)) {
-    if (!is_for(option, model.keyword)) continue;
-    model.arguments.push_back(
-        {std::string(option.parameter), option.value, options.locations.of(option.key)});
+  for (const SchemeParameter& parameter : scheme_parameters()) {
+    if (!is_for(parameter, model.keyword) || parameter.names.empty()) continue;
+    const std::vector<grf::Value> values = given_values(options, *find_option(parameter.key));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      model.arguments.push_back(
+          {std::string(parameter.names[i]), values[i], options.locations.of(parameter.key)});
+    }
   }
   return model;
 }
 
+std::optional<std::string> why_unused(const RenderOptions& options, const OptionInfo& option) {
+  for (const SchemeParameter& parameter : scheme_parameters()) {
+    if (parameter.key != option.key) continue;
+    if (options.name.empty()) {
+      return "no BPT_Pdf_Name is given, and the scene's schemes have their own parameters";
+    }
+    const std::string keyword = keyword_of(options.name);
+    if (!is_for(parameter, keyword)) return fmt::format("the scheme '{}' does not use it", keyword);
+  }
+  if (options.ray_casting && std::find(UnusedByRayCasting.begin(), UnusedByRayCasting.end(), option.key) !=
+                                 UnusedByRayCasting.end()) {
+    return "BPT_RayCasting takes one ray a pixel";
+  }
+  for (const Rule& rule : Rules) {
+    if (rule.key == option.key && !rule.why(options).empty()) return std::string(rule.why(options));
+  }
+  return std::nullopt;
+}
+
 void warn_of_unused_options(const RenderOptions& options, grf::Diagnostics& diagnostics) {
-  const std::string keyword = keyword_of(options.name);
-  const auto warn = [&](std::string_view key) {
-    const std::string why =
-        options.name.empty() ? "no BPT_Pdf_Name is given, and the scene's schemes have their own parameters"
-                             : fmt::format("the scheme '{}' does not use it", keyword);
-    diagnostics.warning(options.locations.of(key), fmt::format("{} has no effect: {}", key, why));
-  };
-  std::string_view last;
-  for (const Given& option : given_options(options)) {
-    if (option.key != last && (options.name.empty() || !is_for(option, keyword))) warn(option.key);
-    last = option.key;
-  }
-  if (!options.factors_file.empty() && keyword != "factored") warn(FactorsFile);
-  const auto warn_of = [&](std::string_view key, std::string_view why) {
-    diagnostics.warning(options.locations.of(key), fmt::format("{} has no effect: {}", key, why));
-  };
-  const bool is_naive = options.integrator == "naive";
-  if (is_naive && options.samples) {
-    warn_of("BPT_Samples", "the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2");
-  }
-  if (is_naive && options.uses_irradiance) {
-    warn_of("BPT_Irradiance", "the integrator 'naive' finds all light by its own rays");
-  }
-  const std::string_view places = "the integrator 'path' spreads its samples by itself";
-  if (!is_naive && options.pixel_radial) warn_of("BPT_Pixel_Radial", places);
-  if (!is_naive && !options.pixel_random) warn_of("BPT_Pixel_Random", places);
-  const bool is_backplate = options.projection == "backplate";
-  if (options.environment.empty() && is_backplate) {
-    warn_of("BPT_EM_Projection", "no BPT_EM_Background is given");
-  }
-  if (options.resampling && (options.environment.empty() || is_backplate)) {
-    warn_of("BPT_RIS", is_backplate ? "a backplate lights nothing" : "no BPT_EM_Background is given");
-  } else if (options.resampling && is_naive) {
-    warn_of("BPT_RIS", "the integrator 'naive' samples no light");
+  const RenderOptions defaults;
+  for (const OptionInfo& option : option_table()) {
+    if (option_words(options, option) == option_words(defaults, option)) continue;
+    if (const auto why = why_unused(options, option)) {
+      diagnostics.warning(options.locations.of(option.key),
+                          fmt::format("{} has no effect: {}", option.key, *why));
+    }
   }
 }
 

@@ -12,8 +12,11 @@ namespace options {
 /// Nothing if they name none: each BRDF then has the scene's. Its locations are those of the options.
 std::optional<grf::PdfModel> scheme_model(const RenderOptions& options);
 
-/// Warns of options that were given and that no scheme in use looks at: those of other schemes than the one
-/// that is named, and all where none is.
+/// Why an option has no effect while the others are as they are, given or not; nothing if it has one.
+std::optional<std::string> why_unused(const RenderOptions& options, const OptionInfo& option);
+
+/// Warns of options that are not at their defaults and have no effect, such as those of other schemes than
+/// the one that is named.
 void warn_of_unused_options(const RenderOptions& options, grf::Diagnostics& diagnostics);
 
 }  // namespace options

@@ -93,15 +93,33 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
             "3: BPT_EM_Projection has no effect: no BPT_EM_Background is given\n"
             "2: BPT_RIS has no effect: a backplate lights nothing\n");
   EXPECT_EQ(warnings_of("BPT_Pixel_Radial true\nBPT_Pixel_Random false\n"),
-            "2: BPT_Pixel_Radial has no effect: the integrator 'path' spreads its samples by itself\n"
-            "3: BPT_Pixel_Random has no effect: the integrator 'path' spreads its samples by itself\n");
+            "3: BPT_Pixel_Random has no effect: the integrator 'path' spreads its samples by itself\n"
+            "2: BPT_Pixel_Radial has no effect: the integrator 'path' spreads its samples by itself\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Pixel_Radial true\nBPT_Samples 4\n"),
             "4: BPT_Samples has no effect: the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Irradiance true\n"),
             "3: BPT_Irradiance has no effect: the integrator 'naive' finds all light by its own rays\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_RIS 8 2\nBPT_EM_Background sky.exr\n"),
             "3: BPT_RIS has no effect: the integrator 'naive' samples no light\n");
+  EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Branches 3\n"),
+            "3: BPT_Branches has no effect: the integrator 'naive' takes NSecRaysRoot^2\n");
+  EXPECT_EQ(warnings_of("BPT_RayCasting true\nBPT_Depth 3\n"),
+            "3: BPT_Depth has no effect: BPT_RayCasting takes one ray a pixel\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\n"), "2: BPT_RIS has no effect: no BPT_EM_Background is given\n");
+}
+
+// A form disables what would have no effect, before it is given.
+TEST_F(SchemeModel, KnowsWhatIsUnusedBeforeItIsGiven) {
+  const auto why = [](const RenderOptions& given, std::string_view key) {
+    return options::why_unused(given, *options::find_option(key)).value_or("");
+  };
+  RenderOptions given;
+  given.name = "CascadeCDF";
+  EXPECT_EQ(why(given, "BPT_QT_avgnmax"), "the scheme 'cascadeCDF' does not use it");
+  EXPECT_EQ(why(given, "BPT_Pdf_CDF_Res"), "");
+  EXPECT_EQ(why(given, "BPT_EM_Projection"), "no BPT_EM_Background is given");
+  EXPECT_EQ(why(given, "BPT_Depth"), "");
+  EXPECT_EQ(why(given, "BPT_Pixel_Radial"), "the integrator 'path' spreads its samples by itself");
 }
 
 }  // namespace
