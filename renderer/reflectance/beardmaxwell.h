@@ -42,9 +42,10 @@ struct BeardMaxwell : CosineAndLobe<BeardMaxwell> {
         .title = "Beard-Maxwell",
         .paper = "Maxwell, Beard, Weiner, Ladd and Ward 1973; Westlund and Meyer 2002",
         .parameters =
-            {number_parameter(&Self::omega, "omega", 1e-6F, 1e6F, "angle of shadowing, in radians",
-                              Logarithmic),
-             number_parameter(&Self::tau, "tau", 0, 1e6F, "angle of obscuration, in radians", Logarithmic),
+            {in_unit("rad",
+                     number_parameter(&Self::omega, "omega", 1e-6F, 1e6F, "angle of shadowing", Logarithmic)),
+             in_unit("rad",
+                     number_parameter(&Self::tau, "tau", 0, 1e6F, "angle of obscuration", Logarithmic)),
              number_parameter(&Self::nreal, "nreal", 0, 100, "index of refraction of the first surface"),
              number_parameter(&Self::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
              reflectance_parameter(&Self::rs, "Rs", "weight of the first surface"),

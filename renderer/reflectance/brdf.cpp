@@ -8,6 +8,12 @@ std::optional<Brdf> make_brdf(const grf::Model& data) { return make_any<Brdf>(da
 
 Brdf default_brdf() { return Diffuse(); }
 
+grf::BrdfModel default_model() {
+  grf::BrdfModel model;
+  model.keyword = Diffuse::table().keyword;
+  return model;
+}
+
 bool has_mirror(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {

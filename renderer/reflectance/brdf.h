@@ -64,6 +64,8 @@ std::optional<Brdf> make_brdf(const grf::Model& data);
 
 /// What a face without a BRDF has: diffuse with kd = 0.5.
 Brdf default_brdf();
+/// The same as a scene writes it.
+grf::BrdfModel default_model();
 
 inline Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
   return std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf);

@@ -43,6 +43,14 @@ std::vector<const grf::BrdfModel*> BrdfMaker::models_of(const grf::BrdfModel& da
   return models;
 }
 
+std::vector<std::string> BrdfMaker::data_files_of(const grf::BrdfModel& data, const grf::Scope& scope) {
+  std::vector<std::string> paths;
+  for (const grf::BrdfModel* model : models_of(data, scope)) {
+    if (!model->data_file.empty()) paths.push_back(grf::canonical_path(data_path(*model)));
+  }
+  return paths;
+}
+
 std::string BrdfMaker::identity(const grf::BrdfModel& data, const grf::Scope& scope) {
   std::string text;
   for (const Leaf& leaf : leaves_of(data, scope)) {

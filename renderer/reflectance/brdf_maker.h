@@ -23,6 +23,9 @@ class BrdfMaker {
   /// What a sum adds up, without sums, or the model itself; those of weight 0 are left out. Reads no data.
   std::vector<const grf::BrdfModel*> models_of(const grf::BrdfModel& data, const grf::Scope& scope);
 
+  /// The paths of the files that a BRDF is made of.
+  std::vector<std::string> data_files_of(const grf::BrdfModel& data, const grf::Scope& scope);
+
   /// A text that is the same for the same BRDFs.
   std::string identity(const grf::BrdfModel& data, const grf::Scope& scope);
 

@@ -15,10 +15,10 @@ template <class Model>
 std::vector<Parameter<Model>> kirchhoff_parameters() {
   constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
   return {
-      number_parameter<Model>(&Model::sigma, "sigma", 0, 1e3F, "rms height, in micrometres", Logarithmic),
-      number_parameter<Model>(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length, in micrometres",
-                              Logarithmic),
-      rgb_parameter<Model>(&Model::lambda, "lambda", 1, 1e6F, "wavelength, in nanometres", Logarithmic),
+      in_unit("um", number_parameter<Model>(&Model::sigma, "sigma", 0, 1e3F, "rms height", Logarithmic)),
+      in_unit("um", number_parameter<Model>(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length",
+                                            Logarithmic)),
+      in_unit("nm", rgb_parameter<Model>(&Model::lambda, "lambda", 1, 1e6F, "wavelength", Logarithmic)),
       number_parameter<Model>(&Model::nreal, "nreal", 0, 100,
                               "index of refraction; 0 is a perfect conductor"),
       number_parameter<Model>(&Model::nimag, "nimag", 0, 100, "its imaginary part, for metals"),

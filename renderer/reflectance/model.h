@@ -254,4 +254,11 @@ Parameter<Model> number_parameter(float Model::*field, std::string_view name, fl
   return {field, std::move(info)};
 }
 
+/// The same row with a unit of its values.
+template <class Model>
+Parameter<Model> in_unit(std::string_view unit, Parameter<Model> parameter) {
+  parameter.info.unit = unit;
+  return parameter;
+}
+
 }  // namespace reflectance

@@ -27,9 +27,9 @@ struct Oren {
   Rgb r = Rgb(0.5F);
 
   static ModelTable<Oren> table() {
-    Parameter<Oren> slope =
-        number_parameter(&Oren::s, "s", 0, 1, "standard deviation of the facets' slope angle: 0 is Lambert");
-    slope.info.unit = "rad";
+    const Parameter<Oren> slope = in_unit(
+        "rad",
+        number_parameter(&Oren::s, "s", 0, 1, "standard deviation of the facets' slope angle: 0 is Lambert"));
     return {
         .keyword = "oren",
         .title = "Oren-Nayar",

@@ -6,6 +6,7 @@
 
 #include "grf/read.h"
 #include "renderer/reflectance/brdf.h"
+#include "renderer/reflectance/presets.h"
 
 namespace test {
 
@@ -29,22 +30,14 @@ struct ThesisCase {
 };
 inline const std::vector<ThesisCase>& thesis_cases() {
   static const std::vector<ThesisCase> cases = {
-      {"ashikhmin ex=25 Rs=0.39 Rd=0.6", 6.25},
-      {"beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5", 1713.25},
-      {"blinn n=100 ks=1 kd=0.67", 582.25},
-      {"coupled Rm=1 R0=0.05", 6.25},
-      {"he sigma=0.5 tau=3 lambda=800", 2407.25},
-      {"lafortune n=100 kp=0.96", 1275.25},
-      {"lewis n=100 ks=1 kd=0", 1279.25},
-      {"minnaert k=0.8 kd=1", 1461.25},
-      {"oren s=0 r=1", 6.25},
-      {"phong n=100 ks=0.4 kd=0.6", 1279.25},
-      {"poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2", 297.25},
-      {"schlick SC=0.7 Sr=0.31 Sp=1 Ly=true DC=1 Dr=0 Dp=1", 342.25},
-      {"schlick SC=0.7 Sr=0.31", 780.25},
-      {"strauss s=0.76 m=0.91 ks=0.64 kd=0.5", 727.25},
-      {"torrance rough=0.35 nreal=0.617 nimag=2.63 ks=0.7 kd=0.3", 631.25},
-      {"ward sx=0.2 ks=0.5 kd=0.5", 483.25},
+      {reflectance::thesis_model("ashikhmin"), 6.25},   {reflectance::thesis_model("beardmaxwell"), 1713.25},
+      {reflectance::thesis_model("blinn"), 582.25},     {reflectance::thesis_model("coupled"), 6.25},
+      {reflectance::thesis_model("he"), 2407.25},       {reflectance::thesis_model("lafortune"), 1275.25},
+      {reflectance::thesis_model("lewis"), 1279.25},    {reflectance::thesis_model("minnaert"), 1461.25},
+      {reflectance::thesis_model("oren"), 6.25},        {reflectance::thesis_model("phong"), 1279.25},
+      {reflectance::thesis_model("poulin"), 297.25},    {reflectance::thesis_model("schlick-d"), 342.25},
+      {reflectance::thesis_model("schlick-s"), 780.25}, {reflectance::thesis_model("strauss"), 727.25},
+      {reflectance::thesis_model("torrance"), 631.25},  {reflectance::thesis_model("ward"), 483.25},
   };
   return cases;
 }

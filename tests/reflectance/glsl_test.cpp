@@ -1,10 +1,8 @@
 // The formulas are one text for two languages: here both run it over the same directions and parameters.
-#include <fstream>
-#include <iterator>
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/reflectance/shader.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/glsl_context.h"
 #include "tests/reflectance/random_models.h"
@@ -15,49 +13,12 @@ using reflectance::Rgb;
 using reflectance::Vec3f;
 using test::Pair;
 
-std::string text_of(const std::string& name) {
-  std::ifstream file(std::string(GRANADA_SOURCE_DIR "/renderer/reflectance/") + name + ".glsl");
-  EXPECT_TRUE(file) << name;
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-std::string functions_of(std::string_view keyword) {
-  std::string text;
-  for (const char* shared :
-       {"glsl_functions", "float_functions", "common", "fresnel", "beckmann", "refraction", "kirchhoff"})
-    text += text_of(shared);
-  return text + text_of(std::string(keyword));
-}
-
 /// A difference in 1/sr that no image shows: where the terms of a formula cancel, digits are lost in both.
 constexpr float Unseen = 1e-7F;
 
 template <class Model>
-std::string argument(std::size_t k, float Model::*) {
-  return fmt::format("parameter({}).x", k);
-}
-template <class Model>
-std::string argument(std::size_t k, Rgb Model::*) {
-  return fmt::format("parameter({})", k);
-}
-template <class Model>
-std::string argument(std::size_t k, int Model::*) {
-  return fmt::format("int(parameter({}).x)", k);
-}
-template <class Model>
-std::string argument(std::size_t k, bool Model::*) {
-  return fmt::format("(parameter({}).x != 0)", k);
-}
-
-/// The call of a model's GLSL function: its arguments are its parameters in the order of its table.
-template <class Model>
 std::string call_of() {
-  const auto table = Model::table();
-  std::string call = fmt::format("{}(u, v", table.keyword);
-  for (std::size_t k = 0; k < table.parameters.size(); ++k) {
-    call += ", " + std::visit([&](auto field) { return argument(k, field); }, table.parameters[k].field);
-  }
-  return call + ")";
+  return reflectance::shader_call<Model>([](std::size_t k) { return fmt::format("parameter({})", k); });
 }
 
 /// The call of the function for a model's Dirac part, for those whose formula is no constant: as `call_of`,
@@ -69,11 +30,6 @@ std::string mirror_call_of() {
   call.resize(call.rfind(", parameter"));
   return keyword + "_mirror(u" + call.substr(keyword.size() + 5) + ")";
 }
-
-Rgb shader_value(float value) { return Rgb(value); }
-Rgb shader_value(int value) { return Rgb(static_cast<float>(value)); }
-Rgb shader_value(bool value) { return Rgb(value ? 1.0F : 0.0F); }
-Rgb shader_value(const Rgb& value) { return value; }
 
 /// What a model's shader is run over, and the models, for messages.
 template <class Model>
@@ -88,10 +44,7 @@ struct Triples {
     models.push_back(model);
     parameters.width = static_cast<int>(table.parameters.size());
     parameters.pairs_each = static_cast<int>(pairs.size());
-    for (const auto& parameter : table.parameters) {
-      parameters.values.push_back(
-          std::visit([&](auto field) { return shader_value(model.*field); }, parameter.field));
-    }
+    for (const Rgb& value : reflectance::shader_values(model)) parameters.values.push_back(value);
     for (const Pair& pair : pairs) {
       u.push_back(pair.u);
       v.push_back(pair.v);
@@ -111,8 +64,8 @@ float tolerance(std::string_view keyword) {
 template <class Model>
 void expect_same(const Triples<Model>& triples) {
   const std::string_view keyword = Model::table().keyword;
-  const std::vector<Rgb> shader = test::GlslContext().run(functions_of(keyword), call_of<Model>(), triples.u,
-                                                          triples.v, triples.parameters);
+  const std::vector<Rgb> shader = test::GlslContext().run(
+      reflectance::shader_functions({keyword}), call_of<Model>(), triples.u, triples.v, triples.parameters);
   test::Failures failures;
   for (std::size_t i = 0; i < shader.size(); ++i) {
     const Model& model = triples.model_of(i);
@@ -159,8 +112,8 @@ void expect_mirror_is_what_cpp_is() {
   test::for_each_set<Model>(
       [&](const Model& model, std::span<const Pair> pairs) { triples.add(model, pairs.first(4)); });
   const std::vector<Rgb> shader =
-      test::GlslContext().run(functions_of(Model::table().keyword), mirror_call_of<Model>(), triples.u,
-                              triples.u, triples.parameters);
+      test::GlslContext().run(reflectance::shader_functions({Model::table().keyword}),
+                              mirror_call_of<Model>(), triples.u, triples.u, triples.parameters);
   test::Failures failures;
   for (std::size_t i = 0; i < shader.size(); ++i) {
     const Rgb expected = triples.model_of(i).mirror(triples.u[i]);
@@ -177,6 +130,54 @@ void expect_mirror_is_what_cpp_is() {
 TEST(GlslMirror, IsWhatCppsIs) {
   expect_mirror_is_what_cpp_is<reflectance::He>();
   expect_mirror_is_what_cpp_is<reflectance::Westin>();
+}
+
+/// All formulas in one text, weighted: names of functions must not clash.
+TEST(GlslSum, IsWhatCppIs) {
+  using reflectance::CombinedBrdfs;
+  auto parts = std::make_shared<CombinedBrdfs>();
+  for (const reflectance::Preset& preset : reflectance::thesis_models().presets) {
+    parts->push_back({0.1F * static_cast<float>(parts->size()), test::brdf_of(std::string(preset.brdf))});
+  }
+  for (const char* more :
+       {"specular", "diffuse", "neumann", "kajiya", "hanrahan", "westin", "granier tilt=0.2"}) {
+    parts->push_back({0.5F, test::brdf_of(more)});
+  }
+  const reflectance::Brdf brdf = reflectance::Combine{parts};
+  const auto shader = reflectance::shader_of(brdf);
+  ASSERT_TRUE(shader);
+  std::string text = shader->text;
+  const std::string uniform = fmt::format("uniform vec3 brdf_parameters[{}];", shader->parameters.size());
+  ASSERT_NE(text.find(uniform), std::string::npos);
+  std::string constants = fmt::format("const vec3 brdf_parameters[{}] = vec3[](", shader->parameters.size());
+  for (const Rgb& value : shader->parameters)
+    constants += fmt::format("vec3({}, {}, {}),", value.x, value.y, value.z);
+  constants.back() = ')';
+  text.replace(text.find(uniform), uniform.size(), constants + ";");
+  std::vector<Vec3f> u;
+  std::vector<Vec3f> v;
+  for (const Pair& pair : test::direction_pairs(256, 7)) {
+    u.push_back(pair.u);
+    v.push_back(pair.v);
+  }
+  const std::vector<Rgb> values =
+      test::GlslContext().run(text, "brdf_value(u, v)", u, v, {1, static_cast<int>(u.size()), {Rgb(0)}});
+  int far = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const Rgb expected = reflectance::evaluate(brdf, u[i], v[i]);
+    if (!values[i].equalWithRelError(expected, 2e-3F)) ++far;
+  }
+  // Steps, such as the edge of a disc lobe, may fall between the two.
+  EXPECT_LE(far, static_cast<int>(u.size()) / 100);
+}
+
+TEST(Shader, IsNotThereForMeasurements) {
+  auto parts = std::make_shared<reflectance::CombinedBrdfs>();
+  parts->push_back({0.5F, reflectance::Diffuse()});
+  EXPECT_TRUE(reflectance::shader_of(reflectance::Combine{parts}));
+  parts->push_back({0.5F, reflectance::Measured()});
+  EXPECT_FALSE(reflectance::shader_of(reflectance::Combine{parts}));
+  EXPECT_FALSE(reflectance::shader_of(reflectance::Measured()));
 }
 
 }  // namespace

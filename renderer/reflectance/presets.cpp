@@ -1,0 +1,55 @@
+#include "renderer/reflectance/presets.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace reflectance {
+
+const PresetTable& thesis_models() {
+  static const PresetTable table = {
+      "Thesis, table 5.5",
+      {{"ashikhmin", "ashikhmin ex=25 ey=25 Rs=0.39 Rd=0.6"},
+       {"beardmaxwell", "beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5"},
+       {"blinn", "blinn n=100 ks=1 kd=0.67"},
+       {"coupled", "coupled Rm=1 R0=0.05"},
+       {"he", "he sigma=0.5 tau=3 lambda=800"},
+       {"lafortune", "lafortune Cx=-1 Cy=-1 Cz=1 n=100 kp=0.96"},
+       {"lewis", "lewis n=100 ks=1 kd=0"},
+       {"minnaert", "minnaert k=0.8 kd=1"},
+       {"oren", "oren s=0 r=1"},
+       {"phong", "phong n=100 ks=0.4 kd=0.6"},
+       {"poulin", "poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2"},
+       {"schlick-d", "schlick SC=0.7 Sr=0.31 Sp=1 Ly=true DC=1 Dr=0 Dp=1"},
+       {"schlick-s", "schlick SC=0.7 Sr=0.31 Sp=1 Ly=false"},
+       {"strauss", "strauss s=0.76 m=0.91 ks=0.64 kd=0.5"},
+       {"torrance", "torrance rough=0.35 nreal=0.617 nimag=2.63 ks=0.7 kd=0.3"},
+       {"ward", "ward sx=0.2 sy=0.2 ks=0.5 kd=0.5"}}};
+  return table;
+}
+
+const std::vector<PresetTable>& preset_tables() {
+  static const std::vector<PresetTable> tables = {
+      thesis_models(),
+      {"Thesis, table 2.1: dielectrics",
+       {{"ice", "torrance rough=0.05 nreal=1.31 nimag=0 ks=1 kd=0"},
+        {"water", "torrance rough=0.05 nreal=1.333 nimag=0 ks=1 kd=0"},
+        {"quartz", "torrance rough=0.05 nreal=1.46 nimag=0 ks=1 kd=0"},
+        {"crystal", "torrance rough=0.05 nreal=1.55 nimag=0 ks=1 kd=0"},
+        {"diamond", "torrance rough=0.05 nreal=2.42 nimag=0 ks=1 kd=0"}}},
+      {"Thesis, table 2.2: metals",
+       {{"gold", "torrance rough=0.2 nreal=0.37 nimag=2.82 ks=(1, 0.78, 0.34) kd=0"},
+        {"silver", "torrance rough=0.2 nreal=0.177 nimag=3.638 ks=(1, 0.98, 0.94) kd=0"},
+        {"copper", "torrance rough=0.2 nreal=0.617 nimag=2.63 ks=(1, 0.68, 0.54) kd=0"},
+        {"iron", "torrance rough=0.2 nreal=2.485 nimag=3.433 ks=(1, 0.99, 0.97) kd=0"}}}};
+  return tables;
+}
+
+std::string thesis_model(std::string_view name) {
+  const std::vector<Preset>& presets = thesis_models().presets;
+  const auto found = std::find_if(presets.begin(), presets.end(),
+                                  [name](const Preset& preset) { return preset.name == name; });
+  assert(found != presets.end());
+  return std::string(found->brdf);
+}
+
+}  // namespace reflectance

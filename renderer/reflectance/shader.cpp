@@ -1,0 +1,91 @@
+#include "renderer/reflectance/shader.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "renderer/reflectance/glsl_texts.h"
+
+namespace reflectance {
+namespace {
+
+/// OpenGL 3.3 promises 1024 numbers, of which other uniforms want some.
+constexpr std::size_t MostParameters = 224;
+
+std::string_view text_of(std::string_view name) {
+  const auto& texts = glsl_texts();
+  const auto found =
+      std::find_if(texts.begin(), texts.end(), [name](const GlslText& one) { return one.name == name; });
+  assert(found != texts.end());
+  return found->text;
+}
+
+std::string parameter_text(std::size_t k) { return fmt::format("brdf_parameters[{}]", k); }
+
+/// Terms of a sum, or a model alone, on their way to a text.
+class Maker {
+ public:
+  bool add(const Brdf& brdf) {
+    if (const auto* sum = std::get_if<Combine>(&brdf)) return add(*sum);
+    return std::visit([&](const auto& model) { return add_term(model, ""); }, brdf);
+  }
+
+  Shader shader() && {
+    parameters_.resize(std::max<std::size_t>(parameters_.size(), 1));
+    std::string text = shader_functions({keywords_.begin(), keywords_.end()});
+    text += fmt::format("uniform vec3 brdf_parameters[{}];\n", parameters_.size());
+    text +=
+        fmt::format("vec3 brdf_value(vec3 u, vec3 v) {{ return {}; }}\n", sum_.empty() ? "vec3(0)" : sum_);
+    return {std::move(text), std::move(parameters_)};
+  }
+
+ private:
+  bool add(const Combine& sum) {
+    if (!sum.parts) return true;
+    return std::all_of(sum.parts->begin(), sum.parts->end(), [this](const CombinedBrdf& part) {
+      parameters_.emplace_back(part.weight);
+      const std::string weight = parameter_text(parameters_.size() - 1) + ".x * ";
+      return std::visit([&](const auto& model) { return add_term(model, weight); }, part.brdf);
+    });
+  }
+
+  template <class Model>
+  bool add_term(const Model& model, const std::string& weight) {
+    if constexpr (std::is_same_v<Model, Combine> || std::is_same_v<Model, Measured>) {
+      return false;
+    } else {
+      const std::size_t first = parameters_.size();
+      keywords_.insert(Model::table().keyword);
+      if (!sum_.empty()) sum_ += " + ";
+      sum_ += weight + shader_call<Model>([first](std::size_t k) { return parameter_text(first + k); });
+      for (const Rgb& value : shader_values(model)) parameters_.push_back(value);
+      return parameters_.size() <= MostParameters;
+    }
+  }
+
+  std::set<std::string_view> keywords_;
+  std::string sum_;
+  std::vector<Rgb> parameters_;
+};
+
+}  // namespace
+
+std::string shader_functions(const std::vector<std::string_view>& keywords) {
+  std::string text;
+  for (const char* shared :
+       {"glsl_functions", "float_functions", "common", "fresnel", "beckmann", "refraction", "kirchhoff"}) {
+    text += text_of(shared);
+  }
+  for (const std::string_view keyword : keywords) text += text_of(keyword);
+  return text;
+}
+
+std::optional<Shader> shader_of(const Brdf& brdf) {
+  Maker maker;
+  if (!maker.add(brdf)) return std::nullopt;
+  return std::move(maker).shader();
+}
+
+}  // namespace reflectance
