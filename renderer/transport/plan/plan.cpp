@@ -304,11 +304,14 @@ Plan plan_of(const Outline& outline, const PlanSettings& settings) {
 }
 
 void follow(const Plan& plan, RenderSettings& settings) {
-  const EffectSet needed = plan.needed();
+  settings.integrator.depth = plan.depth;
+  keep_only(plan.needed(), settings);
+}
+
+void keep_only(const EffectSet& needed, RenderSettings& settings) {
   IntegratorSettings& integrator = settings.integrator;
-  integrator.depth = plan.depth;
-  integrator.reflects_mirrors = needed.has(Effect::MirrorReflection);
-  integrator.uses_irradiance = needed.has(Effect::Irradiance);
+  integrator.reflects_mirrors &= needed.has(Effect::MirrorReflection);
+  integrator.uses_irradiance &= needed.has(Effect::Irradiance);
   if (!needed.has(Effect::Environment)) {
     integrator.environment = nullptr;
     integrator.resampling = std::nullopt;

@@ -60,4 +60,7 @@ Plan plan_of(const Outline& outline, const PlanSettings& settings);
 /// Leaves out of the settings what the plan leaves out.
 void follow(const Plan& plan, RenderSettings& settings);
 
+/// Leaves out of the settings what serves other effects alone.
+void keep_only(const EffectSet& effects, RenderSettings& settings);
+
 }  // namespace transport

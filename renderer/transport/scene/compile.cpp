@@ -51,12 +51,15 @@ EffectSet effects_of(const CompileSettings& settings) {
 /// whose sizes are known by then.
 class Compiler {
  public:
-  Compiler(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics)
+  Compiler(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics,
+           const CompiledScene* before)
       : settings_(settings),
+        before_(before),
         diagnostics_(diagnostics),
         effects_(effects_of(settings)),
         survey_(scene, most_copied_triangles(settings)),
-        reflectors_(settings.scheme, settings.missed_part, settings.precision, diagnostics),
+        reflectors_(settings.scheme, settings.missed_part, settings.precision, diagnostics,
+                    before != nullptr ? &before->reflectors() : nullptr),
         textures_(diagnostics),
         surfaces_(reflectors_, textures_, effects_, settings.reflecting.get()) {
     geometry_.origin = survey_.origin;
@@ -69,6 +72,8 @@ class Compiler {
   std::optional<CompiledScene> finish();
 
  private:
+  bool is_to_stop() const { return settings_.stop.stop_requested(); }
+  RayCaster caster_of(std::shared_ptr<const Geometry> geometry) const;
   void list(const Mesh& mesh, const Placement& placement);
   Matrix44d to_scene(const Placement& placement) const;
   MeshSize size_of_first_mesh() const;
@@ -81,6 +86,7 @@ class Compiler {
   void add_emitter(const Emitter& emitter, const TriangleId& id);
 
   const CompileSettings& settings_;
+  const CompiledScene* before_;
   grf::Diagnostics& diagnostics_;
   EffectSet effects_;
   Survey survey_;
@@ -232,10 +238,21 @@ void Compiler::add_emitter(const Emitter& emitter, const TriangleId& id) {
 
 std::optional<CompiledScene> Compiler::finish() {
   const std::size_t errors_before = diagnostics_.error_count();
-  std::vector<Texture> textures = textures_.build(settings_.threads);
-  if (diagnostics_.error_count() > errors_before) return std::nullopt;
-  return CompiledScene(std::move(geometry_), surfaces_.take(), reflectors_.build(settings_.threads),
+  const std::span<const TextureFile> read_before =
+      before_ != nullptr ? std::span(before_->textures()) : std::span<const TextureFile>();
+  if (is_to_stop()) return std::nullopt;
+  std::vector<TextureFile> textures = textures_.build(settings_.threads, read_before);
+  if (diagnostics_.error_count() > errors_before || is_to_stop()) return std::nullopt;
+  ReflectorSet reflectors = reflectors_.build(settings_.threads, settings_.stop);
+  if (is_to_stop()) return std::nullopt;
+  const auto geometry = std::make_shared<const Geometry>(std::move(geometry_));
+  return CompiledScene(geometry, caster_of(geometry), surfaces_.take(), std::move(reflectors),
                        std::move(textures), std::move(emitters_));
+}
+
+RayCaster Compiler::caster_of(std::shared_ptr<const Geometry> geometry) const {
+  if (before_ != nullptr && before_->caster().serves(*geometry)) return before_->caster();
+  return RayCaster(std::move(geometry));
 }
 
 }  // namespace
@@ -246,17 +263,17 @@ std::size_t most_copied_triangles(const CompileSettings& settings) {
 }
 
 std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
-                                     const CompileSettings& settings) {
-  return compile(grf::Scene(scene), diagnostics, settings);  // meshes are shared, not copied
+                                     const CompileSettings& settings, const CompiledScene* before) {
+  return compile(grf::Scene(scene), diagnostics, settings, before);  // meshes are shared, not copied
 }
 
 std::optional<CompiledScene> compile(grf::Scene&& scene, grf::Diagnostics& diagnostics,
-                                     const CompileSettings& settings) {
+                                     const CompileSettings& settings, const CompiledScene* before) {
   const std::size_t errors_before = diagnostics.error_count();
-  Compiler compiler(scene, settings, diagnostics);
+  Compiler compiler(scene, settings, diagnostics, before);
   if (!compiler.has_room()) return std::nullopt;
   compiler.list(scene);
-  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  if (diagnostics.error_count() > errors_before || settings.stop.stop_requested()) return std::nullopt;
   compiler.build();
   scene = {};
   return compiler.finish();

@@ -7,15 +7,15 @@
 
 namespace transport {
 
-CompiledScene::CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces,
-                             ReflectorSet reflectors, std::vector<Texture> textures,
-                             std::vector<Emitter> emitters)
-    : geometry_(std::make_unique<const Geometry>(std::move(geometry))),
+CompiledScene::CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster caster,
+                             std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
+                             std::vector<TextureFile> textures, std::vector<Emitter> emitters)
+    : geometry_(std::move(geometry)),
       surfaces_(std::move(surfaces)),
       reflectors_(std::move(reflectors)),
       textures_(std::move(textures)),
       lights_(std::move(emitters)),
-      caster_(*geometry_) {}
+      caster_(std::move(caster)) {}
 
 std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
   const auto met = caster_.intersect(ray);
@@ -27,7 +27,7 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
   point->colour = surface.colour * hit.vertex_colour();
   point->irradiance = hit.irradiance();
   if (surface.texture != None) {
-    const Texture& texture = textures_[surface.texture];
+    const Texture& texture = *textures_[surface.texture].texture;
     point->colour *= texture.lookup(hit.uv(), hit.uv_scale() * point->cone.width);
   }
   if (surface.is_anisotropic) point->tangent = hit.tangent(surface.axis, point->shading_normal);
@@ -79,7 +79,7 @@ std::size_t CompiledScene::triangle_count() const {
 
 std::size_t CompiledScene::bytes() const {
   std::size_t bytes = geometry_->bytes() + surfaces_.capacity() * sizeof(CompiledSurface);
-  for (const Texture& texture : textures_) bytes += texture.bytes();
+  for (const TextureFile& file : textures_) bytes += file.texture->bytes();
   return bytes;
 }
 

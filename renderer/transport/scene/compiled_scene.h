@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@
 #include "renderer/transport/scene/reflector_set.h"
 #include "renderer/transport/scene/surface_point.h"
 #include "renderer/transport/scene/surface_set.h"
-#include "renderer/transport/scene/texture.h"
+#include "renderer/transport/scene/texture_set.h"
 
 namespace transport {
 
@@ -25,8 +26,10 @@ namespace transport {
 /// scenes so far from the world's origin that floats would make steps of them.
 class CompiledScene {
  public:
-  CompiledScene(Geometry geometry, std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
-                std::vector<Texture> textures, std::vector<Emitter> emitters);
+  /// The caster is one that serves the geometry.
+  CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster caster,
+                std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
+                std::vector<TextureFile> textures, std::vector<Emitter> emitters);
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
 
@@ -69,13 +72,18 @@ class CompiledScene {
   /// How long building them took.
   double table_seconds() const { return reflectors_.seconds; }
 
+  // What another scene can share.
+  const RayCaster& caster() const { return caster_; }
+  const ReflectorSet& reflectors() const { return reflectors_; }
+  const std::vector<TextureFile>& textures() const { return textures_; }
+
  private:
   std::optional<RayStart> raised_start(const SurfacePoint& point, const Vec3f& geometric_side) const;
 
-  std::unique_ptr<const Geometry> geometry_;  ///< its arrays stay where they are, for the caster
+  std::shared_ptr<const Geometry> geometry_;
   std::vector<CompiledSurface> surfaces_;
   ReflectorSet reflectors_;
-  std::vector<Texture> textures_;
+  std::vector<TextureFile> textures_;
   Lights lights_;
   RayCaster caster_;
 };
@@ -91,18 +99,26 @@ struct CompileSettings {
   /// A mesh that is placed more than once is copied if all its copies together have no more triangles than
   /// that: rays meet them sooner than instances.
   std::size_t most_copied_triangles = 10'000;
+  /// Asks for an end at the next of the steps; a table of a sampling scheme is one.
+  std::stop_token stop;
 };
 
 /// That of the settings, unless there are to be no instances at all.
 std::size_t most_copied_triangles(const CompileSettings& settings);
 
 /// Compiles a scene that was checked against the catalogue. A sampling scheme that cannot serve the BRDF of
-/// its faces, and an image that cannot be read, is an error, and nothing is returned.
+/// its faces, and an image that cannot be read, is an error, and nothing is returned; nor after it was asked
+/// to stop.
+///
+/// What is the same in the scene `before`, if there is one, is shared with it: what casts rays, where no
+/// triangle has moved; tables of sampling schemes; and textures whose files have not changed.
 std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
-                                     const CompileSettings& settings = {});
+                                     const CompileSettings& settings = {},
+                                     const CompiledScene* before = nullptr);
 
 /// The same, and frees what the scene alone holds before the memory for casting rays is needed.
 std::optional<CompiledScene> compile(grf::Scene&& scene, grf::Diagnostics& diagnostics,
-                                     const CompileSettings& settings = {});
+                                     const CompileSettings& settings = {},
+                                     const CompiledScene* before = nullptr);
 
 }  // namespace transport

@@ -41,7 +41,26 @@ double condition(const Matrix44d& m) {
   return largest;
 }
 
+bool have_same_shape(const TriangleMesh& a, const TriangleMesh& b) {
+  const auto have_same_corners = [](const Triangle& one, const Triangle& other) {
+    return one.corners == other.corners;
+  };
+  return a.positions == b.positions && std::ranges::equal(a.triangles, b.triangles, have_same_corners);
+}
+
 }  // namespace
+
+bool have_same_shape(const Geometry& a, const Geometry& b) {
+  const auto are_meshes_same = [](const TriangleMesh& one, const TriangleMesh& other) {
+    return have_same_shape(one, other);
+  };
+  const auto are_places_same = [](const Instance& one, const Instance& other) {
+    return one.mesh == other.mesh && one.to_scene.linear == other.to_scene.linear &&
+           one.to_scene.translation == other.to_scene.translation;
+  };
+  return std::ranges::equal(a.meshes, b.meshes, are_meshes_same) &&
+         std::ranges::equal(a.instances, b.instances, are_places_same);
+}
 
 Instance::Instance(const Matrix44d& matrix) {
   to_scene.linear = linear_part(matrix);

@@ -96,4 +96,7 @@ struct Geometry {
   std::size_t bytes() const;
 };
 
+/// Whether rays meet the same triangles in both, whatever surfaces these have.
+bool have_same_shape(const Geometry& a, const Geometry& b);
+
 }  // namespace transport

@@ -4,6 +4,7 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -94,11 +95,12 @@ RTCGeometry instance_of(RTCDevice device, RTCScene scene, const AffineMap& map) 
 }  // namespace
 
 struct RayCaster::Scenes {
+  std::shared_ptr<const Geometry> geometry;  ///< whose arrays Embree reads
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
   std::vector<RTCScene> meshes;  ///< of instances; null for the first mesh
 
-  Scenes() = default;
+  explicit Scenes(std::shared_ptr<const Geometry> of);
   Scenes(const Scenes&) = delete;
   Scenes& operator=(const Scenes&) = delete;
   ~Scenes() {
@@ -118,8 +120,8 @@ struct RayCaster::Scenes {
   void check() const {
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
   }
-  void build_meshes(const Geometry& geometry);
-  void build_top(const Geometry& geometry);
+  void build_meshes();
+  void build_top();
 
   bool meets_anything(const Ray& ray, float farthest, const TriangleId& target, std::uint32_t count) const {
     ShadowContext context{{}, ray.from, target, count};
@@ -130,37 +132,43 @@ struct RayCaster::Scenes {
   }
 };
 
-void RayCaster::Scenes::build_meshes(const Geometry& geometry) {
-  meshes.resize(geometry.meshes.size(), nullptr);
+RayCaster::Scenes::Scenes(std::shared_ptr<const Geometry> of)
+    : geometry(std::move(of)), device(rtcNewDevice(nullptr)) {
+  if (device == nullptr) throw std::runtime_error("Embree cannot start on this processor");
+}
+
+void RayCaster::Scenes::build_meshes() {
+  meshes.resize(geometry->meshes.size(), nullptr);
   for (std::size_t i = 1; i < meshes.size(); ++i) {
     meshes[i] = new_scene();
-    attach(meshes[i], triangles_of(device, geometry.meshes[i]), 0);
+    attach(meshes[i], triangles_of(device, geometry->meshes[i]), 0);
     rtcCommitScene(meshes[i]);
     check();
   }
 }
 
-void RayCaster::Scenes::build_top(const Geometry& geometry) {
+void RayCaster::Scenes::build_top() {
   top = new_scene();
-  if (!geometry.meshes[0].triangles.empty()) attach(top, triangles_of(device, geometry.meshes[0]), 0);
-  for (std::size_t i = 1; i < geometry.instances.size(); ++i) {
-    const Instance& instance = geometry.instances[i];
+  const TriangleMesh& first = geometry->meshes[0];
+  if (!first.triangles.empty()) attach(top, triangles_of(device, first), 0);
+  for (std::size_t i = 1; i < geometry->instances.size(); ++i) {
+    const Instance& instance = geometry->instances[i];
     attach(top, instance_of(device, meshes[instance.mesh], instance.to_scene), static_cast<unsigned>(i));
   }
   rtcCommitScene(top);
   check();
 }
 
-RayCaster::RayCaster(const Geometry& geometry) : scenes_(std::make_unique<Scenes>()) {
-  scenes_->device = rtcNewDevice(nullptr);
-  if (scenes_->device == nullptr) throw std::runtime_error("Embree cannot start on this processor");
-  scenes_->build_meshes(geometry);
-  scenes_->build_top(geometry);
+RayCaster::RayCaster(std::shared_ptr<const Geometry> geometry) {
+  const auto scenes = std::make_shared<Scenes>(std::move(geometry));
+  scenes->build_meshes();
+  scenes->build_top();
+  scenes_ = scenes;
 }
 
-RayCaster::~RayCaster() = default;
-RayCaster::RayCaster(RayCaster&&) noexcept = default;
-RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+bool RayCaster::serves(const Geometry& geometry) const {
+  return have_same_shape(*scenes_->geometry, geometry);
+}
 
 // A ray that is back at the triangle that it leaves goes on behind it: rare enough for a second look, which
 // costs other rays nothing, as a filter would.

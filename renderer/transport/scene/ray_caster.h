@@ -22,14 +22,17 @@ struct TriangleHit {
 ///
 /// The first mesh is met without a transform; the others through Embree's instances, and only those that an
 /// instance places.
+///
+/// Copies share what was built.
 class RayCaster {
  public:
-  /// The triangles and positions must stay where they are while the caster exists. The last position of a
-  /// mesh is not to be used: Embree reads 16 bytes for a vertex of 12, so one is needed behind the others.
-  explicit RayCaster(const Geometry& geometry);
-  ~RayCaster();
-  RayCaster(RayCaster&&) noexcept;
-  RayCaster& operator=(RayCaster&&) noexcept;
+  /// Keeps the geometry. The last position of a mesh is not to be used: Embree reads 16 bytes for a vertex of
+  /// 12, so one is needed behind the others.
+  explicit RayCaster(std::shared_ptr<const Geometry> geometry);
+
+  /// True if this meets what one of that geometry would.
+  bool serves(const Geometry& geometry) const;
+  bool shares(const RayCaster& other) const { return scenes_ == other.scenes_; }
 
   /// The nearest triangle in front of the origin.
   std::optional<TriangleHit> intersect(const Ray& ray) const;
@@ -43,7 +46,7 @@ class RayCaster {
 
  private:
   struct Scenes;
-  std::unique_ptr<Scenes> scenes_;
+  std::shared_ptr<const Scenes> scenes_;
 };
 
 }  // namespace transport

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,18 +34,43 @@ std::uint32_t ReflectorSetBuilder::index_by_text(const grf::ResolvedSurface& sur
       surface.brdf != nullptr ? brdfs_.identity(*surface.brdf, surface.brdf_scope) : std::string();
   const std::string text = brdf + " / " + (pdf != nullptr ? to_text(*pdf) : std::string());
   const auto [known, is_new] = index_by_text_.emplace(text, 0);
-  if (is_new) known->second = add(surface);
+  if (is_new) known->second = add(surface, text);
   return known->second;
 }
 
-std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface) {
+/// The text alone does not say whether a file of data has changed.
+std::string ReflectorSetBuilder::identity_of(const grf::ResolvedSurface& surface, const std::string& text) {
+  if (override_ && !override_->factors_file.empty()) return {};
+  std::string identity =
+      fmt::format("{} / {} / {}", text, static_cast<int>(missed_part_), static_cast<int>(precision_));
+  if (surface.brdf == nullptr) return identity;
+  for (const std::string& path : brdfs_.data_files_of(*surface.brdf, surface.brdf_scope)) {
+    std::error_code missing;
+    const auto changed = std::filesystem::last_write_time(path, missing);
+    if (missing) return {};
+    identity += fmt::format(" / {}", changed.time_since_epoch().count());
+  }
+  return identity;
+}
+
+const Reflector* ReflectorSetBuilder::known(const std::string& identity) const {
+  if (before_ == nullptr || identity.empty()) return nullptr;
+  const auto found = std::find(before_->identities.begin(), before_->identities.end(), identity);
+  if (found == before_->identities.end()) return nullptr;
+  return &before_->reflectors[static_cast<std::size_t>(found - before_->identities.begin())];
+}
+
+std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface, const std::string& text) {
   const grf::PdfModel* pdf = scheme_of(surface);
-  const auto brdf = surface.brdf != nullptr ? brdfs_.make(*surface.brdf, surface.brdf_scope)
-                                            : std::optional(reflectance::default_brdf());
+  const std::string identity = identity_of(surface, text);
+  const Reflector* of_before = known(identity);
+  const auto brdf = of_before != nullptr      ? std::optional(of_before->brdf())
+                    : surface.brdf != nullptr ? brdfs_.make(*surface.brdf, surface.brdf_scope)
+                                              : std::optional(reflectance::default_brdf());
   const auto scheme = pdf != nullptr ? reflectance::make_scheme(*pdf) : reflectance::default_scheme();
   if (!scheme) diagnostics_.error(pdf->location, fmt::format("'{}' cannot be rendered", pdf->keyword));
   if (!brdf || !scheme) return 0;
-  Pair pair{*brdf, *scheme, {}, {}, {}, {}};
+  Pair pair{*brdf, *scheme, identity, of_before, {}, {}, {}, {}};
   pair.brdf_keyword = surface.brdf != nullptr ? surface.brdf->keyword : "diffuse";
   pair.info.brdf = surface.brdf != nullptr ? to_text(*surface.brdf) : "diffuse";
   pair.scheme_keyword = pdf != nullptr ? pdf->keyword : "auto";
@@ -79,20 +105,28 @@ bool ReflectorSetBuilder::use_factors_file(const grf::ResolvedSurface& surface, 
   return is_right;
 }
 
-ReflectorSet ReflectorSetBuilder::build(int threads) {
+ReflectorSet ReflectorSetBuilder::build(int threads, const std::stop_token& stop) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::optional<Reflector>> made(pairs_.size());
   parallel::run_with_threads(threads, [&] {
     parallel::for_each_index(pairs_.size(), [&](std::size_t i) {
-      made[i].emplace(pairs_[i].brdf, pairs_[i].scheme, missed_part_, precision_);
+      if (stop.stop_requested()) return;
+      const Pair& pair = pairs_[i];
+      if (pair.known != nullptr) {
+        made[i] = *pair.known;
+      } else {
+        made[i].emplace(pair.brdf, pair.scheme, missed_part_, precision_);
+      }
     });
   });
+  if (stop.stop_requested()) return {};
   ReflectorSet set;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
     pair.info.bytes = made[i]->bytes();
     pair.info.cosine_share = made[i]->cosine_share();
     if (made[i]->missed_share() > 0) warn_of_what_is_missed(pair, *made[i]);
+    set.identities.push_back(std::move(pair.identity));
     set.tables.push_back(std::move(pair.info));
     set.reflectors.push_back(std::move(*made[i]));
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ namespace transport {
 struct SchemeOverride {
   grf::PdfModel model;
   std::string factors_file;  ///< of the scheme `factored`: what it loads instead of factoring; empty: nothing
+
+  bool operator==(const SchemeOverride&) const = default;
 };
 
 /// What a reflector's tables hold.
@@ -33,15 +36,20 @@ struct TableInfo {
 struct ReflectorSet {
   std::vector<reflectance::Reflector> reflectors;
   std::vector<TableInfo> tables;  ///< of each of them
-  double seconds = 0;             ///< that building them took
+  /// Of each, a text that is the same for those that are the same; empty: there is none.
+  std::vector<std::string> identities;
+  double seconds = 0;  ///< that building them took
 };
 
 /// Collects pairs of BRDFs and schemes, and then makes their reflectors. The scene must not change meanwhile.
 class ReflectorSetBuilder {
  public:
+  /// What is in the set `before`, if there is one, is taken from there.
   ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, reflectance::MissedPart missed_part,
-                      reflectance::Precision precision, grf::Diagnostics& diagnostics)
-      : override_(scheme),
+                      reflectance::Precision precision, grf::Diagnostics& diagnostics,
+                      const ReflectorSet* before = nullptr)
+      : before_(before),
+        override_(scheme),
         missed_part_(missed_part),
         precision_(precision),
         diagnostics_(diagnostics),
@@ -62,13 +70,15 @@ class ReflectorSetBuilder {
   bool reads_data(const grf::ResolvedSurface& surface);
 
   /// Makes the tables of all of them, in parallel, and warns of schemes that miss part of their BRDF. There
-  /// must have been no error.
-  ReflectorSet build(int threads);
+  /// must have been no error. Those that are not begun when it is told to stop are missing then.
+  ReflectorSet build(int threads, const std::stop_token& stop = {});
 
  private:
   struct Pair {
     reflectance::Brdf brdf;
     reflectance::Scheme scheme;
+    std::string identity;
+    const reflectance::Reflector* known = nullptr;  ///< of the set before
     std::string brdf_keyword;
     TableInfo info;
     std::string scheme_keyword;
@@ -79,10 +89,13 @@ class ReflectorSetBuilder {
     return override_ ? &override_->model : surface.pdf;
   }
   std::uint32_t index_by_text(const grf::ResolvedSurface& surface);
-  std::uint32_t add(const grf::ResolvedSurface& surface);
+  std::uint32_t add(const grf::ResolvedSurface& surface, const std::string& text);
+  std::string identity_of(const grf::ResolvedSurface& surface, const std::string& text);
+  const reflectance::Reflector* known(const std::string& identity) const;
   bool use_factors_file(const grf::ResolvedSurface& surface, Pair& pair);
   void warn_of_what_is_missed(const Pair& pair, const reflectance::Reflector& reflector);
 
+  const ReflectorSet* before_;
   std::optional<SchemeOverride> override_;
   reflectance::MissedPart missed_part_;
   reflectance::Precision precision_;

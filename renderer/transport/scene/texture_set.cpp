@@ -1,5 +1,6 @@
 #include "renderer/transport/scene/texture_set.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -12,15 +13,26 @@ namespace transport {
 namespace {
 
 struct Read {
-  std::optional<Texture> texture;
+  TextureFile file;
   grf::Diagnostics diagnostics;
 };
 
-void read(const std::string& path, const grf::SourceLocation& asked_for_at, Read& result) {
-  auto image = read_image(path, result.diagnostics, asked_for_at);
-  if (!image) image = Image{1, 1, {reflectance::Rgb(1)}};
-  result.texture.emplace(std::move(*image));
-  const std::size_t wrong = result.texture->wrong_texels();
+void read(const std::string& path, const grf::SourceLocation& asked_for_at,
+          std::span<const TextureFile> before, Read& result) {
+  TextureFile& file = result.file;
+  file.path = grf::canonical_path(path);
+  std::error_code missing;  // which reading says
+  file.changed = std::filesystem::last_write_time(file.path, missing);
+  const auto known =
+      std::ranges::find_if(before, [&](const TextureFile& one) { return !missing && one.is_same_as(file); });
+  if (known != before.end()) {
+    file.texture = known->texture;
+  } else {
+    auto image = read_image(path, result.diagnostics, asked_for_at);
+    if (!image) image = Image{1, 1, {reflectance::Rgb(1)}};
+    file.texture = std::make_shared<const Texture>(std::move(*image));
+  }
+  const std::size_t wrong = file.texture->wrong_texels();
   if (wrong == 0) return;
   result.diagnostics.warning(
       asked_for_at, fmt::format("'{}': {} texels are negative or not finite, and count as 0", path, wrong));
@@ -37,21 +49,22 @@ std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture) {
   return known->second;
 }
 
-std::vector<Texture> TextureSetBuilder::build(int threads) {
+std::vector<TextureFile> TextureSetBuilder::build(int threads, std::span<const TextureFile> before) {
   std::vector<Read> results(files_.size());
   if (!files_.empty()) {
     parallel::run_with_threads(threads, [&] {
-      parallel::for_each_index(
-          files_.size(), [&](std::size_t i) { read(files_[i].path, files_[i].asked_for_at, results[i]); });
+      parallel::for_each_index(files_.size(), [&](std::size_t i) {
+        read(files_[i].path, files_[i].asked_for_at, before, results[i]);
+      });
     });
   }
-  std::vector<Texture> textures;
+  std::vector<TextureFile> textures;
   for (Read& result : results) {
     for (const grf::Diagnostic& entry : result.diagnostics.entries()) {
       if (entry.severity == grf::Severity::Error) diagnostics_.error(entry.location, entry.message);
       if (entry.severity == grf::Severity::Warning) diagnostics_.warning(entry.location, entry.message);
     }
-    textures.push_back(std::move(*result.texture));
+    textures.push_back(std::move(result.file));
   }
   return textures;
 }

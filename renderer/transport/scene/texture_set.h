@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +14,15 @@
 
 namespace transport {
 
+/// An image file as it was when it was read.
+struct TextureFile {
+  std::string path;
+  std::filesystem::file_time_type changed;
+  std::shared_ptr<const Texture> texture;
+
+  bool is_same_as(const TextureFile& other) const { return path == other.path && changed == other.changed; }
+};
+
 /// Collects the images that faces name, and then reads them: each file once.
 class TextureSetBuilder {
  public:
@@ -19,9 +31,9 @@ class TextureSetBuilder {
   /// Which texture a surface will have.
   std::uint32_t index_of(const grf::Texture& texture);
 
-  /// Reads all files, in parallel. One that cannot be read is an error where it is named first, and leaves a
-  /// white texture.
-  std::vector<Texture> build(int threads);
+  /// Reads all files, in parallel, but for those that were read before and have not changed. One that cannot
+  /// be read is an error where it is named first, and leaves a white texture.
+  std::vector<TextureFile> build(int threads, std::span<const TextureFile> before = {});
 
  private:
   struct File {
