@@ -12,9 +12,9 @@
 #include "grf/visit.h"
 #include "grf/write.h"
 #include "renderer/command/render_fingerprint.h"
-#include "renderer/command/render_job.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
+#include "renderer/job/render_job.h"
 #include "renderer/transport/baked_scene.h"
 
 namespace command {
@@ -81,7 +81,7 @@ void warn(const Bake& bake, const transport::BakedScene& baked, const std::strin
 }
 
 /// The irradiance depends on no observer, but a file with irradiance says for whom it is.
-bool keep(const Bake& bake, BakeJob& job, const std::string& scene, const std::string& output) {
+bool keep(const Bake& bake, job::BakeJob& job, const std::string& scene, const std::string& output) {
   Diagnostics diagnostics;
   transport::BakedScene baked = transport::with_irradiance(std::move(job.scene), bake);
   if (!names_an_observer(baked.scene)) {
@@ -113,7 +113,7 @@ void print_summary(const Bake& bake, const BakeArguments& arguments) {
 }  // namespace
 
 ExitCode bake(const BakeArguments& arguments) {
-  std::optional<BakeJob> job;
+  std::optional<job::BakeJob> job;
   std::optional<transport::BakePoints> points;
   std::optional<Bake> bake;
   Interruption interruption;  // ends before the bake that it stops
@@ -122,7 +122,7 @@ ExitCode bake(const BakeArguments& arguments) {
   if (render_options) {
     if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
     if (can_write(arguments.output, *render_options, diagnostics)) {
-      job = bake_job(*render_options, arguments.directions, diagnostics);
+      job = job::bake_job(*render_options, arguments.directions, diagnostics);
     }
   }
   if (job) points.emplace(job->scene, job->compiled, job->settings.threads);
@@ -132,9 +132,6 @@ ExitCode bake(const BakeArguments& arguments) {
   }
   print(diagnostics);
   if (!job || points->count() == 0) return ExitCode::BadInput;
-  if (!counts_samples(arguments.flags, *render_options)) {
-    job->settings.samples = transport::RenderSettings::Unlimited;
-  }
   bake.emplace(job->compiled, *points, job->settings);
   ProgressReport progress(progress_style_of(arguments.progress));
   Diagnostics of_run;

@@ -13,6 +13,7 @@
 #include "renderer/command/lit_sphere.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/light_angles.h"
 #include "renderer/transport/image/image_encoders.h"
 
 namespace command {
@@ -39,7 +40,7 @@ std::string name_of_view(int degrees) { return fmt::format("view {}\u00B0", degr
 plot::Series curve(const Reflector& reflector, int view, bool with_cosine) {
   plot::Series series{name_of_view(view), {}, {}, {}};
   const Vec3f u = direction_at(-view);
-  for (const double degrees : light_angles(view)) {
+  for (const double degrees : reflectance::light_angles(view)) {
     const Vec3f v = direction_at(degrees);
     const double value = reflectance::mean(reflector.evaluate(u, v));
     series.points.emplace_back(degrees, with_cosine ? value * v.z : value);

@@ -16,9 +16,9 @@
 #include "grf/write.h"
 #include "renderer/command/cost_report.h"
 #include "renderer/command/cost_sweep.h"
-#include "renderer/command/render_job.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
+#include "renderer/job/render_job.h"
 
 namespace command {
 namespace {
@@ -39,15 +39,15 @@ class Subjects {
 
   /// Nothing after an error.
   std::optional<CostSubject> of(const CostLine& line) {
-    auto compile_settings = compile_settings_of(line.options, diagnostics_);
+    auto compile_settings = job::compile_settings_of(line.options, diagnostics_);
     if (!compile_settings) return std::nullopt;
     if (line.scheme) compile_settings->scheme = {*line.scheme, line.options.factors_file};
-    auto planned = render_plan(scene_, std::move(*compile_settings), line.options, diagnostics_);
+    auto planned = job::render_plan(scene_, std::move(*compile_settings), line.options, diagnostics_);
     if (!planned) return std::nullopt;
     auto compiled = compile(line, planned->compile_settings);
     planned->settings.integrator.environment = environment_;
     planned->settings.backplate = backplate_;
-    if (!load_surroundings(line.options, *planned, diagnostics_) || !compiled) return std::nullopt;
+    if (!job::load_surroundings(line.options, *planned, diagnostics_) || !compiled) return std::nullopt;
     if (planned->settings.integrator.environment) environment_ = planned->settings.integrator.environment;
     if (planned->settings.backplate) backplate_ = planned->settings.backplate;
     if (has_centred_rays_) planned->settings.placing = PixelPlacing::Centre;
@@ -62,7 +62,7 @@ class Subjects {
     const auto known = compiled_.find(key);
     if (known != compiled_.end()) return known->second;
     auto scene = transport::compile(scene_, diagnostics_, settings);
-    if (!scene || !has_something(*scene, line.options, diagnostics_)) return nullptr;
+    if (!scene || !job::has_something(*scene, line.options, diagnostics_)) return nullptr;
     return compiled_.emplace(key, std::make_shared<const CompiledScene>(std::move(*scene))).first->second;
   }
 
@@ -102,7 +102,7 @@ RenderOptions for_sweep(RenderOptions render_options) {
 
 bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& render_options, CostPlan& plan,
                    Diagnostics& diagnostics) {
-  const auto scene = read_scene(render_options, diagnostics);
+  const auto scene = job::read_scene(render_options, diagnostics);
   if (!scene) return false;
   Subjects subjects(*scene, std::any_of(lines.begin(), lines.end(), is_naive), diagnostics);
   // The first one that is made takes longer, with the start of threads: that is to be no line's.

@@ -24,8 +24,4 @@ std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t
 /// `theta,phi`, where phi may be left out. What is wrong with the option of that name is printed.
 std::optional<Angles> angles_option(const std::string& text, const char* option);
 
-/// Where a lobe is looked at in the plane of incidence, in degrees: everywhere, and closer and closer to the
-/// mirror direction and to the view's own, where a narrow lobe has its peak.
-std::vector<double> light_angles(double view_degrees);
-
 }  // namespace command

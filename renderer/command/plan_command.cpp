@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/command/render_job.h"
+#include "renderer/job/render_job.h"
 #include "renderer/transport/plan/table_bytes.h"
 
 namespace command {
@@ -29,7 +29,7 @@ Json effects_of(const Plan& plan) {
   return effects;
 }
 
-Json tables_of(const grf::Scene& scene, const RenderPlan& planned, Diagnostics& diagnostics) {
+Json tables_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnostics& diagnostics) {
   const auto bytes = transport::table_bytes(scene, planned.compile_settings, diagnostics);
   Json tables = Json::array();
   for (const transport::PlannedTable& table : planned.plan.tables) {
@@ -64,7 +64,7 @@ std::uint64_t sum_of_left_out(const Json& list, const char* bytes) {
   return sum;
 }
 
-Json report_of(const grf::Scene& scene, const RenderPlan& planned, Diagnostics& diagnostics) {
+Json report_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnostics& diagnostics) {
   const Plan& plan = planned.plan;
   Json report;
   report["effects"] = effects_of(plan);
@@ -115,11 +115,11 @@ ExitCode plan(const PlanArguments& arguments) {
   Json report;
   if (render_options) {
     if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
-    const auto compile_settings = compile_settings_of(*render_options, diagnostics);
-    const auto scene = read_scene(*render_options, diagnostics);
-    std::optional<RenderPlan> planned;
+    const auto compile_settings = job::compile_settings_of(*render_options, diagnostics);
+    const auto scene = job::read_scene(*render_options, diagnostics);
+    std::optional<job::RenderPlan> planned;
     if (scene && compile_settings) {
-      planned = render_plan(*scene, *compile_settings, *render_options, diagnostics);
+      planned = job::render_plan(*scene, *compile_settings, *render_options, diagnostics);
     }
     if (planned) report = report_of(*scene, *planned, diagnostics);
   }

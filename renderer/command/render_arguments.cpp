@@ -42,11 +42,6 @@ bool apply_flags(const OptionFlags& flags, RenderOptions& render_options) {
   return right;
 }
 
-bool counts_samples(const OptionFlags& flags, const RenderOptions& render_options) {
-  const bool has_samples = flags.count("--samples") > 0 || render_options.locations.count("BPT_Samples") > 0;
-  return has_samples || (!render_options.target_error && !render_options.max_seconds);
-}
-
 ProgressStyle progress_style_of(const std::string& word) {
   if (word == "json") return ProgressStyle::Json;
   return word == "bar" ? ProgressStyle::Bar : ProgressStyle::None;

@@ -20,9 +20,6 @@ std::optional<options::RenderOptions> read_options(const std::string& path, grf:
 /// Sets what flags say, over what a file says. Prints what is wrong; false if anything is.
 bool apply_flags(const OptionFlags& flags, options::RenderOptions& render_options);
 
-/// Whether samples are counted: time and error decide how many there are, unless their number was given.
-bool counts_samples(const OptionFlags& flags, const options::RenderOptions& render_options);
-
 /// Of the words `bar`, `json` and `none`.
 ProgressStyle progress_style_of(const std::string& word);
 

@@ -15,10 +15,10 @@
 #include "renderer/command/plan_summary.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
-#include "renderer/command/render_job.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
+#include "renderer/job/render_job.h"
 #include "renderer/transport/render.h"
 
 namespace command {
@@ -130,12 +130,12 @@ bool keep(const transport::Render& render, const CompiledScene& scene, const tra
   return kept;
 }
 
-std::optional<RenderJob> prepare(const RenderOptions& render_options, const std::vector<std::string>& outputs,
-                                 Diagnostics& diagnostics) {
+std::optional<job::RenderJob> prepare(const RenderOptions& render_options,
+                                      const std::vector<std::string>& outputs, Diagnostics& diagnostics) {
   const std::string& checkpoint = render_options.checkpoint;
   if (!can_write(outputs, render_options, diagnostics)) return std::nullopt;
   if (!checkpoint.empty() && !can_write_file(checkpoint, "checkpoint", diagnostics)) return std::nullopt;
-  return render_job(render_options, diagnostics);
+  return job::render_job(render_options, diagnostics);
 }
 
 RunSettings run_settings_of(const RenderOptions& render_options, const std::string& output,
@@ -157,7 +157,7 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
 
 grf::ExitCode render(const RenderArguments& arguments) {
   const auto start = Clock::now();
-  std::optional<RenderJob> job;
+  std::optional<job::RenderJob> job;
   std::optional<transport::Render> render;
   Interruption interruption;  // ends before the render that it stops
   Diagnostics diagnostics;
@@ -170,9 +170,6 @@ grf::ExitCode render(const RenderArguments& arguments) {
   }
   print(diagnostics);
   if (!job) return ExitCode::BadInput;
-  if (!counts_samples(arguments.flags, *render_options)) {
-    job->settings.samples = transport::RenderSettings::Unlimited;
-  }
   const RunSettings settings = run_settings_of(*render_options, outputs.front(), diagnostics);
   render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();

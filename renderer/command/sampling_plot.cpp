@@ -13,6 +13,7 @@
 #include "renderer/command/drawn_samples.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/light_angles.h"
 
 namespace command {
 namespace {
@@ -104,7 +105,7 @@ plot::PolarChart polar_of(const Row& row) {
   constexpr double Longest = 4;
   plot::Series ideal = {{}, {}, IdealColour, {}};
   plot::Series density = {{}, {}, SchemeColour, Dashes};
-  for (const double degrees : light_angles(row.view.theta * 180 / std::numbers::pi)) {
+  for (const double degrees : reflectance::light_angles(row.view.theta * 180 / std::numbers::pi)) {
     const Vec3f v = light_at(degrees, row.view);
     if (v.z <= 0) continue;
     ideal.points.emplace_back(degrees, row.ideal(v));

@@ -1,4 +1,4 @@
-#include "renderer/command/render_job.h"
+#include "renderer/job/render_job.h"
 
 #include <algorithm>
 #include <memory>
@@ -14,7 +14,7 @@
 #include "renderer/transport/baked_scene.h"
 #include "renderer/transport/image/image.h"
 
-namespace command {
+namespace job {
 namespace {
 
 using grf::Diagnostics;
@@ -43,8 +43,16 @@ Integrator integrator_of(const RenderOptions& render_options) {
 
 std::optional<grf::Scene> read_scene(const RenderOptions& render_options, Diagnostics& diagnostics) {
   auto scene = grf::read(render_options.scene, diagnostics);
-  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
+  if (!scene || !check(*scene, diagnostics)) return std::nullopt;
   return scene;
+}
+
+bool check(const grf::Scene& scene, Diagnostics& diagnostics) {
+  return grf::check(scene, reflectance::catalogue(), diagnostics);
+}
+
+bool counts_samples(const RenderOptions& render_options) {
+  return render_options.samples || (!render_options.target_error && !render_options.max_seconds);
 }
 
 std::optional<transport::CompileSettings> compile_settings_of(const RenderOptions& render_options,
@@ -60,9 +68,6 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
   return settings;
 }
 
-namespace {
-
-/// Reads the image around or behind the scene if it is not there yet; false after an error.
 bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
                        Diagnostics& diagnostics) {
   const std::string& path = render_options.environment;
@@ -84,6 +89,8 @@ bool load_surroundings(const RenderOptions& render_options, transport::RenderSet
   return true;
 }
 
+namespace {
+
 /// Where samples lie in a pixel, and how many there are of them.
 void place_samples(const RenderOptions& render_options, transport::RenderSettings& settings) {
   settings.samples = render_options.samples_a_pixel();
@@ -99,6 +106,8 @@ void place_samples(const RenderOptions& render_options, transport::RenderSetting
   if (render_options.pixel_random) settings.placing = PixelPlacing::Sobol;
   if (render_options.pixel_radial) settings.placing = PixelPlacing::Regular;
 }
+
+}  // namespace
 
 transport::RenderSettings settings_of(const RenderOptions& render_options, const grf::Box3d& bounds) {
   transport::RenderSettings settings;
@@ -127,6 +136,8 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.threads = render_options.threads;
   return settings;
 }
+
+namespace {
 
 bool has_backplate(const RenderOptions& render_options) {
   return !render_options.environment.empty() && render_options.projection == "backplate";
@@ -157,10 +168,7 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
   compile_settings.effects = render_options.effects();
   const transport::Outline outline(scene, transport::most_copied_triangles(compile_settings));
   transport::RenderSettings settings = settings_of(render_options, outline.bounds);
-  if (settings.view.eye == settings.view.target) {
-    diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
-    return std::nullopt;
-  }
+  if (!has_direction(settings.view, diagnostics)) return std::nullopt;
   transport::PlanSettings plan_settings = plan_settings_of(render_options, settings);
   if (compile_settings.scheme) plan_settings.scheme = to_text(compile_settings.scheme->model);
   transport::Plan plan = transport::plan_of(outline, plan_settings);
@@ -168,6 +176,12 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
   compile_settings.effects = plan.needed();
   compile_settings.reflecting = plan.reflecting;
   return RenderPlan{std::move(compile_settings), std::move(settings), std::move(plan)};
+}
+
+bool has_direction(const transport::View& view, Diagnostics& diagnostics) {
+  if (view.eye != view.target) return true;
+  diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
+  return false;
 }
 
 bool load_surroundings(const RenderOptions& render_options, RenderPlan& planned, Diagnostics& diagnostics) {
@@ -202,6 +216,7 @@ std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnos
   auto compiled = transport::compile(std::move(*scene), diagnostics, planned->compile_settings);
   const bool is_something = compiled && has_something(*compiled, render_options, diagnostics);
   if (!load_surroundings(render_options, *planned, diagnostics) || !is_something) return std::nullopt;
+  if (!counts_samples(render_options)) planned->settings.samples = transport::RenderSettings::Unlimited;
   return RenderJob{std::move(*compiled), std::move(planned->settings), std::move(planned->plan)};
 }
 
@@ -220,7 +235,8 @@ std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Di
   if (!load_surroundings(render_options, render_settings, diagnostics)) return std::nullopt;
   transport::BakeSettings settings;
   settings.integrator = render_settings.integrator;
-  settings.samples = render_settings.samples;
+  settings.samples =
+      counts_samples(render_options) ? render_settings.samples : transport::RenderSettings::Unlimited;
   settings.target_error = render_settings.target_error;
   settings.max_seconds = render_settings.max_seconds;
   settings.directions = directions;
@@ -229,4 +245,4 @@ std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Di
   return BakeJob{std::move(*scene), std::move(*compiled), settings, grf::Vec3f(render_settings.view.eye)};
 }
 
-}  // namespace command
+}  // namespace job

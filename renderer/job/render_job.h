@@ -1,3 +1,4 @@
+// What the options of a render and a scene come to: all that rays need.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 #include "renderer/transport/plan/plan.h"
 #include "renderer/transport/render.h"
 
-namespace command {
+namespace job {
 
 /// What a render needs, once its files have been read.
 struct RenderJob {
@@ -26,6 +27,8 @@ std::optional<RenderJob> render_job(const options::RenderOptions& render_options
 /// The scene as its author wrote it, checked.
 std::optional<grf::Scene> read_scene(const options::RenderOptions& render_options,
                                      grf::Diagnostics& diagnostics);
+/// An error unless its models are known and right, and its names mean something.
+bool check(const grf::Scene& scene, grf::Diagnostics& diagnostics);
 /// What the options say of compiling, before a plan.
 std::optional<transport::CompileSettings> compile_settings_of(const options::RenderOptions& render_options,
                                                               grf::Diagnostics& diagnostics);
@@ -45,6 +48,15 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
 /// is kept.
 bool load_surroundings(const options::RenderOptions& render_options, RenderPlan& planned,
                        grf::Diagnostics& diagnostics);
+/// What the options say of a render of what is in this box, without surroundings.
+transport::RenderSettings settings_of(const options::RenderOptions& render_options, const grf::Box3d& bounds);
+/// An error if the eye is where it looks at.
+bool has_direction(const transport::View& view, grf::Diagnostics& diagnostics);
+/// Reads the image around or behind the scene into the settings; what is there already is kept.
+bool load_surroundings(const options::RenderOptions& render_options, transport::RenderSettings& settings,
+                       grf::Diagnostics& diagnostics);
+/// Whether samples are counted: time and error decide how many there are, unless their number was given.
+bool counts_samples(const options::RenderOptions& render_options);
 /// An error if there is nothing to render.
 bool has_something(const transport::CompiledScene& scene, const options::RenderOptions& render_options,
                    grf::Diagnostics& diagnostics);
@@ -61,4 +73,4 @@ struct BakeJob {
 std::optional<BakeJob> bake_job(options::RenderOptions render_options, int directions,
                                 grf::Diagnostics& diagnostics);
 
-}  // namespace command
+}  // namespace job

@@ -1,0 +1,197 @@
+#include "renderer/job/preview_render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "renderer/job/preview_stages.h"
+
+namespace job {
+namespace {
+
+using transport::FilmTile;
+using transport::Image;
+using transport::Render;
+using transport::RenderSettings;
+using Clock = std::chrono::steady_clock;
+
+/// Between images of one render; images that take long to make are shown less often.
+constexpr std::chrono::milliseconds Interval(80);
+
+}  // namespace
+
+struct PreviewRender::Kept {
+  transport::RenderTotals totals;
+  std::vector<FilmTile> tiles;
+
+  void take(const Render& render) {
+    totals = render.totals();
+    tiles.resize(static_cast<std::size_t>(render.film().tile_count()));
+    for (std::size_t i = 0; i < tiles.size(); ++i) render.copy_tile(static_cast<int>(i), tiles[i]);
+  }
+  void give(Render& render) const {
+    if (tiles.empty()) return;
+    render.restore(totals);
+    for (std::size_t i = 0; i < tiles.size(); ++i) render.restore_tile(static_cast<int>(i), tiles[i]);
+  }
+};
+
+PreviewRender::PreviewRender(PreviewListener listener)
+    : listener_(std::move(listener)), thread_([this] { work(); }) {}
+
+PreviewRender::~PreviewRender() {
+  {
+    const std::lock_guard lock(lock_);
+    ends_ = true;
+    replace_locked();
+  }
+  thread_.join();
+}
+
+/// Has the thread leave what it is at.
+void PreviewRender::replace_locked() {
+  ++number_;
+  next_.reset();
+  is_paused_ = false;
+  preparing_.request_stop();
+  changed_.notify_all();
+}
+
+int PreviewRender::start(PreviewRequest request) {
+  const std::lock_guard lock(lock_);
+  replace_locked();
+  next_ = std::move(request);
+  preparing_ = std::stop_source();
+  return number_;
+}
+
+void PreviewRender::stop() {
+  const std::lock_guard lock(lock_);
+  replace_locked();
+}
+
+void PreviewRender::pause() {
+  const std::lock_guard lock(lock_);
+  is_paused_ = true;
+  changed_.notify_all();
+}
+
+void PreviewRender::resume() {
+  const std::lock_guard lock(lock_);
+  is_paused_ = false;
+  changed_.notify_all();
+}
+
+void PreviewRender::work() {
+  std::unique_lock lock(lock_);
+  while (true) {
+    changed_.wait(lock, [this] { return ends_ || next_; });
+    if (ends_) return;
+    const PreviewRequest request = std::move(*std::exchange(next_, std::nullopt));
+    const int number = number_;
+    lock.unlock();
+    try {
+      show(number, request);
+    } catch (const std::exception& failure) {
+      grf::Diagnostics diagnostics;
+      diagnostics.error({}, std::string("the preview cannot go on: ") + failure.what());
+      listener_.diagnostics(number, diagnostics);
+      listener_.state(number, PreviewState::Failed);
+    }
+    lock.lock();
+  }
+}
+
+void PreviewRender::show(int number, const PreviewRequest& request) {
+  std::stop_token stop;
+  {
+    const std::lock_guard lock(lock_);
+    if (is_replaced(number)) return;
+    stop = preparing_.get_token();
+  }
+  listener_.state(number, PreviewState::Preparing);
+  grf::Diagnostics diagnostics;
+  const auto settings = scene_.prepare(request, stop, diagnostics);
+  if (stop.stop_requested()) return;
+  listener_.diagnostics(number, diagnostics);
+  if (!settings) return listener_.state(number, PreviewState::Failed);
+  listener_.state(number, PreviewState::Rendering);
+  const std::vector<RenderSettings> stages = preview_stages(*settings);
+  shown_ = std::make_shared<const Image>();
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    if (!run_stage(number, stages[i], i + 1 == stages.size())) return;
+  }
+  listener_.state(number, PreviewState::Done);
+}
+
+/// A pause ends a render and keeps what it had, of which another one is made when it goes on. False if the
+/// request was replaced.
+bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool is_last) {
+  Kept kept;
+  while (true) {
+    RenderSettings rest = settings;
+    if (rest.max_seconds) rest.max_seconds = std::max(0.0, *rest.max_seconds - kept.totals.seconds);
+    Render render(scene_.compiled(), rest);
+    kept.give(render);
+    const Left left = watch(number, render, is_last);
+    if (left == Left::ForAnother) return false;
+    say_image(number, render, is_last);
+    if (left == Left::AtItsEnd) {
+      shown_ = std::make_shared<const Image>(render.film().mean());
+      return true;
+    }
+    kept.take(render);
+    listener_.state(number, PreviewState::Paused);
+    if (!wait_for_resumption(number)) return false;
+    listener_.state(number, PreviewState::Rendering);
+  }
+}
+
+/// Runs a render until it ends or is to be left, and shows it meanwhile.
+PreviewRender::Left PreviewRender::watch(int number, Render& render, bool is_last) {
+  std::exception_ptr failure;
+  has_ended_ = false;
+  std::thread runner([&] {
+    try {
+      render.run();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::lock_guard lock(lock_);
+    has_ended_ = true;
+    changed_.notify_all();
+  });
+  const auto is_to_leave = [&] { return has_ended_ || is_paused_ || is_replaced(number); };
+  auto due = Clock::now() + Interval;
+  std::unique_lock lock(lock_);
+  while (!changed_.wait_until(lock, due, is_to_leave)) {
+    lock.unlock();
+    const auto start = Clock::now();
+    if (is_last) say_image(number, render, is_last);
+    due = Clock::now() + std::max<Clock::duration>(Interval, 5 * (Clock::now() - start));
+    lock.lock();
+  }
+  const Left left = is_replaced(number) ? Left::ForAnother : has_ended_ ? Left::AtItsEnd : Left::ForAPause;
+  lock.unlock();
+  render.stop();
+  runner.join();
+  if (failure) std::rethrow_exception(failure);
+  return left;
+}
+
+bool PreviewRender::wait_for_resumption(int number) {
+  std::unique_lock lock(lock_);
+  changed_.wait(lock, [&] { return !is_paused_ || is_replaced(number); });
+  return !is_replaced(number);
+}
+
+void PreviewRender::say_image(int number, const Render& render, bool is_last) {
+  const auto image = std::make_shared<const Image>(completed(render, *shown_));
+  transport::RenderProgress progress = render.progress();
+  if (!is_last) progress.done = 0;
+  listener_.image(number, image, progress);
+}
+
+}  // namespace job

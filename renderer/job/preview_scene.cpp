@@ -1,0 +1,81 @@
+#include "renderer/job/preview_scene.h"
+
+#include <utility>
+
+#include "grf/relocate.h"
+#include "renderer/job/render_job.h"
+#include "renderer/transport/plan/plan.h"
+
+namespace job {
+namespace {
+
+using grf::Diagnostics;
+using transport::CompileSettings;
+using transport::RenderSettings;
+
+bool are_same(const std::optional<transport::View>& a, const std::optional<transport::View>& b) {
+  if (!a || !b) return !a && !b;
+  return a->eye == b->eye && a->target == b->target && a->up == b->up && a->field_of_view == b->field_of_view;
+}
+
+bool are_same(const PreviewRequest& a, const PreviewRequest& b) {
+  return a.path == b.path && a.options == b.options && are_same(a.view, b.view) && a.scene == b.scene;
+}
+
+}  // namespace
+
+std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& request,
+                                                    const std::stop_token& stop, Diagnostics& diagnostics) {
+  auto compile_settings = compile_settings_of(request.options, diagnostics);
+  if (!compile_settings) return std::nullopt;
+  compile_settings->effects = request.options.effects();
+  compile_settings->stop = stop;
+  const bool is_again = last_ && are_same(*last_, request);
+  if (is_again || !compiles_alike(request, *compile_settings)) {
+    if (!compile(request, *compile_settings, diagnostics)) return std::nullopt;
+  }
+  RenderSettings settings = settings_of(request.options, compiled_->bounds());
+  if (request.view) settings.view = *request.view;
+  if (!counts_samples(request.options)) settings.samples = RenderSettings::Unlimited;
+  if (!is_again) keep_surroundings(request.options, settings);
+  last_ = request;
+  const bool is_surrounded = load_surroundings(request.options, settings, diagnostics);
+  environment_ = settings.integrator.environment;
+  backplate_ = settings.backplate;
+  const bool is_something = has_something(*compiled_, request.options, diagnostics);
+  if (!is_surrounded || !is_something || !has_direction(settings.view, diagnostics)) return std::nullopt;
+  transport::keep_only(compile_settings->effects, settings);
+  return settings;
+}
+
+bool PreviewScene::compiles_alike(const PreviewRequest& request, const CompileSettings& settings) const {
+  const CompileSettings& before = compile_settings_;
+  return last_ && compiled_ && settings.scheme == before.scheme &&
+         settings.missed_part == before.missed_part && settings.precision == before.precision &&
+         settings.has_irradiance == before.has_irradiance && settings.effects == before.effects &&
+         request.path == last_->path && request.scene == last_->scene;
+}
+
+bool PreviewScene::compile(const PreviewRequest& request, const CompileSettings& settings,
+                           Diagnostics& diagnostics) {
+  if (!check(request.scene, diagnostics)) return false;
+  ++compilations_;
+  auto compiled = transport::compile(grf::with_absolute_names(request.scene, request.path), diagnostics,
+                                     settings, compiled_.get());
+  if (!compiled) return false;
+  compiled_ = std::make_shared<const transport::CompiledScene>(std::move(*compiled));
+  compile_settings_ = settings;
+  return true;
+}
+
+/// Those that were read for the last request, if this one names the same.
+void PreviewScene::keep_surroundings(const options::RenderOptions& render_options,
+                                     RenderSettings& settings) const {
+  const bool are_known = last_ && last_->options.environment == render_options.environment &&
+                         last_->options.projection == render_options.projection;
+  if (!are_known) return;
+  settings.integrator.environment = environment_;
+  settings.backplate = backplate_;
+}
+
+}  // namespace job

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "grf/read.h"
+#include "renderer/job/preview_render.h"
+
+namespace test {
+
+inline grf::Scene scene_of_text(const std::string& text, const std::string& path = "scene.grf") {
+  grf::Diagnostics diagnostics;
+  auto scene = grf::read_text(text, path, diagnostics);
+  if (!scene) throw std::runtime_error(diagnostics.to_text());
+  return *scene;
+}
+
+/// A lit room's corner of a floor and a wall.
+inline const std::string Corner = R"(
+light begin rgb (5, 5, 5) (-1,3,-1) (2,0,0) (0,0,2) end
+begin mesh
+  brdf ward sx=0.2 ks=0.3 kd=0.4
+  begin vertexs (-2,0,2) (2,0,2) (2,0,-2) (-2,0,-2) (-2,2,-2) (2,2,-2) end vertexs
+  begin faces (0,1,2,3) (3,2,5,4) end faces
+end mesh)";
+
+/// Waves of so many squares a side, two triangles each, under a light.
+inline grf::Scene waves(std::uint32_t side) {
+  grf::Scene scene = scene_of_text("light begin rgb (5, 5, 5) (-1,3,-1) (2,0,0) (0,0,2) end");
+  grf::Mesh mesh;
+  for (std::uint32_t y = 0; y <= side; ++y) {
+    for (std::uint32_t x = 0; x <= side; ++x) {
+      const float s = 4 * static_cast<float>(x) / static_cast<float>(side) - 2;
+      const float t = 4 * static_cast<float>(y) / static_cast<float>(side) - 2;
+      mesh.positions.emplace_back(s, 0.2F * std::sin(5 * s) * std::cos(4 * t), -t);
+    }
+  }
+  for (std::uint32_t y = 0; y < side; ++y) {
+    for (std::uint32_t x = 0; x < side; ++x) {
+      const std::uint32_t corner = y * (side + 1) + x;
+      const std::uint32_t above = corner + side + 1;
+      mesh.add_face(std::vector{corner, corner + 1, above + 1}, 0);
+      mesh.add_face(std::vector{corner, above + 1, above}, 0);
+    }
+  }
+  scene.contents.blocks.emplace_back().content = grf::Shared(std::move(mesh));
+  return scene;
+}
+
+inline grf::Shared<grf::Mesh>* find_mesh(grf::BlockList& list) {
+  for (grf::Block& block : list.blocks) {
+    if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&block.content)) return mesh;
+    auto* scope = std::get_if<grf::DefinitionScope>(&block.content);
+    auto* found = scope != nullptr ? find_mesh(scope->body) : nullptr;
+    if (found != nullptr) return found;
+  }
+  return nullptr;
+}
+
+inline grf::Shared<grf::Mesh>& first_mesh(grf::Scene& scene) {
+  auto* mesh = find_mesh(scene.contents);
+  if (mesh == nullptr) throw std::runtime_error("the scene has no mesh");
+  return *mesh;
+}
+
+inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height = 72, int samples = 8) {
+  job::PreviewRequest request;
+  request.scene = std::move(scene);
+  request.options.size = {width, height};
+  request.options.samples = samples;
+  request.options.viewer = grf::Vec3f(0, 2, 6);
+  request.options.target = grf::Vec3f(0, 0.5F, 0);
+  return request;
+}
+
+/// Hears a preview, and can be waited for.
+class Heard {
+ public:
+  struct Event {
+    std::shared_ptr<const transport::Image> image;
+    transport::RenderProgress progress;
+    std::chrono::steady_clock::time_point time = std::chrono::steady_clock::now();
+  };
+
+  job::PreviewListener listener() {
+    job::PreviewListener listener;
+    listener.image = [this](int number, auto image, const transport::RenderProgress& progress) {
+      add([&] { images_[number].push_back({std::move(image), progress}); });
+    };
+    listener.diagnostics = [this](int number, const grf::Diagnostics& diagnostics) {
+      add([&] { texts_[number] += diagnostics.to_text(); });
+    };
+    listener.state = [this](int number, job::PreviewState state) {
+      add([&] { states_[number].push_back(state); });
+    };
+    return listener;
+  }
+
+  /// Whether the request comes to be in that state, within a minute.
+  bool comes_to(int number, job::PreviewState state) {
+    return wait([&] { return !states_[number].empty() && states_[number].back() == state; });
+  }
+  bool shows(int number, std::size_t images = 1) {
+    return wait([&] { return images_[number].size() >= images; });
+  }
+  std::vector<Event> images(int number) {
+    const std::lock_guard lock(lock_);
+    return images_[number];
+  }
+  std::string text(int number) {
+    const std::lock_guard lock(lock_);
+    return texts_[number];
+  }
+
+ private:
+  template <class Add>
+  void add(const Add& add) {
+    const std::lock_guard lock(lock_);
+    add();
+    changed_.notify_all();
+  }
+  template <class Condition>
+  bool wait(const Condition& condition) {
+    std::unique_lock lock(lock_);
+    return changed_.wait_for(lock, std::chrono::minutes(1), condition);
+  }
+
+  std::mutex lock_;
+  std::condition_variable changed_;
+  std::map<int, std::vector<Event>> images_;
+  std::map<int, std::string> texts_;
+  std::map<int, std::vector<job::PreviewState>> states_;
+};
+
+}  // namespace test

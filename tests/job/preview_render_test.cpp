@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <chrono>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/job/render_job.h"
+#include "tests/job/preview_helpers.h"
+#include "tests/support/samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using job::PreviewRender;
+using job::PreviewRequest;
+using job::PreviewState;
+using testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_between(Clock::time_point start, Clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - start).count();
+}
+
+transport::Image rendered(const options::RenderOptions& render_options) {
+  grf::Diagnostics diagnostics;
+  const auto render_job = job::render_job(render_options, diagnostics);
+  if (!render_job) throw std::runtime_error(diagnostics.to_text());
+  transport::Render render(render_job->scene, render_job->settings);
+  render.run();
+  return render.film().mean();
+}
+
+PreviewRequest sample_request(const std::string& path) {
+  PreviewRequest request = test::request({});
+  grf::Diagnostics diagnostics;
+  request.path = (test::samples_folder() / path).string();
+  request.options.scene = request.path;
+  auto scene = job::read_scene(request.options, diagnostics);
+  if (!scene) throw std::runtime_error(diagnostics.to_text());
+  request.scene = std::move(*scene);
+  request.options.viewer = grf::Vec3f(278, 273, -800);
+  request.options.target = grf::Vec3f(278, 273, 0);
+  return request;
+}
+
+TEST(Preview, BeginsCoarseAndEndsWithTheImageOfTheRender) {
+  const PreviewRequest request = sample_request("cornell_box/cornell_box.grf");
+  test::Heard heard;
+  PreviewRender preview(heard.listener());
+  const int number = preview.start(request);
+  ASSERT_TRUE(heard.comes_to(number, PreviewState::Done)) << heard.text(number);
+  const auto images = heard.images(number);
+  ASSERT_GE(images.size(), 3U);
+  EXPECT_EQ(images.front().image->width, 12 * 2) << "an eighth would be too small";
+  EXPECT_EQ(images.front().progress.done, 0);
+  EXPECT_EQ(images.back().image->pixels, rendered(request.options).pixels);
+  EXPECT_EQ(images.back().progress.done, 1);
+}
+
+TEST(Preview, GoesOnAfterAPauseAsThoughThereHadBeenNone) {
+  const PreviewRequest request = test::request(test::scene_of_text(test::Corner), 96, 72, 150);
+  test::Heard heard;
+  PreviewRender preview(heard.listener());
+  const int number = preview.start(request);
+  ASSERT_TRUE(heard.shows(number, 3));
+  preview.pause();
+  ASSERT_TRUE(heard.comes_to(number, PreviewState::Paused));
+  const std::size_t images = heard.images(number).size();
+  preview.resume();
+  ASSERT_TRUE(heard.comes_to(number, PreviewState::Done));
+  EXPECT_GT(heard.images(number).size(), images);
+  const int undisturbed = preview.start(request);
+  ASSERT_TRUE(heard.comes_to(undisturbed, PreviewState::Done));
+  EXPECT_EQ(heard.images(number).back().image->pixels, heard.images(undisturbed).back().image->pixels);
+}
+
+TEST(Preview, ShowsWhatWasStartedLast) {
+  PreviewRequest request = test::request(test::scene_of_text(test::Corner), 96, 72, 100'000);
+  test::Heard heard;
+  PreviewRender preview(heard.listener());
+  int number = 0;
+  for (int i = 0; i < 30; ++i) {
+    const float red = static_cast<float>(i) / 29;
+    test::first_mesh(request.scene).edit().surfaces[0].colour = grf::Colour(red, 1, 1);
+    number = preview.start(request);
+    if (i % 3 == 0) {
+      ASSERT_TRUE(heard.shows(number)) << heard.text(number);
+    }
+    if (i % 7 == 0) preview.pause();
+  }
+  ASSERT_TRUE(heard.shows(number, 5));
+  preview.stop();
+  request.options.samples = 1;
+  ASSERT_TRUE(heard.comes_to(preview.start(request), PreviewState::Done));
+}
+
+TEST(Preview, EndsAtOnce) {
+  test::Heard heard;
+  double least = 1e9;
+  for (int i = 0; i < 5; ++i) {
+    auto preview = std::make_unique<PreviewRender>(heard.listener());
+    const int number = preview->start(test::request(test::waves(100), 800, 600, 100'000));
+    ASSERT_TRUE(heard.shows(number, 4 + 4 * static_cast<std::size_t>(i)));
+    const auto start = Clock::now();
+    preview.reset();
+    least = std::min(least, milliseconds_between(start, Clock::now()));
+  }
+  RecordProperty("milliseconds", static_cast<int>(least));
+#if !defined(__SANITIZE_THREAD__) && defined(NDEBUG)
+  EXPECT_LT(least, 50);
+#endif
+}
+
+TEST(Preview, SaysWhyThereIsNone) {
+  PreviewRequest request = test::request(test::scene_of_text(test::Corner));
+  request.options.environment = "no_sky.exr";
+  test::Heard heard;
+  PreviewRender preview(heard.listener());
+  const int number = preview.start(request);
+  ASSERT_TRUE(heard.comes_to(number, PreviewState::Failed));
+  EXPECT_THAT(heard.text(number), HasSubstr("no_sky.exr"));
+  EXPECT_TRUE(heard.images(number).empty());
+}
+
+/// From an edit to the first image of what was edited: the least of some, because other programs run too.
+template <class Edit>
+double least_restart(PreviewRequest request, const Edit& edit) {
+  test::Heard heard;
+  PreviewRender preview(heard.listener());
+  heard.shows(preview.start(request), 4);
+  double least = 1e9;
+  for (int i = 1; i <= 8; ++i) {
+    edit(request, static_cast<float>(i) / 8);
+    const auto start = Clock::now();
+    const int number = preview.start(request);
+    if (!heard.shows(number)) throw std::runtime_error(heard.text(number));
+    least = std::min(least, milliseconds_between(start, heard.images(number).front().time));
+  }
+  return least;
+}
+
+void edit_surface(PreviewRequest& request, float amount) {
+  test::first_mesh(request.scene).edit().surfaces[0].colour = grf::Colour(amount, 1, 1);
+}
+void edit_view(PreviewRequest& request, float amount) { request.options.viewer->x += amount; }
+void edit_shape(PreviewRequest& request, float amount) {
+  test::first_mesh(request.scene).edit().positions[0].y += amount;
+}
+
+TEST(Preview, ShowsAnEditWithinATenthOfASecond) {
+  const std::vector<std::pair<std::string, PreviewRequest>> requests = {
+      {"cornell box", sample_request("cornell_box/cornell_box.grf")},
+      {"70,000 faces", test::request(test::waves(187))},
+      {"100,000 triangles", test::request(test::waves(224))}};
+  const std::vector<std::pair<std::string, void (*)(PreviewRequest&, float)>> edits = {
+      {"surface", edit_surface}, {"view", edit_view}, {"shape", edit_shape}};
+  for (auto [name, request] : requests) {
+    request.options.size = {800, 600};
+    request.options.samples = 100'000;
+    for (const auto& [what, edit] : edits) {
+      const double least = least_restart(request, edit);
+      std::cout << name << ", " << what << ": " << least << " ms\n";
+#if !defined(__SANITIZE_THREAD__) && defined(NDEBUG)
+      EXPECT_LT(least, 100) << name << ", " << what;
+#endif
+    }
+  }
+}
+
+}  // namespace
