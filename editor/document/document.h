@@ -1,0 +1,102 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/document/face_selection.h"
+#include "editor/document/scene_objects.h"
+#include "editor/document/surface_edits.h"
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
+
+namespace editor {
+
+struct ImportedModel;
+
+/// The scene being edited. Every change is an undo command; what is selected is not, but undo and redo select
+/// again what their command was about.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  const grf::Scene& scene() const { return scene_; }
+  /// The same scene for views; as old as the last `scene_changed`.
+  const SceneObjects& objects() const { return objects_; }
+  const FaceSelection& selection() const { return selection_; }
+  /// Where the scene was read from or saved; empty: nowhere yet.
+  const QString& path() const { return path_; }
+  /// The file's name for titles; `Untitled` if there is none.
+  QString name() const;
+  bool is_modified() const { return !undo_stack_.isClean(); }
+  QUndoStack& undo_stack() { return undo_stack_; }
+  /// What reading and checking the scene's file said.
+  const grf::Diagnostics& diagnostics() const { return diagnostics_; }
+
+  /// Begins anew, without a way back.
+  void clear();
+  /// Takes a scene as though it had been read from the path; a scene that was recovered is not as it is
+  /// there.
+  void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified = false);
+  /// Takes a model that was imported, as a new scene that is not saved yet.
+  void take_import(const ImportedModel& model);
+  /// Adds the blocks of another scene, whose file is `path`, to this one: one step of undo.
+  void merge(const QString& text, const grf::Scene& scene, const QString& path);
+  void merge_import(const QString& text, const ImportedModel& model);
+  /// Reads a GRF file. After an error the document stays as it was, and the diagnostics say why.
+  bool open(const QString& path, grf::Diagnostics& diagnostics);
+  /// Writes the scene; names of other files follow it to another folder, and images that stood inside an
+  /// imported model are copied there. After an error it is still modified.
+  bool save(const QString& path, grf::Diagnostics& diagnostics);
+
+  /// The scene as a file of this path would name others.
+  grf::Scene scene_for(const QString& path) const;
+
+  void select(FaceSelection selection);
+
+  /// Replaces the scene, as one step of undo. Steps with one key become one, until `finish_gesture`; an empty
+  /// key is like no other.
+  void replace(const QString& text, grf::Scene scene, const QString& key = {});
+  /// Edits what the selected faces have, likewise. Nothing happens if none is selected.
+  void edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key = {});
+  /// The same, where what they get depends on what they have.
+  void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
+  /// The next step is one of its own: a slider was let go.
+  void finish_gesture() { ++gesture_; }
+
+ signals:
+  /// `structure_changed`: meshes, faces or vertices are others, and not only what faces have.
+  void scene_changed(bool structure_changed);
+  void selection_changed();
+  void path_changed();
+  /// Another scene is edited from now on: it was opened, imported, recovered or begun anew.
+  void taken();
+  /// After the scene was written.
+  void saved();
+  void modified_changed(bool is_modified);
+
+ private:
+  class SceneCommand;
+  class SurfaceCommand;
+
+  void show(grf::Scene scene, const FaceSelection* selection);
+  void put_surfaces(const std::vector<MeshSurfaces>& surfaces, const FaceSelection& selection);
+  FaceSelection carried_over(const SceneObjects& objects) const;
+
+  grf::Scene scene_;
+  SceneObjects objects_;
+  FaceSelection selection_;
+  QString path_;
+  grf::Diagnostics diagnostics_;
+  std::vector<QString> import_folders_;  ///< of which files are copied where the scene is saved
+  int gesture_ = 0;
+  QUndoStack undo_stack_;
+};
+
+}  // namespace editor

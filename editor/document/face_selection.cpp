@@ -1,0 +1,221 @@
+#include "editor/document/face_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "grf/summary.h"
+#include "grf/topology.h"
+
+namespace editor {
+namespace {
+
+/// Which faces of a mesh share an edge with which.
+class Neighbours {
+ public:
+  explicit Neighbours(const grf::Mesh& mesh) : offsets_(mesh.face_count() + 1) {
+    const auto edges = grf::edges_of_faces(mesh, grf::first_at_place(mesh));
+    grf::for_each_edge(edges, [this](std::span<const grf::FaceEdge> of_faces) {
+      for (const grf::FaceEdge& edge : of_faces) offsets_[edge.face + 1] += of_faces.size() - 1;
+    });
+    for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
+    faces_.resize(offsets_.back());
+    std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
+    grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
+      for (const grf::FaceEdge& edge : of_faces) {
+        for (const grf::FaceEdge& other : of_faces) {
+          if (&other != &edge) faces_[next[edge.face]++] = other.face;
+        }
+      }
+    });
+  }
+
+  std::span<const std::uint32_t> of(std::uint32_t face) const {
+    return std::span(faces_).subspan(offsets_[face], offsets_[face + 1] - offsets_[face]);
+  }
+
+ private:
+  std::vector<std::size_t> offsets_;
+  std::vector<std::uint32_t> faces_;
+};
+
+/// Does something with each mesh of which some, but perhaps not all, faces are selected.
+void for_each_selected_mesh(const FaceSelection& selection, const SceneObjects& objects,
+                            const std::function<void(std::uint32_t, const grf::Mesh&)>& action) {
+  for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
+    const std::vector<bool>& faces = selection.of_mesh(i);
+    if (std::find(faces.begin(), faces.end(), true) != faces.end()) action(i, *objects.meshes[i].mesh);
+  }
+}
+
+/// Spreads from the selected faces to their neighbours, and on from there, as long as `admits` the step.
+template <class Admits>
+void spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& selection, const Admits& admits) {
+  const Neighbours neighbours(geometry);
+  std::vector<std::uint32_t> front;
+  for (std::uint32_t face = 0; face < geometry.face_count(); ++face) {
+    if (selection.has({mesh, face})) front.push_back(face);
+  }
+  while (!front.empty()) {
+    const std::uint32_t face = front.back();
+    front.pop_back();
+    for (const std::uint32_t other : neighbours.of(face)) {
+      if (selection.has({mesh, other}) || !admits(face, other)) continue;
+      selection.set({mesh, other});
+      front.push_back(other);
+    }
+  }
+}
+
+bool are_alike(const grf::Surface& a, const grf::Surface& b, Likeness likeness) {
+  switch (likeness) {
+    case Likeness::Brdf:
+      return a.brdf == b.brdf;
+    case Likeness::Pdf:
+      return a.pdf == b.pdf;
+    case Likeness::Colour:
+      return a.colour == b.colour;
+    case Likeness::Texture:
+      return a.texture == b.texture;
+    case Likeness::Emission:
+      return a.emission == b.emission;
+    case Likeness::All:
+      return a == b;
+  }
+  return false;
+}
+
+}  // namespace
+
+FaceSelection::FaceSelection(const SceneObjects& objects) {
+  for (const MeshObject& mesh : objects.meshes) faces_.emplace_back(mesh.mesh->face_count());
+}
+
+void FaceSelection::set(FaceId face, bool is_selected) {
+  auto entry = faces_[face.mesh][face.face];
+  if (entry == is_selected) return;
+  entry = is_selected;
+  if (is_selected) {
+    ++count_;
+  } else {
+    --count_;
+  }
+}
+
+void FaceSelection::set_mesh(std::uint32_t mesh, bool is_selected) {
+  std::vector<bool>& faces = faces_[mesh];
+  count_ -= static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
+  faces.assign(faces.size(), is_selected);
+  if (is_selected) count_ += faces.size();
+}
+
+void FaceSelection::clear() {
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) set_mesh(i, false);
+}
+
+void FaceSelection::select_all() {
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) set_mesh(i, true);
+}
+
+void FaceSelection::invert() {
+  count_ = 0;
+  for (std::vector<bool>& faces : faces_) {
+    faces.flip();
+    count_ += static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
+  }
+}
+
+void FaceSelection::add(const FaceSelection& other) {
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+    for (std::uint32_t face = 0; face < faces_[i].size(); ++face) {
+      if (other.has({i, face})) set({i, face});
+    }
+  }
+}
+
+void FaceSelection::remove(const FaceSelection& other) {
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+    for (std::uint32_t face = 0; face < faces_[i].size(); ++face) {
+      if (other.has({i, face})) set({i, face}, false);
+    }
+  }
+}
+
+FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects) {
+  FaceSelection result = selection;
+  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+    const Neighbours neighbours(mesh);
+    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+      if (!selection.has({i, face})) continue;
+      for (const std::uint32_t other : neighbours.of(face)) result.set({i, other});
+    }
+  });
+  return result;
+}
+
+FaceSelection shrunk(const FaceSelection& selection, const SceneObjects& objects) {
+  FaceSelection outside = selection;
+  outside.invert();
+  FaceSelection result = selection;
+  result.remove(grown(outside, objects));
+  return result;
+}
+
+FaceSelection connected(const FaceSelection& selection, const SceneObjects& objects) {
+  FaceSelection result = selection;
+  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+    spread(i, mesh, result, [](std::uint32_t, std::uint32_t) { return true; });
+  });
+  return result;
+}
+
+FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objects, double radians) {
+  FaceSelection result = selection;
+  const double least = std::cos(radians);
+  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+    std::vector<grf::Vec3d> normals;
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+      normals.push_back(grf::doubled_area_vector(mesh, face, {}).normalized());
+    }
+    // Each face is compared with the selected one that it was reached from, so that a bend of many small
+    // steps ends.
+    std::vector<std::uint32_t> seeds(mesh.face_count());
+    for (std::uint32_t face = 0; face < seeds.size(); ++face) seeds[face] = face;
+    spread(i, mesh, result, [&](std::uint32_t from, std::uint32_t to) {
+      if (normals[seeds[from]].dot(normals[to]) < least) return false;
+      seeds[to] = seeds[from];
+      return true;
+    });
+  });
+  return result;
+}
+
+FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness) {
+  std::vector<const grf::Surface*> wanted;
+  const auto is_wanted = [&](const grf::Surface& surface) {
+    return std::any_of(wanted.begin(), wanted.end(),
+                       [&](const grf::Surface* other) { return are_alike(surface, *other, likeness); });
+  };
+  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+    std::vector<bool> is_used(mesh.surfaces.size());
+    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+      if (selection.has({i, face})) is_used[mesh.surface_of_face[face]] = true;
+    }
+    for (std::size_t k = 0; k < is_used.size(); ++k) {
+      if (is_used[k] && !is_wanted(mesh.surfaces[k])) wanted.push_back(&mesh.surfaces[k]);
+    }
+  });
+  FaceSelection result(objects);
+  for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
+    std::vector<bool> takes;
+    for (const grf::Surface& surface : mesh.surfaces) takes.push_back(is_wanted(surface));
+    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+      if (takes[mesh.surface_of_face[face]]) result.set({i, face});
+    }
+  }
+  return result;
+}
+
+}  // namespace editor

@@ -1,0 +1,71 @@
+// Which faces are selected, and the ways to select more or fewer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "editor/document/scene_objects.h"
+
+namespace editor {
+
+/// A face of a mesh, each an index of its list.
+struct FaceId {
+  std::uint32_t mesh = 0;
+  std::uint32_t face = 0;
+
+  bool operator==(const FaceId&) const = default;
+};
+
+/// A set of faces of the meshes of a scene's objects. A mesh that stands at several places is selected in
+/// all.
+class FaceSelection {
+ public:
+  FaceSelection() = default;
+  /// No face of these.
+  explicit FaceSelection(const SceneObjects& objects);
+
+  std::size_t count() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  bool has(FaceId face) const { return faces_[face.mesh][face.face]; }
+  std::size_t mesh_count() const { return faces_.size(); }
+  const std::vector<bool>& of_mesh(std::uint32_t mesh) const { return faces_[mesh]; }
+
+  void set(FaceId face, bool is_selected = true);
+  void set_mesh(std::uint32_t mesh, bool is_selected = true);
+  void clear();
+  void select_all();
+  void invert();
+  /// Adds or takes away what another selection of the same objects has.
+  void add(const FaceSelection& other);
+  void remove(const FaceSelection& other);
+
+  bool operator==(const FaceSelection&) const = default;
+
+ private:
+  std::vector<std::vector<bool>> faces_;
+  std::size_t count_ = 0;
+};
+
+/// The selection and all faces that share an edge with one of it; vertices at one place count as one.
+FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects);
+
+/// The selection without the faces that share an edge with one that is not of it.
+FaceSelection shrunk(const FaceSelection& selection, const SceneObjects& objects);
+
+/// All faces that hang together with those of the selection by shared edges.
+FaceSelection connected(const FaceSelection& selection, const SceneObjects& objects);
+
+/// The same, where the normal of each turns no more than so many radians from that of the selected face which
+/// it was reached from.
+FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objects, double radians);
+
+/// What two surfaces have to have in common to be alike.
+enum class Likeness { Brdf, Pdf, Colour, Texture, Emission, All };
+
+/// All faces of all meshes whose surface is like that of a selected one.
+FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness);
+
+}  // namespace editor

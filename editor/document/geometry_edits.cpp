@@ -1,0 +1,212 @@
+#include "editor/document/geometry_edits.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "converters/mesh_operations/normals.h"
+#include "converters/mesh_operations/rebuild.h"
+#include "editor/document/scene_places.h"
+#include "grf/scene_path.h"
+#include "grf/visit.h"
+
+namespace editor {
+namespace {
+
+std::vector<std::uint32_t> numbers_of(const std::vector<bool>& faces) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t face = 0; face < faces.size(); ++face) {
+    if (faces[face]) numbers.push_back(face);
+  }
+  return numbers;
+}
+
+/// The mesh with the vertices of a part, whose faces are some of its own in the same order, in place of those
+/// that these faces had.
+grf::Mesh with_part(const grf::Mesh& mesh, const std::vector<bool>& faces, const grf::Mesh& part) {
+  grf::Mesh both = mesh;
+  std::vector<std::uint32_t> copies;
+  copies.reserve(part.positions.size());
+  for (std::uint32_t i = 0; i < part.positions.size(); ++i) copies.push_back(grf::copy_vertex(part, i, both));
+  const std::vector<std::uint32_t> first = convert::first_alike(both);
+  convert::Rebuild rebuild(both);
+  std::vector<std::uint32_t> corners;
+  std::size_t of_part = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    corners.clear();
+    if (faces[face]) {
+      for (const std::uint32_t corner : part.face(of_part)) corners.push_back(first[copies[corner]]);
+      ++of_part;
+    } else {
+      for (const std::uint32_t corner : mesh.face(face)) corners.push_back(first[corner]);
+    }
+    rebuild.add_face(corners, mesh.surface_of_face[face]);
+  }
+  return rebuild.take();
+}
+
+using MeshEdit = std::function<grf::Mesh(grf::Mesh)>;
+
+/// The mesh whose faces that are meant are edited. The edit keeps number and order of faces.
+grf::Mesh edited_mesh(const grf::Mesh& mesh, const std::vector<bool>& faces, const MeshEdit& edit) {
+  if (std::find(faces.begin(), faces.end(), false) == faces.end()) return edit(mesh);
+  return with_part(mesh, faces, edit(grf::part_of(mesh, numbers_of(faces))));
+}
+
+std::optional<grf::Scene> edited_scene(const SelectedFaces& faces, const MeshEdit& edit,
+                                       grf::Diagnostics& diagnostics) {
+  grf::Scene scene = faces.scene;
+  for (std::uint32_t i = 0; i < faces.selection.mesh_count(); ++i) {
+    const std::vector<bool>& of_mesh = faces.selection.of_mesh(i);
+    if (std::find(of_mesh.begin(), of_mesh.end(), true) == of_mesh.end()) continue;
+    const MeshObject& object = faces.objects.meshes[i];
+    *grf::find_mesh(scene, object.path) = edited_mesh(*object.mesh, of_mesh, edit);
+  }
+  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
+  return scene;
+}
+
+grf::Mesh flipped_mesh(grf::Mesh mesh) {
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    // The first corner stays the first.
+    const auto begin = mesh.corners.begin() + mesh.face_offsets[face] + 1;
+    std::reverse(begin, mesh.corners.begin() + mesh.face_offsets[face + 1]);
+  }
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (mesh.normals.has(i)) mesh.normals.set(i, -mesh.normals[i]);
+  }
+  return mesh;
+}
+
+template <class Value>
+void set_all(grf::OptionalVertexValues<Value>& values, std::size_t vertices,
+             const std::optional<grf::Colour>& value) {
+  values = {};
+  if (!value) return;
+  values.reserve(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) values.set(i, *value);
+}
+
+/// What vertices have in common in a value that they may have.
+struct Common {
+  bool is_first = true;
+  bool is_mixed = false;
+  std::optional<grf::Colour> value;
+
+  void meet(const std::optional<grf::Colour>& other) {
+    if (!std::exchange(is_first, false)) {
+      is_mixed = is_mixed || other != value;
+    } else {
+      value = other;
+    }
+  }
+};
+
+/// All `use` blocks of the definitions at some places.
+std::vector<grf::ScenePath> uses_of(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths) {
+  std::set<const grf::Definition*> definitions;
+  for (const grf::ScenePath& path : paths) {
+    if (const grf::Definition* definition = definition_at(scene, path)) definitions.insert(definition);
+  }
+  std::vector<grf::ScenePath> uses;
+  grf::SceneVisitor visitor;
+  visitor.use = [&](const grf::Use& use, const grf::Placement& placement, const grf::Block&) {
+    if (definitions.contains(placement.scope.find(use.mesh.name))) {
+      uses.emplace_back(placement.path.begin(), placement.path.end());
+    }
+  };
+  grf::visit(scene, visitor);
+  return uses;
+}
+
+}  // namespace
+
+std::optional<grf::Scene> with_smooth_normals(const SelectedFaces& faces, double crease,
+                                              grf::Diagnostics& diagnostics) {
+  return edited_scene(
+      faces, [crease](const grf::Mesh& mesh) { return convert::with_smooth_normals(mesh, crease); },
+      diagnostics);
+}
+
+std::optional<grf::Scene> with_flat_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
+  return edited_scene(
+      faces, [](const grf::Mesh& mesh) { return convert::with_flat_faces(mesh); }, diagnostics);
+}
+
+std::optional<grf::Scene> flipped(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
+  return edited_scene(faces, flipped_mesh, diagnostics);
+}
+
+std::optional<grf::Scene> with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour,
+                                              grf::Diagnostics& diagnostics) {
+  const auto edit = [&colour](grf::Mesh mesh) {
+    set_all(mesh.colours, mesh.positions.size(), colour);
+    return mesh;
+  };
+  return edited_scene(faces, edit, diagnostics);
+}
+
+std::optional<grf::Scene> with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance,
+                                          grf::Diagnostics& diagnostics) {
+  const auto edit = [&irradiance](grf::Mesh mesh) {
+    set_all(mesh.irradiance, mesh.positions.size(), irradiance);
+    return mesh;
+  };
+  return edited_scene(faces, edit, diagnostics);
+}
+
+std::optional<grf::Scene> without_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
+  grf::Scene scene = faces.scene;
+  std::vector<grf::ScenePath> gone;
+  for (std::uint32_t i = 0; i < faces.selection.mesh_count(); ++i) {
+    const std::vector<bool>& of_mesh = faces.selection.of_mesh(i);
+    if (std::find(of_mesh.begin(), of_mesh.end(), true) == of_mesh.end()) continue;
+    const MeshObject& object = faces.objects.meshes[i];
+    if (std::find(of_mesh.begin(), of_mesh.end(), false) == of_mesh.end()) {
+      gone.push_back(object.path);
+      continue;
+    }
+    convert::Rebuild rebuild(*object.mesh);
+    for (std::size_t face = 0; face < of_mesh.size(); ++face) {
+      if (!of_mesh[face]) rebuild.add_face(object.mesh->face(face), object.mesh->surface_of_face[face]);
+    }
+    *grf::find_mesh(scene, object.path) = rebuild.take();
+  }
+  const std::vector<grf::ScenePath> uses = uses_of(scene, gone);
+  gone.insert(gone.end(), uses.begin(), uses.end());
+  erase(scene, std::move(gone));
+  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
+  return scene;
+}
+
+CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection& selection) {
+  CommonVertices common;
+  Common colour;
+  Common irradiance;
+  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
+    const std::vector<bool>& faces = selection.of_mesh(i);
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+      if (!faces[face]) continue;
+      for (const std::uint32_t corner : mesh.face(face)) {
+        common.have_normals = common.have_normals || mesh.normals.has(corner);
+        colour.meet(mesh.colours.has(corner) ? std::optional(mesh.colours[corner]) : std::nullopt);
+        const auto* value = mesh.irradiance.has(corner) ? &mesh.irradiance[corner] : nullptr;
+        const auto* single = value == nullptr ? nullptr : std::get_if<grf::Colour>(value);
+        irradiance.meet(single == nullptr ? std::nullopt : std::optional(*single));
+        if (value != nullptr && single == nullptr) irradiance.is_mixed = true;
+      }
+    }
+  }
+  common.colour = colour.value;
+  common.are_colours_mixed = colour.is_mixed;
+  common.irradiance = irradiance.value;
+  common.are_irradiances_mixed = irradiance.is_mixed;
+  return common;
+}
+
+}  // namespace editor

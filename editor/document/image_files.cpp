@@ -1,0 +1,78 @@
+#include "editor/document/image_files.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+#include <set>
+#include <variant>
+
+#include "grf/text_file.h"
+#include "grf/visit.h"
+
+namespace editor {
+namespace {
+
+/// As the scene writes them.
+std::set<std::string> texture_names(const grf::Scene& scene) {
+  std::set<std::string> names;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+    for (const grf::Surface& surface : mesh.surfaces) {
+      const auto* texture = surface.texture ? std::get_if<grf::Texture>(&*surface.texture) : nullptr;
+      if (texture != nullptr) names.insert(texture->file);
+    }
+  };
+  visitor.definition = [&](const grf::Definition& definition, const grf::Placement&) {
+    if (const auto* texture = std::get_if<grf::Texture>(&definition.body)) names.insert(texture->file);
+  };
+  grf::visit(scene, visitor);
+  return names;
+}
+
+bool have_same_bytes(const QString& a, const QString& b) {
+  QFile first(a);
+  QFile second(b);
+  return first.open(QIODevice::ReadOnly) && second.open(QIODevice::ReadOnly) &&
+         first.size() == second.size() && first.readAll() == second.readAll();
+}
+
+/// The name of the copy; empty if there is none.
+QString copied(const QString& file, const QDir& folder) {
+  const QFileInfo info(file);
+  for (int number = 1;; ++number) {
+    QString name = number == 1
+                       ? info.fileName()
+                       : QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix());
+    const QString path = folder.filePath(name);
+    if (!QFile::exists(path)) return QFile::copy(file, path) ? name : QString();
+    if (have_same_bytes(file, path)) return name;
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> copy_images(const grf::Scene& scene, const std::string& from,
+                                               const std::vector<QString>& folders, const std::string& to,
+                                               grf::Diagnostics& diagnostics) {
+  std::map<std::string, std::string> names;
+  if (folders.empty()) return names;
+  const QDir destination = QFileInfo(QString::fromStdString(to)).dir();
+  for (const std::string& name : texture_names(scene)) {
+    const QFileInfo file(QString::fromStdString(grf::path_beside(from, name)));
+    const bool is_ours = std::any_of(folders.begin(), folders.end(), [&](const QString& folder) {
+      return QFileInfo(folder).canonicalFilePath() == file.canonicalPath();
+    });
+    if (!is_ours) continue;
+    const QString copy = copied(file.filePath(), destination);
+    if (copy.isEmpty()) {
+      diagnostics.error(grf::whole_file(to), "the image " + file.filePath().toStdString() +
+                                                 " cannot be copied to the scene's folder");
+    } else {
+      names[name] = copy.toStdString();
+    }
+  }
+  return names;
+}
+
+}  // namespace editor

@@ -1,0 +1,112 @@
+#include "editor/document/model_import.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+#include <QUuid>
+#include <QtConcurrent>
+#include <utility>
+
+#include "converters/format.h"
+#include "editor/programs/bundled_program.h"
+#include "grf/read.h"
+
+namespace editor {
+namespace {
+
+/// Null: what was written cannot be read, which the messages explain.
+std::shared_ptr<const ImportedModel> read_model(const QString& path, QStringList losses, QString messages) {
+  auto model = std::make_shared<ImportedModel>();
+  grf::Diagnostics diagnostics;
+  auto scene = grf::read(path.toStdString(), diagnostics);
+  if (!scene) return nullptr;
+  model->scene = std::move(*scene);
+  model->path = path;
+  model->losses = std::move(losses);
+  model->messages = std::move(messages);
+  return model;
+}
+
+QStringList losses_in(const QByteArray& report) {
+  QStringList losses;
+  for (const QJsonValue loss : QJsonDocument::fromJson(report).object()["losses"].toArray()) {
+    losses.append(loss.toString());
+  }
+  return losses;
+}
+
+}  // namespace
+
+ModelImport::ModelImport(QString folder, QObject* parent) : QObject(parent), folder_(std::move(folder)) {
+  connect(&process_, &QProcess::finished, this, &ModelImport::read_output);
+  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart)
+      fail(tr("grfconvert cannot be started: %1").arg(process_.errorString()));
+  });
+  connect(&reading_, &QFutureWatcher<std::shared_ptr<const ImportedModel>>::finished, this, [this] {
+    if (reading_.future().resultCount() == 0) return;  // it was cancelled
+    if (const auto model = reading_.result()) return emit done(model);
+    fail(tr("%1: what was made of it cannot be read").arg(file_));
+  });
+}
+
+ModelImport::~ModelImport() { cancel(); }
+
+QString ModelImport::default_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/imports";
+}
+
+QStringList ModelImport::name_patterns() {
+  QStringList patterns;
+  for (const convert::Format& format : convert::formats()) {
+    if (format.read == nullptr) continue;
+    for (const std::string_view extension : format.extensions) {
+      patterns.append("*." + QString::fromUtf8(extension.data(), static_cast<int>(extension.size())));
+    }
+  }
+  return patterns;
+}
+
+void ModelImport::start(const QString& file, const QStringList& options) {
+  cancel();
+  file_ = file;
+  const QString program = bundled_program("grfconvert");
+  if (program.isEmpty()) return fail(tr("the program grfconvert is not there"));
+  const QString folder = folder_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
+  if (!QDir().mkpath(folder)) return fail(tr("the folder %1 cannot be made").arg(folder));
+  output_ = folder + "/" + QFileInfo(file).completeBaseName() + ".grf";
+  process_.start(program, options + QStringList{"--json", "-o", output_, "--", file});
+}
+
+void ModelImport::cancel() {
+  const QSignalBlocker silence(process_);
+  const QSignalBlocker silence_of_reading(reading_);
+  if (process_.state() != QProcess::NotRunning) {
+    // It ends its own child, and removes what that began to write.
+    process_.terminate();
+    if (!process_.waitForFinished(2000)) process_.kill();
+    process_.waitForFinished();
+  }
+  reading_.waitForFinished();
+  reading_.setFuture({});
+}
+
+void ModelImport::read_output(int code, QProcess::ExitStatus status) {
+  const QString messages = QString::fromUtf8(process_.readAllStandardError());
+  const QByteArray report = process_.readAllStandardOutput();
+  if (status == QProcess::CrashExit) return fail(tr("%1: grfconvert crashed").arg(file_));
+  if (code != 0)
+    return fail(messages.isEmpty() ? tr("%1: it cannot be read").arg(file_) : messages.trimmed());
+  reading_.setFuture(QtConcurrent::run(read_model, output_, losses_in(report), messages));
+}
+
+void ModelImport::fail(const QString& message) {
+  if (!output_.isEmpty()) QDir(QFileInfo(output_).path()).removeRecursively();
+  output_.clear();
+  emit failed(message);
+}
+
+}  // namespace editor

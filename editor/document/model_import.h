@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/scene.h"
+
+namespace editor {
+
+/// A model of another format as a scene. Images that stood inside it are files beside `path` now.
+struct ImportedModel {
+  grf::Scene scene;
+  QString path;        ///< from which the scene names other files
+  QStringList losses;  ///< what the scene has not, a line a kind
+  QString messages;    ///< what else was said, as `grfconvert` prints it
+};
+
+/// Reads a model in a process of its own, `grfconvert`, so that a file which crashes a reader, or wants all
+/// memory, is no more than a message here.
+class ModelImport : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Files that stood inside models get folders in `folder`.
+  explicit ModelImport(QString folder, QObject* parent = nullptr);
+  ~ModelImport() override;
+
+  static QString default_folder();
+  /// Patterns of all formats that are read, for a file dialog: "*.obj".
+  static QStringList name_patterns();
+
+  bool is_running() const { return process_.state() != QProcess::NotRunning || reading_.isRunning(); }
+  /// `options` are those of `grfconvert`, such as {"--up", "z"}. One file at a time.
+  void start(const QString& file, const QStringList& options = {});
+  /// Ends it, and nothing is left. No signal comes.
+  void cancel();
+
+ signals:
+  void done(std::shared_ptr<const ImportedModel> model);
+  /// What is wrong with the file, in words that name it.
+  void failed(const QString& message);
+
+ private:
+  void read_output(int code, QProcess::ExitStatus status);
+  void fail(const QString& message);
+
+  const QString folder_;
+  QString file_;
+  QString output_;
+  QProcess process_;
+  QFutureWatcher<std::shared_ptr<const ImportedModel>> reading_;
+};
+
+}  // namespace editor

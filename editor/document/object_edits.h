@@ -1,0 +1,33 @@
+// Moving, copying, naming and taking away what stands in a scene. Each edit gives a new scene, or nothing and
+// the reason in the diagnostics.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/math.h"
+#include "grf/scene.h"
+#include "grf/scene_path.h"
+
+namespace editor {
+
+/// Moves a block in the world. Where it stands alone in a transform, or is one, that moves it; else it gets
+/// one of its own, which then stands at the path.
+std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathView path,
+                                      const grf::Vec3d& offset, grf::Diagnostics& diagnostics);
+
+/// Takes away blocks, and definitions that nothing else refers to.
+std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
+                                         grf::Diagnostics& diagnostics);
+
+/// Puts a block there once more, moved in the world. Meshes in it become definitions, which both use.
+std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePathView path,
+                                           const grf::Vec3d& offset, grf::Diagnostics& diagnostics);
+
+/// Names a mesh; a definition is renamed with all that refers to it.
+std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathView path,
+                                        const std::string& name, grf::Diagnostics& diagnostics);
+
+}  // namespace editor

@@ -1,0 +1,255 @@
+#include "editor/document/recovery.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QUuid>
+#include <QtConcurrent>
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "editor/document/document.h"
+#include "grf/read.h"
+#include "grf/relocate.h"
+#include "grf/text_file.h"
+#include "grf/write.h"
+
+namespace editor {
+namespace {
+
+const QString SceneFile = QStringLiteral("scene.grf");
+const QString RecordFile = QStringLiteral("work.json");
+const QString LockFile = QStringLiteral("lock");
+
+/// Calls `action` with each include of the blocks, outer ones before those inside them.
+template <class Action>
+void for_each_include(grf::BlockList& list, const Action& action) {
+  for (grf::Block& block : list.blocks) {
+    if (auto* include = std::get_if<grf::Include>(&block.content)) {
+      action(*include);
+    } else if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      for_each_include(transform->body, action);
+    } else if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
+      for_each_include(scope->body, action);
+    }
+  }
+}
+
+/// The blocks of a file with names as another file says them.
+grf::BlockList moved(const grf::BlockList& list, const std::string& from, const std::string& to) {
+  grf::Scene scene = {list};
+  grf::relocate(scene, from, to);
+  return std::move(scene.contents);
+}
+
+/// Brings a scene with all its included files into one folder, under names of their own, since those of the
+/// author must not be written.
+class Packing {
+ public:
+  explicit Packing(std::string folder) : folder_(std::move(folder)) {}
+
+  grf::Scene pack(const grf::Scene& scene, const std::string& path) {
+    return {packed(scene.contents, path, folder_ + "/" + SceneFile.toStdString())};
+  }
+  /// The names that included files have in the scene, by their numbers.
+  const QJsonArray& names() const { return names_; }
+
+ private:
+  grf::BlockList packed(const grf::BlockList& list, const std::string& path, const std::string& to) {
+    std::vector<std::string> files;
+    grf::BlockList original = list;
+    for_each_include(original, [&](const grf::Include& include) { files.push_back(include.file); });
+    grf::BlockList result = moved(list, path, to);
+    std::size_t number = 0;
+    for_each_include(result, [&](grf::Include& include) {
+      const std::string file = files[number++];
+      const std::string name = "include_" + std::to_string(names_.size()) + ".grf";
+      names_.append(QString::fromStdString(file));
+      const grf::BlockList contents = *include.contents;
+      include.file = name;
+      include.contents = packed(contents, grf::path_beside(path, file), folder_ + "/" + name);
+      include.origin = {};
+    });
+    return result;
+  }
+
+  std::string folder_;
+  QJsonArray names_;
+};
+
+/// The way back. Included files get back their names; that they were changed is told by their contents.
+class Unpacking {
+ public:
+  Unpacking(std::string folder, const QJsonArray& names) : folder_(std::move(folder)), names_(names) {}
+
+  grf::Scene unpack(const grf::Scene& scene, const std::string& path) {
+    return {unpacked(scene.contents, folder_ + "/" + SceneFile.toStdString(), path)};
+  }
+
+ private:
+  grf::BlockList unpacked(const grf::BlockList& list, const std::string& from, const std::string& path) {
+    grf::BlockList result = moved(list, from, path);
+    for_each_include(result, [&](grf::Include& include) {
+      const std::string name = "include_" + std::to_string(next_) + ".grf";
+      const std::string file = names_[next_++].toString().toStdString();
+      const grf::BlockList contents = *include.contents;
+      include.file = file;
+      include.contents = unpacked(contents, folder_ + "/" + name, grf::path_beside(path, file));
+      include.origin = {};
+    });
+    return result;
+  }
+
+  std::string folder_;
+  const QJsonArray& names_;
+  int next_ = 0;
+};
+
+QJsonObject record_in(const QString& folder) {
+  QFile file(folder + "/" + RecordFile);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  return QJsonDocument::fromJson(file.readAll()).object();
+}
+
+bool write_record(const QString& folder, const QJsonObject& record) {
+  QSaveFile file(folder + "/" + RecordFile);
+  if (!file.open(QIODevice::WriteOnly)) return false;
+  file.write(QJsonDocument(record).toJson());
+  return file.commit();
+}
+
+/// What went wrong, or nothing. The scene comes before the record: a session without a record has kept
+/// nothing.
+QString write_work(const QString& folder, const grf::Scene& scene, const QString& path) {
+  Packing packing(folder.toStdString());
+  const grf::Scene packed = packing.pack(scene, path.toStdString());
+  grf::Diagnostics diagnostics;
+  if (!grf::write(packed, (folder + "/" + SceneFile).toStdString(), diagnostics)) {
+    return QString::fromStdString(diagnostics.to_text());
+  }
+  const QJsonObject record = {{"path", path},
+                              {"saved", QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs)},
+                              {"includes", packing.names()}};
+  return write_record(folder, record) ? QString()
+                                      : Recovery::tr("The folder %1 cannot be written.").arg(folder);
+}
+
+/// Included files that are still as they were are no changed ones, which saving would write again.
+void take_origins(grf::BlockList& list, const std::string& path,
+                  const std::map<std::string, grf::Include>& on_disk) {
+  for_each_include(list, [&](grf::Include& include) {
+    const std::string file = grf::path_beside(path, include.file);
+    const auto found = on_disk.find(file);
+    if (found != on_disk.end() && *found->second.contents == *include.contents) {
+      include.contents = found->second.contents;
+      include.origin = found->second.origin;
+    } else {
+      take_origins(include.contents.edit(), file, on_disk);
+    }
+  });
+}
+
+void collect(const grf::BlockList& list, const std::string& path,
+             std::map<std::string, grf::Include>& includes) {
+  grf::BlockList blocks = list;
+  for_each_include(blocks, [&](const grf::Include& include) {
+    const std::string file = grf::path_beside(path, include.file);
+    if (includes.emplace(file, include).second) collect(*include.contents, file, includes);
+  });
+}
+
+}  // namespace
+
+Recovery::Recovery(Document& document, const QString& sessions, int delay, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      sessions_(sessions),
+      folder_(sessions + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces)) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(delay);
+  connect(&timer_, &QTimer::timeout, this, &Recovery::keep);
+  connect(&writing_, &QFutureWatcher<QString>::finished, this, [this] {
+    const QString problem = writing_.result();
+    if (!problem.isEmpty()) return emit failed(problem);
+    emit kept();
+  });
+  connect(&document_, &Document::scene_changed, this, [this] {
+    // Not begun anew at each change: one who goes on working would have nothing kept.
+    if (document_.is_modified() && !timer_.isActive()) timer_.start();
+  });
+  connect(&document_, &Document::modified_changed, this, [this](bool is_modified) {
+    if (is_modified && !timer_.isActive()) timer_.start();
+    if (!is_modified) discard_own();
+  });
+}
+
+Recovery::~Recovery() { discard_own(); }
+
+QString Recovery::default_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery";
+}
+
+std::vector<LostWork> Recovery::lost_work() const {
+  std::vector<LostWork> lost;
+  for (const QString& name : QDir(sessions_).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    const QString folder = sessions_ + "/" + name;
+    const QJsonObject record = record_in(folder);
+    if (folder == folder_ || record.isEmpty()) continue;
+    QLockFile lock(folder + "/" + LockFile);
+    lock.setStaleLockTime(0);  // however old, it is that of a session while its process lives
+    // The process that the file names may be another one by now, and the file may be empty after a power cut;
+    // whether it is held, the operating system knows: a lock that is held is not removed.
+    if (!lock.tryLock() && !lock.removeStaleLockFile()) continue;
+    lost.push_back({folder, record["path"].toString(),
+                    QDateTime::fromString(record["saved"].toString(), Qt::ISODateWithMs)});
+  }
+  std::sort(lost.begin(), lost.end(), [](const LostWork& a, const LostWork& b) { return a.saved > b.saved; });
+  return lost;
+}
+
+std::optional<grf::Scene> Recovery::read(const LostWork& work, grf::Diagnostics& diagnostics) {
+  const auto scene = grf::read((work.folder + "/" + SceneFile).toStdString(), diagnostics);
+  if (!scene) return std::nullopt;
+  const QJsonArray names = record_in(work.folder)["includes"].toArray();
+  const std::string path = work.path.toStdString();
+  grf::Scene result = Unpacking(work.folder.toStdString(), names).unpack(*scene, path);
+  grf::Diagnostics unheard;
+  if (const auto on_disk = path.empty() ? std::nullopt : grf::read(path, unheard)) {
+    std::map<std::string, grf::Include> includes;
+    collect(on_disk->contents, path, includes);
+    take_origins(result.contents, path, includes);
+  }
+  return result;
+}
+
+void Recovery::discard(const LostWork& work) { QDir(work.folder).removeRecursively(); }
+
+// What comes while the last state is written is kept after it.
+void Recovery::keep() {
+  timer_.stop();
+  if (!document_.is_modified()) return;
+  if (writing_.isRunning()) return timer_.start();
+  if (!QDir().mkpath(folder_)) return emit failed(tr("The folder %1 cannot be made.").arg(folder_));
+  if (!lock_) {
+    lock_.emplace(folder_ + "/" + LockFile);
+    lock_->setStaleLockTime(0);
+    lock_->tryLock();
+  }
+  writing_.setFuture(QtConcurrent::run(write_work, folder_, document_.scene(), document_.path()));
+}
+
+void Recovery::discard_own() {
+  timer_.stop();
+  writing_.waitForFinished();
+  lock_.reset();
+  if (QDir(folder_).exists()) QDir(folder_).removeRecursively();
+}
+
+}  // namespace editor

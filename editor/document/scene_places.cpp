@@ -1,0 +1,318 @@
+#include "editor/document/scene_places.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "grf/visit.h"
+
+namespace editor {
+namespace {
+
+/// The list of blocks inside a block, or null.
+const grf::BlockList* list_in(const grf::Block& block) {
+  if (const auto* transform = std::get_if<grf::Transform>(&block.content)) return &transform->body;
+  if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) return &scope->body;
+  if (const auto* include = std::get_if<grf::Include>(&block.content)) return &*include->contents;
+  return nullptr;
+}
+
+/// How many definitions are counted before the blocks inside a block.
+std::size_t definitions_before(const grf::Block* block) {
+  const auto* scope = block == nullptr ? nullptr : std::get_if<grf::DefinitionScope>(&block->content);
+  return scope == nullptr ? 0 : scope->definitions.size();
+}
+
+/// The blocks on the way to a place, the outermost first, and the definition at its end.
+struct Way {
+  std::vector<const grf::Block*> blocks;
+  const grf::Definition* definition = nullptr;
+  bool is_whole = true;  ///< false: it leads to nothing
+};
+
+Way way_to(const grf::Scene& scene, grf::ScenePathView path) {
+  Way way;
+  const grf::BlockList* list = &scene.contents;
+  for (const std::uint32_t number : path) {
+    const grf::Block* around = way.blocks.empty() ? nullptr : way.blocks.back();
+    const std::size_t before = definitions_before(around);
+    way.is_whole = list != nullptr && way.definition == nullptr && number < before + list->blocks.size();
+    if (!way.is_whole) break;
+    if (number < before) {
+      way.definition = &std::get<grf::DefinitionScope>(around->content).definitions[number];
+      continue;
+    }
+    way.blocks.push_back(&list->blocks[number - before]);
+    list = list_in(*way.blocks.back());
+  }
+  return way;
+}
+
+/// A scope without definitions is none: its blocks stand in its place, and its comments before them.
+void dissolve(grf::BlockList& list, std::size_t number) {
+  const auto place = list.blocks.begin() + static_cast<std::ptrdiff_t>(number);
+  auto& scope = std::get<grf::DefinitionScope>(place->content);
+  std::vector<std::string> comments = std::move(place->comments.before);
+  std::vector<std::string> end_comments = std::move(scope.body.end_comments);
+  std::vector<grf::Block> body = std::move(scope.body.blocks);
+  comments.insert(comments.end(), end_comments.begin(), end_comments.end());
+  auto& kept = body.empty() ? list.end_comments : body.front().comments.before;
+  kept.insert(kept.begin(), comments.begin(), comments.end());
+  list.blocks.insert(list.blocks.erase(place), std::make_move_iterator(body.begin()),
+                     std::make_move_iterator(body.end()));
+}
+
+void erase_definition(grf::Scene& scene, grf::ScenePath scope_path, std::uint32_t number) {
+  auto& scope = std::get<grf::DefinitionScope>(grf::find(scene, scope_path).block->content);
+  scope.definitions.erase(scope.definitions.begin() + number);
+  if (!scope.definitions.empty()) return;
+  const std::uint32_t place = scope_path.back();
+  scope_path.pop_back();
+  dissolve(*grf::find_blocks(scene, scope_path),
+           place - definitions_before(grf::find(scene, scope_path).block));
+}
+
+void erase_block(grf::Scene& scene, grf::ScenePath path) {
+  while (!path.empty()) {
+    const std::uint32_t number = path.back();
+    path.pop_back();
+    const grf::Block* around = grf::find(scene, path).block;
+    auto& blocks = grf::find_blocks(scene, path)->blocks;
+    blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(number - definitions_before(around)));
+    const auto* transform = around == nullptr ? nullptr : std::get_if<grf::Transform>(&around->content);
+    if (transform == nullptr || !transform->body.blocks.empty()) return;
+  }
+}
+
+bool begins_with(const grf::ScenePath& path, const grf::ScenePath& beginning) {
+  return path.size() >= beginning.size() && std::equal(beginning.begin(), beginning.end(), path.begin());
+}
+
+/// Looks for what stands nearest before a location in its file.
+class NearestBefore {
+ public:
+  explicit NearestBefore(const grf::SourceLocation& location) : wanted_(location) {}
+
+  void offer(const grf::SourceLocation& location, grf::ScenePathView path) {
+    if (!location.file || !wanted_.file || location.file->path != wanted_.file->path) return;
+    const auto place = std::tuple(location.line, location.column);
+    if (place > std::tuple(wanted_.line, wanted_.column) || (best_ && place < best_place_)) return;
+    best_ = grf::ScenePath(path.begin(), path.end());
+    best_place_ = place;
+  }
+  void offer_surfaces(const grf::Mesh& mesh, grf::ScenePathView path) {
+    for (const grf::Surface& surface : mesh.surfaces) offer(surface.location, path);
+  }
+  std::optional<grf::ScenePath> take() { return std::move(best_); }
+
+ private:
+  const grf::SourceLocation& wanted_;
+  std::optional<grf::ScenePath> best_;
+  std::tuple<std::uint32_t, std::uint32_t> best_place_;
+};
+
+}  // namespace
+
+std::vector<PlacedDefinition> definitions_at(const grf::Scene& scene, grf::ScenePathView path) {
+  std::vector<PlacedDefinition> found;
+  std::unordered_map<std::string_view, std::size_t> place_of_name;
+  const Way way = way_to(scene, path);
+  for (std::size_t depth = 0; depth < way.blocks.size(); ++depth) {
+    const auto* scope = std::get_if<grf::DefinitionScope>(&way.blocks[depth]->content);
+    if (scope == nullptr || depth + 1 >= path.size()) continue;
+    const std::size_t in_force = std::min<std::size_t>(path[depth + 1], scope->definitions.size());
+    for (std::uint32_t i = 0; i < in_force; ++i) {
+      const grf::Definition& definition = scope->definitions[i];
+      grf::ScenePath place(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(depth) + 1);
+      place.push_back(i);
+      const auto [known, is_new] = place_of_name.emplace(definition.name, found.size());
+      if (!is_new) found[known->second].definition = nullptr;
+      known->second = found.size();
+      found.push_back({std::move(place), &definition});
+    }
+  }
+  std::erase_if(found, [](const PlacedDefinition& each) { return each.definition == nullptr; });
+  return found;
+}
+
+std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
+                                                 const std::vector<grf::ScenePath>& paths) {
+  std::vector<PlacedDefinition> common;
+  std::map<grf::ScenePath, bool> seen;  // lists: what stands in one has the same names in force
+  bool is_first = true;
+  for (const grf::ScenePath& path : paths) {
+    const bool is_definition = definition_at(scene, path) != nullptr;
+    const grf::ScenePath around(path.begin(), path.empty() || is_definition ? path.end() : path.end() - 1);
+    if (!seen.emplace(around, true).second) continue;
+    std::vector<PlacedDefinition> here = definitions_at(scene, path);
+    if (std::exchange(is_first, false)) {
+      common = std::move(here);
+      continue;
+    }
+    std::erase_if(common, [&here](const PlacedDefinition& each) {
+      return std::none_of(here.begin(), here.end(), [&each](const PlacedDefinition& other) {
+        return other.definition == each.definition;
+      });
+    });
+  }
+  return common;
+}
+
+const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView path) {
+  const Way way = way_to(scene, path);
+  return way.is_whole ? way.definition : nullptr;
+}
+
+const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path) {
+  const Way way = way_to(scene, path);
+  return way.is_whole && way.definition == nullptr && !way.blocks.empty() ? way.blocks.back() : nullptr;
+}
+
+grf::Matrix44d to_world_at(const grf::Scene& scene, grf::ScenePathView path) {
+  grf::Matrix44d to_world;
+  const Way way = way_to(scene, path);
+  for (std::size_t depth = 0; depth < way.blocks.size() && depth + 1 < path.size(); ++depth) {
+    const auto* transform = std::get_if<grf::Transform>(&way.blocks[depth]->content);
+    if (transform != nullptr) to_world = grf::matrix_of(transform->steps) * to_world;
+  }
+  return to_world;
+}
+
+DefinitionInsertion DefinitionInsertion::around(const grf::Scene& scene, grf::ScenePathView path) {
+  DefinitionInsertion insertion;
+  const Way way = way_to(scene, path);
+  for (std::size_t depth = way.blocks.size(); depth-- > 0;) {
+    const auto place = path.begin() + static_cast<std::ptrdiff_t>(depth) + 1;
+    if (place == path.end()) continue;  // what stands there is not around itself
+    if (std::holds_alternative<grf::Include>(way.blocks[depth]->content)) {
+      insertion.list_.assign(path.begin(), place);
+      insertion.is_new_ = true;
+      return insertion;
+    }
+    const auto* scope = std::get_if<grf::DefinitionScope>(&way.blocks[depth]->content);
+    if (scope == nullptr) continue;
+    insertion.scope_.assign(path.begin(), place);
+    insertion.definitions_ = static_cast<std::uint32_t>(scope->definitions.size());
+    return insertion;
+  }
+  return outermost(scene);
+}
+
+DefinitionInsertion DefinitionInsertion::outermost(const grf::Scene& scene) {
+  DefinitionInsertion insertion;
+  const auto& blocks = scene.contents.blocks;
+  const auto* scope =
+      blocks.size() == 1 ? std::get_if<grf::DefinitionScope>(&blocks.front().content) : nullptr;
+  insertion.is_new_ = scope == nullptr;
+  if (scope == nullptr) return insertion;
+  insertion.scope_ = {0};
+  insertion.definitions_ = static_cast<std::uint32_t>(scope->definitions.size());
+  return insertion;
+}
+
+void DefinitionInsertion::apply(grf::Scene& scene, grf::Definition definition) const {
+  if (!is_new_) {
+    auto& scope = std::get<grf::DefinitionScope>(grf::find(scene, scope_).block->content);
+    scope.definitions.push_back(std::move(definition));
+    return;
+  }
+  grf::BlockList& list = *grf::find_blocks(scene, list_);
+  grf::DefinitionScope scope;
+  scope.definitions.push_back(std::move(definition));
+  scope.body.blocks = std::move(list.blocks);
+  list.blocks.clear();
+  list.blocks.emplace_back().content = std::move(scope);
+}
+
+grf::ScenePath DefinitionInsertion::shifted(grf::ScenePath path) const {
+  const grf::ScenePath& prefix = is_new_ ? list_ : scope_;
+  if (path.size() <= prefix.size() || !std::equal(prefix.begin(), prefix.end(), path.begin())) return path;
+  const auto next = path.begin() + static_cast<std::ptrdiff_t>(prefix.size());
+  if (*next >= definitions_) ++*next;
+  if (is_new_) path.insert(next, 0);
+  return path;
+}
+
+grf::ScenePath DefinitionInsertion::definition_path() const {
+  grf::ScenePath path = is_new_ ? list_ : scope_;
+  if (is_new_) path.push_back(0);
+  path.push_back(definitions_);
+  return path;
+}
+
+void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths) {
+  std::sort(paths.begin(), paths.end());
+  // What is inside of something that goes follows it, and goes with it.
+  paths.erase(std::unique(paths.begin(), paths.end(),
+                          [](const auto& first, const auto& later) { return begins_with(later, first); }),
+              paths.end());
+  // From the last on, so that the others stay where they are.
+  for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
+    if (definition_at(scene, *path) != nullptr) {
+      const std::uint32_t number = path->back();
+      path->pop_back();
+      erase_definition(scene, *path, number);
+    } else if (block_at(scene, *path) != nullptr) {
+      erase_block(scene, *path);
+    }
+  }
+}
+
+grf::BlockList& outermost_blocks(grf::Scene& scene) {
+  auto& blocks = scene.contents.blocks;
+  auto* scope = blocks.size() == 1 ? std::get_if<grf::DefinitionScope>(&blocks.front().content) : nullptr;
+  return scope == nullptr ? scene.contents : scope->body;
+}
+
+bool has_one_text_a_file(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
+  std::map<std::string, const grf::Include*> known;
+  std::string differs;
+  const auto check = [&](const auto& self, const grf::BlockList& list) -> void {
+    for (const grf::Block& block : list.blocks) {
+      const auto* include = std::get_if<grf::Include>(&block.content);
+      if (include != nullptr && !include->origin.path.empty()) {
+        const auto [first, is_new] = known.emplace(include->origin.path, include);
+        if (!is_new && !(first->second->contents == include->contents)) differs = include->origin.path;
+      }
+      if (const grf::BlockList* inside = list_in(block)) self(self, *inside);
+    }
+  };
+  check(check, scene.contents);
+  if (differs.empty()) return true;
+  diagnostics.error(grf::whole_file(differs),
+                    "the file is included more than once: this would change only one of the places");
+  return false;
+}
+
+std::optional<grf::ScenePath> written_at(const grf::Scene& scene, const grf::SourceLocation& location) {
+  NearestBefore nearest(location);
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block& block) {
+    nearest.offer(block.location, placement.path);
+    if (placement.instance_of == nullptr) nearest.offer_surfaces(mesh, placement.path);
+  };
+  const auto offer_block = [&](const auto&, const grf::Placement& placement, const grf::Block& block) {
+    nearest.offer(block.location, placement.path);
+  };
+  visitor.mesh_light = offer_block;
+  visitor.light = offer_block;
+  visitor.transform = offer_block;
+  visitor.params = offer_block;
+  visitor.use = offer_block;
+  visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
+    nearest.offer(definition.location, placement.path);
+    const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
+    if (mesh != nullptr) nearest.offer_surfaces(**mesh, placement.path);
+  };
+  grf::visit(scene, visitor);
+  return nearest.take();
+}
+
+}  // namespace editor

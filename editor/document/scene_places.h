@@ -1,0 +1,69 @@
+// What holds at a place of a scene, and putting things there or taking them away.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "grf/diagnostics.h"
+#include "grf/math.h"
+#include "grf/scene.h"
+#include "grf/scene_path.h"
+
+namespace editor {
+
+/// A definition and where it stands. The pointer is into the scene, good until that is changed.
+struct PlacedDefinition {
+  grf::ScenePath path;
+  const grf::Definition* definition = nullptr;
+};
+
+/// The definitions that names mean at a place, where inner ones hide outer ones; the outermost first.
+std::vector<PlacedDefinition> definitions_at(const grf::Scene& scene, grf::ScenePathView path);
+
+/// Those that mean the same at all places. What is nearer to one of them than to the others is not there.
+std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
+                                                 const std::vector<grf::ScenePath>& paths);
+
+/// What stands at a place, or null.
+const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView path);
+const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path);
+
+/// From the coordinates in which what stands at the place is given to the world's; without the steps of the
+/// transform that stands there itself.
+grf::Matrix44d to_world_at(const grf::Scene& scene, grf::ScenePathView path);
+
+/// Puts a definition behind those of a scope. Paths are those of before; `shifted` has them as they are then.
+class DefinitionInsertion {
+ public:
+  /// Into the innermost scope around the place, in the same file.
+  static DefinitionInsertion around(const grf::Scene& scene, grf::ScenePathView path);
+  /// Into the scope around the whole scene.
+  static DefinitionInsertion outermost(const grf::Scene& scene);
+
+  void apply(grf::Scene& scene, grf::Definition definition) const;
+  grf::ScenePath shifted(grf::ScenePath path) const;
+  /// Of the definition, once it is there.
+  grf::ScenePath definition_path() const;
+
+ private:
+  grf::ScenePath scope_;           // of a block that is a scope; empty: a new one around the list of blocks
+  grf::ScenePath list_;            // whose blocks the new scope holds
+  std::uint32_t definitions_ = 0;  // that the scope has
+  bool is_new_ = false;
+};
+
+/// Takes blocks and definitions away, and transforms of which nothing is left. No path leads to nothing.
+void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths);
+
+/// The list to which new things of the scene go: inside the scope around the whole scene, if there is one.
+grf::BlockList& outermost_blocks(grf::Scene& scene);
+
+/// False, with an error, where a file that is included more than once would have two texts.
+bool has_one_text_a_file(const grf::Scene& scene, grf::Diagnostics& diagnostics);
+
+/// The block, definition or faces' mesh that was written at a location or nearest before it in the same
+/// file, if there is one.
+std::optional<grf::ScenePath> written_at(const grf::Scene& scene, const grf::SourceLocation& location);
+
+}  // namespace editor

@@ -1,0 +1,186 @@
+#include "editor/document/document.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "grf/read.h"
+#include "grf/scene_path.h"
+#include "grf/write.h"
+#include "tests/support/temporary_folder.h"
+
+namespace editor {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string Scene = R"(def gold = brdf ward sx=0.2
+def tile = begin mesh
+  begin vertexs
+    (0, 0, 0) (2, 0, 0) (2, 1, 0) (0, 1, 0)
+  end vertexs
+  begin faces
+    (0, 1, 2)
+    (0, 2, 3)
+  end faces
+end mesh
+begin
+  use tile
+  transform scale (2, 2, 2) begin
+    use tile
+  end
+  begin mesh "floor"
+    texture "wood.png"
+    begin vertexs
+      (0, 0, 0) (1, 0, 0) (0, 1, 0)
+    end vertexs
+    begin faces
+      (0, 1, 2)
+    end faces
+  end mesh
+end
+)";
+
+grf::Scene scene_of(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  auto scene = grf::read_text(text, "scene.grf", diagnostics);
+  if (!scene) throw std::runtime_error(diagnostics.to_text());
+  return std::move(*scene);
+}
+
+class Documents : public testing::Test {
+ protected:
+  Documents() { document_.take(scene_of(Scene), "/nowhere/scene.grf", {}); }
+
+  void select(FaceId face) {
+    FaceSelection selection(document_.objects());
+    selection.set(face);
+    document_.select(selection);
+  }
+  static SurfaceEdit brdf(const std::string& name) {
+    SurfaceEdit edit;
+    edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{name, {}});
+    return edit;
+  }
+
+  Document document_;
+};
+
+TEST_F(Documents, KnowTheirObjects) {
+  const SceneObjects& objects = document_.objects();
+  ASSERT_EQ(objects.meshes.size(), 2U);
+  EXPECT_EQ(objects.meshes[0].name, "tile");
+  EXPECT_TRUE(objects.meshes[0].is_definition);
+  EXPECT_EQ(objects.meshes[1].looks.front().texture, "/nowhere/wood.png");
+  ASSERT_EQ(objects.instances.size(), 3U);
+  EXPECT_EQ(objects.faces, 3U);
+  EXPECT_EQ(objects.triangles, 5U);
+  EXPECT_EQ(objects.bounds.max, grf::Vec3d(4, 2, 0));
+}
+
+TEST_F(Documents, AssignToFacesAndBack) {
+  const grf::Scene before = document_.scene();
+  select({0, 1});
+  document_.edit_surfaces("Assign gold", brdf("gold"));
+  EXPECT_THAT(grf::to_text(document_.scene()), HasSubstr("(0, 1, 2)\n    brdf gold\n    (0, 2, 3)"));
+  EXPECT_EQ(document_.objects().meshes[0].looks.back().brdf->keyword, "ward");
+  EXPECT_TRUE(document_.is_modified());
+  const grf::Scene after = document_.scene();
+  document_.select(FaceSelection(document_.objects()));
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.scene(), before);
+  EXPECT_EQ(grf::to_text(document_.scene()), grf::to_text(before));
+  EXPECT_TRUE(document_.selection().has({0, 1}));
+  EXPECT_FALSE(document_.is_modified());
+  document_.undo_stack().redo();
+  EXPECT_EQ(document_.scene(), after);
+}
+
+TEST_F(Documents, OfAllFacesTheMeshSaysWhatTheyHave) {
+  FaceSelection all(document_.objects());
+  all.select_all();
+  document_.select(all);
+  document_.edit_surfaces("Assign gold", brdf("gold"));
+  const MeshObject& tile = document_.objects().meshes[0];
+  EXPECT_EQ(tile.mesh->surfaces.size(), 1U);
+  EXPECT_FALSE(common_surface(document_.objects(), all).brdf.is_mixed);
+  EXPECT_TRUE(common_surface(document_.objects(), all).texture.is_mixed);
+  EXPECT_DOUBLE_EQ(selected_area(document_.objects(), all), 2 + 8 + 0.5);
+}
+
+TEST_F(Documents, MergeTheStepsOfAGesture) {
+  select({1, 0});
+  for (int i = 0; i < 3; ++i) {
+    SurfaceEdit edit;
+    edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(0.1F * static_cast<float>(i)));
+    document_.edit_surfaces("Colour", edit, "colour");
+  }
+  EXPECT_EQ(document_.undo_stack().count(), 1);
+  document_.finish_gesture();
+  document_.edit_surfaces("Colour", brdf("gold"), "colour");
+  EXPECT_EQ(document_.undo_stack().count(), 2);
+  document_.undo_stack().undo();
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.scene(), scene_of(Scene));
+}
+
+TEST_F(Documents, CopyWhatAFaceHas) {
+  select({0, 0});
+  document_.edit_surfaces("Copy", edit_to(document_.objects().meshes[1].mesh->surfaces.front()));
+  EXPECT_EQ(document_.objects().meshes[0].looks.back().texture, "/nowhere/wood.png");
+}
+
+TEST_F(Documents, ReplaceScenesAndKeepTheSelection) {
+  select({1, 0});
+  grf::Scene scene = document_.scene();
+  grf::find_mesh(scene, document_.objects().meshes[1].path)->edit().name = "ground";
+  document_.replace("Rename", scene);
+  EXPECT_TRUE(document_.selection().has({1, 0}));
+  EXPECT_EQ(document_.objects().meshes[1].name, "ground");
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.objects().meshes[1].name, "floor");
+}
+
+TEST_F(Documents, SaveAndOpenTheSameScene) {
+  const test::TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  select({0, 0});
+  document_.edit_surfaces("Assign gold", brdf("gold"));
+  const QString path = QString::fromStdString(folder.path("saved.grf"));
+  ASSERT_TRUE(document_.save(path, diagnostics)) << diagnostics.to_text();
+  EXPECT_FALSE(document_.is_modified());
+  EXPECT_EQ(document_.name(), "saved.grf");
+  EXPECT_EQ(document_.objects().meshes[1].looks.front().texture, "/nowhere/wood.png");
+  Document other;
+  ASSERT_TRUE(other.open(path, diagnostics)) << diagnostics.to_text();
+  EXPECT_EQ(other.scene(), document_.scene());
+  EXPECT_FALSE(other.open("/nowhere/at/all.grf", diagnostics));
+  EXPECT_EQ(other.scene(), document_.scene());
+}
+
+TEST_F(Documents, NameTheSameFilesInStepsOfBeforeTheyWereSavedElsewhere) {
+  select({1, 0});
+  SurfaceEdit edit;
+  edit.texture = AttributeEdit<grf::TextureAttribute>::set(grf::Texture{"steel.png", {}});
+  document_.edit_surfaces("Texture", edit);
+  grf::Scene scene = document_.scene();
+  grf::find_mesh(scene, document_.objects().meshes[1].path)->edit().name = "ground";
+  document_.replace("Rename", scene);
+  const test::TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(document_.save(QString::fromStdString(folder.path("saved.grf")), diagnostics));
+  const auto texture = [this] { return document_.objects().meshes[1].looks.front().texture; };
+  for (const char* expected : {"/nowhere/steel.png", "/nowhere/wood.png"}) {
+    document_.undo_stack().undo();
+    EXPECT_EQ(texture(), expected);
+  }
+  document_.undo_stack().redo();
+  EXPECT_EQ(texture(), "/nowhere/steel.png");
+  document_.undo_stack().redo();
+  EXPECT_EQ(document_.objects().meshes[1].name, "ground");
+  EXPECT_EQ(texture(), "/nowhere/steel.png");
+}
+
+}  // namespace
+}  // namespace editor

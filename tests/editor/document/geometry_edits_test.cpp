@@ -1,0 +1,131 @@
+#include "editor/document/geometry_edits.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "editor/document/document.h"
+#include "grf/write.h"
+#include "tests/editor/scene_of.h"
+
+namespace editor {
+namespace {
+
+/// Two quads that meet at a right angle, and a mesh that is used twice.
+const std::string Scene = R"(def tile = begin mesh
+  begin vertexs
+    (0, 0, 0) (1, 0, 0) (0, 1, 0)
+  end vertexs
+  begin faces
+    (0, 1, 2)
+  end faces
+end mesh
+begin
+  use tile
+  transform translation (2, 0, 0) begin
+    use tile
+  end
+  begin mesh "corner"
+    begin vertexs
+      (0, 0, 0) (1, 0, 0) (1, 1, 0) (0, 1, 0) (0, 0, 1) (1, 0, 1)
+    end vertexs
+    begin faces
+      (0, 1, 2, 3)
+      brdf diffuse kd=0.1
+      (1, 0, 4, 5)
+    end faces
+  end mesh
+end
+)";
+
+class GeometryEdits : public testing::Test {
+ protected:
+  GeometryEdits() { document_.take(scene_of(Scene), {}, {}); }
+
+  void select(std::initializer_list<FaceId> faces) {
+    FaceSelection selection(document_.objects());
+    for (const FaceId& face : faces) selection.set(face);
+    document_.select(selection);
+  }
+  SelectedFaces selected() const { return {document_.scene(), document_.objects(), document_.selection()}; }
+  void take(std::optional<grf::Scene> scene) {
+    ASSERT_TRUE(scene) << diagnostics_.to_text();
+    EXPECT_EQ(scene_of(grf::to_text(*scene)), *scene);
+    document_.replace("Edit", std::move(*scene));
+  }
+  const grf::Mesh& corner() const { return *document_.objects().meshes[1].mesh; }
+  const grf::Vec3f& position(std::size_t face, std::size_t corner_number) const {
+    return corner().positions[corner().face(face)[corner_number]];
+  }
+
+  Document document_;
+  grf::Diagnostics diagnostics_;
+};
+
+TEST_F(GeometryEdits, FlipSomeFacesAndLeaveTheOthers) {
+  select({{1, 1}});
+  take(flipped(selected(), diagnostics_));
+  EXPECT_EQ(position(0, 1), grf::Vec3f(1, 0, 0));
+  EXPECT_EQ(position(1, 0), grf::Vec3f(1, 0, 0));
+  EXPECT_EQ(position(1, 1), grf::Vec3f(1, 0, 1));
+  EXPECT_EQ(corner().positions.size(), 6U);
+  EXPECT_TRUE(document_.selection().has({1, 1}));
+  EXPECT_EQ(document_.selection().count(), 1U);
+  EXPECT_EQ(std::get<grf::BrdfModel>(*corner().surface(1).brdf).keyword, "diffuse");
+}
+
+TEST_F(GeometryEdits, SmoothNormalsAreOfTheFacesThatAreMeant) {
+  select({{1, 0}});
+  take(with_smooth_normals(selected(), 0.1, diagnostics_));
+  for (const std::uint32_t vertex : corner().face(0))
+    EXPECT_EQ(corner().normals[vertex], grf::Vec3f(0, 0, 1));
+  for (const std::uint32_t vertex : corner().face(1)) EXPECT_FALSE(corner().normals.has(vertex));
+  take(flipped(selected(), diagnostics_));
+  EXPECT_EQ(corner().normals[corner().face(0)[0]], grf::Vec3f(0, 0, -1));
+  take(with_flat_faces(selected(), diagnostics_));
+  EXPECT_TRUE(corner().normals.empty());
+  EXPECT_EQ(corner().positions.size(), 6U);
+}
+
+TEST_F(GeometryEdits, SmoothNormalsGoOverSmallAngles) {
+  select({{1, 0}, {1, 1}});
+  take(with_smooth_normals(selected(), std::numbers::pi, diagnostics_));
+  EXPECT_EQ(corner().positions.size(), 6U);
+  EXPECT_GT(corner().normals[corner().face(0)[0]].y, 0.5F);
+  EXPECT_TRUE(common_vertices(document_.objects(), document_.selection()).have_normals);
+}
+
+TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
+  select({{1, 0}});
+  take(with_vertex_colours(selected(), grf::Colour(1, 0, 0), diagnostics_));
+  take(with_irradiance(selected(), grf::Colour(3), diagnostics_));
+  EXPECT_EQ(corner().positions.size(), 8U);  // the edge is split
+  CommonVertices common = common_vertices(document_.objects(), document_.selection());
+  EXPECT_EQ(common.colour, grf::Colour(1, 0, 0));
+  EXPECT_EQ(common.irradiance, grf::Colour(3));
+  select({{1, 0}, {1, 1}});
+  common = common_vertices(document_.objects(), document_.selection());
+  EXPECT_TRUE(common.are_colours_mixed);
+  EXPECT_TRUE(common.are_irradiances_mixed);
+  take(with_vertex_colours(selected(), std::nullopt, diagnostics_));
+  take(with_irradiance(selected(), std::nullopt, diagnostics_));
+  EXPECT_TRUE(corner().colours.empty());
+  common = common_vertices(document_.objects(), document_.selection());
+  EXPECT_FALSE(common.colour || common.are_colours_mixed || common.irradiance);
+}
+
+TEST_F(GeometryEdits, DeleteFacesAndMeshesWithoutAny) {
+  select({{0, 0}, {1, 1}});
+  take(without_faces(selected(), diagnostics_));
+  ASSERT_EQ(document_.objects().meshes.size(), 1U);
+  EXPECT_EQ(document_.objects().instances.size(), 1U);
+  EXPECT_EQ(document_.objects().faces, 1U);
+  EXPECT_EQ(document_.objects().meshes[0].mesh->positions.size(), 4U);
+  EXPECT_TRUE(document_.selection().empty());
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.scene(), scene_of(Scene));
+  EXPECT_EQ(document_.selection().count(), 2U);
+}
+
+}  // namespace
+}  // namespace editor

@@ -1,0 +1,87 @@
+#include "editor/document/model_import.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/document/document.h"
+#include "tests/support/temporary_folder.h"
+
+namespace editor {
+namespace {
+
+using testing::HasSubstr;
+
+class ModelImports : public testing::Test {
+ protected:
+  ModelImports()
+      : import_(QString::fromStdString(folder_.path("imports"))),
+        done_(&import_, &ModelImport::done),
+        failed_(&import_, &ModelImport::failed) {}
+
+  std::shared_ptr<const ImportedModel> imported(const QString& file) {
+    import_.start(file);
+    if (done_.count() == 0 && failed_.count() == 0) done_.wait(20000);
+    if (done_.count() != 1) return nullptr;
+    return done_.takeFirst().at(0).value<std::shared_ptr<const ImportedModel>>();
+  }
+  std::string failure_of(const QString& file) {
+    import_.start(file);
+    if (failed_.count() == 0) failed_.wait(20000);
+    return failed_.count() == 1 ? failed_.takeFirst().at(0).toString().toStdString() : "no failure";
+  }
+  QStringList left() const { return QDir(import_folder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot); }
+  QString import_folder() const { return QString::fromStdString(folder_.path("imports")); }
+
+  test::TemporaryFolder folder_;
+  ModelImport import_;
+  QSignalSpy done_;
+  QSignalSpy failed_;
+};
+
+TEST_F(ModelImports, GiveTheSceneOfARealModel) {
+  const auto model = imported("/usr/share/glmark2/models/bunny.obj");
+  ASSERT_NE(model, nullptr);
+  EXPECT_EQ(objects_of(model->scene, model->path.toStdString()).faces, 69666U);
+  EXPECT_THAT(model->messages.toStdString(), HasSubstr("faces without a BRDF"));
+}
+
+TEST_F(ModelImports, CarryWhatStoodInsideTheModelToWhereTheSceneIsSaved) {
+  const auto model = imported("/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb");
+  ASSERT_NE(model, nullptr);
+  Document document;
+  document.take_import(*model);
+  EXPECT_TRUE(document.is_modified());
+  EXPECT_TRUE(document.path().isEmpty());
+  const std::string before = document.objects().meshes[0].looks.front().texture;
+  EXPECT_THAT(before, HasSubstr("/imports/"));
+  grf::Diagnostics diagnostics;
+  folder_.add("saved/other", "");
+  ASSERT_TRUE(document.save(QString::fromStdString(folder_.path("saved/box.grf")), diagnostics));
+  const std::string after = document.objects().meshes[0].looks.front().texture;
+  EXPECT_EQ(after, folder_.path("saved/" + before.substr(before.rfind('/') + 1)));
+  EXPECT_EQ(test::bytes_of(after), test::bytes_of(before));
+}
+
+TEST_F(ModelImports, SayWhatIsWrong) {
+  const std::string broken = folder_.add("broken.obj", "v 0 0 0\nf 1 2 3\n");
+  EXPECT_THAT(failure_of(QString::fromStdString(broken)), HasSubstr("broken.obj:2:7: error: no vertex"));
+  EXPECT_THAT(failure_of("/nowhere/at-all.obj"), HasSubstr("No such file"));
+  EXPECT_TRUE(left().isEmpty());
+}
+
+TEST_F(ModelImports, CanBeCancelled) {
+  import_.start("/usr/share/glmark2/models/bunny.obj");
+  EXPECT_TRUE(import_.is_running());
+  import_.cancel();
+  EXPECT_FALSE(import_.is_running());
+  EXPECT_FALSE(done_.wait(300));
+  EXPECT_EQ(failed_.count(), 0);
+}
+
+}  // namespace
+}  // namespace editor

@@ -1,0 +1,153 @@
+#include "editor/document/recovery.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QSignalSpy>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/document/document.h"
+#include "grf/read.h"
+#include "grf/scene_path.h"
+#include "grf/write.h"
+#include "tests/support/temporary_folder.h"
+
+namespace editor {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string Triangle = R"(begin vertexs
+    (0, 0, 0) (1, 0, 0) (0, 1, 0)
+  end vertexs
+  begin faces
+    (0, 1, 2)
+  end faces
+)";
+
+/// A scene with a texture, that includes a file with one in another folder.
+class RecoveryTest : public testing::Test {
+ protected:
+  RecoveryTest() {
+    folder_.add("scene/main.grf", "include \"../parts/part.grf\"\nbegin mesh \"a\"\n  texture \"a.png\"\n  " +
+                                      Triangle + "end mesh\n");
+    part_ =
+        folder_.add("parts/part.grf", "begin mesh \"b\"\n  texture \"b.png\"\n  " + Triangle + "end mesh\n");
+    grf::Diagnostics diagnostics;
+    if (!document_.open(QString::fromStdString(folder_.path("scene/main.grf")), diagnostics)) {
+      throw std::runtime_error(diagnostics.to_text());
+    }
+  }
+
+  void rename(std::uint32_t mesh, const std::string& name) {
+    grf::Scene scene = document_.scene();
+    grf::find_mesh(scene, document_.objects().meshes[mesh].path)->edit().name = name;
+    document_.replace("Rename", scene);
+  }
+
+  QString sessions() const { return QString::fromStdString(folder_.path("sessions")); }
+
+  test::TemporaryFolder folder_;
+  std::string part_;
+  Document document_;
+};
+
+/// How long, in milliseconds, what takes a moment may take on a machine that is busy.
+constexpr int Patience = 30000;
+
+void wait_for(QSignalSpy& spy) { ASSERT_TRUE(spy.count() > 0 || spy.wait(Patience)); }
+
+TEST_F(RecoveryTest, KeepsNothingWhereNothingIsUnsaved) {
+  const Recovery recovery(document_, sessions(), 0);
+  EXPECT_FALSE(QDir(sessions()).exists());
+  EXPECT_TRUE(recovery.lost_work().empty());
+}
+
+TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
+  // A program of its own: a fork has none of the threads that this one has, and Qt would wait for them.
+  QProcess session;
+  session.start(GRANADA_BIN_DIR "/editing_session", {document_.path(), sessions(), "changed inside"});
+  ASSERT_TRUE(session.waitForReadyRead(Patience)) << session.readAllStandardError().toStdString();
+  EXPECT_EQ(session.readAll().toStdString(), "kept\n");
+  Document next;
+  const Recovery recovery(next, sessions(), 0);
+  EXPECT_TRUE(recovery.lost_work().empty()) << "its process still lives";
+  session.kill();
+  ASSERT_TRUE(session.waitForFinished(Patience));
+  rename(0, "changed inside");
+
+  const auto lost = recovery.lost_work();
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_EQ(lost[0].path, document_.path());
+  EXPECT_LT(lost[0].saved.secsTo(QDateTime::currentDateTimeUtc()), 60);
+  grf::Diagnostics diagnostics;
+  const auto scene = Recovery::read(lost[0], diagnostics);
+  ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
+  EXPECT_EQ(*scene, document_.scene());
+  EXPECT_THAT(test::bytes_of(part_), HasSubstr("\"b\"")) << "an included file was written";
+
+  next.take(*scene, lost[0].path, {}, true);
+  EXPECT_TRUE(next.is_modified());
+  ASSERT_TRUE(next.save(next.path(), diagnostics)) << diagnostics.to_text();
+  EXPECT_THAT(test::bytes_of(part_), HasSubstr("changed inside"));
+  Recovery::discard(lost[0]);
+  EXPECT_TRUE(recovery.lost_work().empty());
+}
+
+TEST_F(RecoveryTest, WritesNoIncludedFileAgainThatIsAsItWas) {
+  Recovery recovery(document_, sessions(), 0);
+  QSignalSpy kept(&recovery, &Recovery::kept);
+  rename(1, "changed");
+  wait_for(kept);
+  const QString session = QDir(sessions()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).value(0);
+  grf::Diagnostics diagnostics;
+  const auto scene = Recovery::read({sessions() + "/" + session, document_.path(), {}}, diagnostics);
+  ASSERT_TRUE(scene.has_value());
+  ASSERT_TRUE(grf::write(*scene, document_.path().toStdString(), diagnostics));
+  EXPECT_EQ(diagnostics.to_text(), "") << "no note that an included file was written";
+}
+
+TEST_F(RecoveryTest, TakesNoWorkFromASessionThatLives) {
+  Recovery recovery(document_, sessions(), 0);
+  QSignalSpy kept(&recovery, &Recovery::kept);
+  rename(1, "changed");
+  wait_for(kept);
+  Document other;
+  EXPECT_TRUE(Recovery(other, sessions(), 0).lost_work().empty());
+}
+
+TEST_F(RecoveryTest, GivesBackWorkWhoseProcessIdIsUsedAgain) {
+  // The lock of a session that is no more, which names a process that lives: this one.
+  QLockFile lock(QString::fromStdString(folder_.path("lock")));
+  ASSERT_TRUE(lock.tryLock());
+  const std::string words = test::bytes_of(lock.fileName().toStdString());
+  ASSERT_NE(words, "");
+  for (const std::string& left : {words, std::string()}) {
+    folder_.add("sessions/one/lock", left);
+    folder_.add("sessions/one/work.json", R"({"path": "a.grf"})");
+    EXPECT_EQ(Recovery(document_, sessions(), 0).lost_work().size(), 1U) << "its lock says: " << left;
+  }
+}
+
+TEST_F(RecoveryTest, LeavesNothingOnceAllIsSaved) {
+  Recovery recovery(document_, sessions(), 0);
+  QSignalSpy kept(&recovery, &Recovery::kept);
+  rename(1, "changed");
+  wait_for(kept);
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(document_.save(document_.path(), diagnostics));
+  EXPECT_TRUE(QDir(sessions()).isEmpty());
+}
+
+TEST_F(RecoveryTest, SaysWhereWorkCannotBeKept) {
+  folder_.add("file", "");
+  Recovery recovery(document_, QString::fromStdString(folder_.path("file")), 0);
+  QSignalSpy failed(&recovery, &Recovery::failed);
+  rename(1, "changed");
+  wait_for(failed);
+}
+
+}  // namespace
+}  // namespace editor
