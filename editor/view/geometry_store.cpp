@@ -1,0 +1,113 @@
+#include "editor/view/geometry_store.h"
+
+#include <QtConcurrent>
+#include <algorithm>
+#include <utility>
+
+#include "editor/view/stand_in.h"
+
+namespace editor {
+namespace {
+
+/// Meshes of fewer corners are prepared at once.
+constexpr std::size_t SmallMesh = 40'000;
+/// Nothing is gained by standing in for fewer triangles.
+constexpr std::size_t LeastStoodInFor = 1'000;
+
+std::size_t triangles_of(const grf::Mesh& mesh) { return mesh.corners.size() - 2 * mesh.face_count(); }
+
+}  // namespace
+
+void GeometryStore::set_objects(const SceneObjects& objects) {
+  std::vector<Entry> old = std::exchange(entries_, {});
+  entries_.resize(objects.meshes.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    Entry& entry = entries_[i];
+    entry.mesh = objects.meshes[i].mesh;
+    const std::size_t triangles = triangles_of(*entry.mesh);
+    if (objects.triangles > 2 * QuickTriangles && triangles > LeastStoodInFor) {
+      const double share = static_cast<double>(QuickTriangles) / static_cast<double>(objects.triangles);
+      entry.quick_triangles =
+          std::max<std::size_t>(100, static_cast<std::size_t>(static_cast<double>(triangles) * share));
+    }
+    reuse(old, entry);
+  }
+  // Makers look entries up, so that all of them are there first.
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].geometry == nullptr) {
+      make_geometry(entries_[i]);
+    } else if (entries_[i].quick_triangles > 0 && !entries_[i].has_stand_in) {
+      make_stand_in(entries_[i]);
+    }
+  }
+}
+
+void GeometryStore::reuse(std::vector<Entry>& old, Entry& entry) const {
+  const auto shared =
+      std::find_if(old.begin(), old.end(), [&](const Entry& other) { return other.mesh.shares(entry.mesh); });
+  const auto found =
+      shared != old.end() ? shared : std::find_if(old.begin(), old.end(), [&](const Entry& other) {
+        return other.geometry != nullptr && has_same_geometry(*other.mesh, *entry.mesh);
+      });
+  if (found == old.end()) return;
+  entry.geometry = found->geometry;
+  if (entry.quick_triangles == 0) return;
+  entry.quick = found->quick;
+  // A stand-in of about the wanted size does.
+  const double ratio =
+      static_cast<double>(found->quick_triangles) / static_cast<double>(entry.quick_triangles);
+  entry.has_stand_in = found->has_stand_in && ratio > 0.5 && ratio < 2;
+}
+
+void GeometryStore::make_geometry(Entry& entry) {
+  if (entry.mesh->corners.size() < SmallMesh) {
+    entry.geometry = std::make_shared<const MeshGeometry>(*entry.mesh);
+    if (entry.quick_triangles > 0) make_stand_in(entry);
+    return;
+  }
+  QtConcurrent::run([mesh = entry.mesh] {
+    return std::make_shared<const MeshGeometry>(*mesh);
+  }).then(this, [this, mesh = entry.mesh](std::shared_ptr<const MeshGeometry> geometry) {
+    take_geometry(mesh, std::move(geometry));
+  });
+}
+
+void GeometryStore::take_geometry(const grf::Shared<grf::Mesh>& mesh,
+                                  std::shared_ptr<const MeshGeometry> geometry) {
+  for (Entry& entry : entries_) {
+    if (entry.geometry != nullptr || !entry.mesh.shares(mesh)) continue;
+    entry.geometry = geometry;
+    if (entry.quick_triangles > 0) make_stand_in(entry);
+  }
+  emit changed();
+}
+
+void GeometryStore::make_stand_in(Entry& entry) {
+  const std::size_t triangles = entry.quick_triangles;
+  if (entry.quick == nullptr) {
+    entry.quick = std::make_shared<const TriangleArrays>(thinned(entry.geometry->arrays(), triangles));
+  }
+  QtConcurrent::run([geometry = entry.geometry, triangles] {
+    return std::make_shared<const TriangleArrays>(stand_in(geometry->arrays(), triangles));
+  }).then(this, [this, geometry = entry.geometry](const std::shared_ptr<const TriangleArrays>& quick) {
+    for (Entry& other : entries_) {
+      if (other.geometry != geometry || other.quick_triangles == 0) continue;
+      other.quick = quick;
+      other.has_stand_in = true;
+    }
+    emit changed();
+  });
+}
+
+bool GeometryStore::has_all_meshes() const {
+  return std::all_of(entries_.begin(), entries_.end(),
+                     [](const Entry& entry) { return entry.geometry != nullptr; });
+}
+
+bool GeometryStore::is_complete() const {
+  return has_all_meshes() && std::all_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+           return entry.quick_triangles == 0 || entry.has_stand_in;
+         });
+}
+
+}  // namespace editor

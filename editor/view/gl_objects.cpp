@@ -1,0 +1,99 @@
+#include "editor/view/gl_objects.h"
+
+#include <QFile>
+
+#include <QMatrix4x4>
+
+/// Resources of a static library are there once somebody asks for them. The macro has to be in no namespace.
+static void need_resources() { Q_INIT_RESOURCE(view_shaders); }
+
+namespace editor {
+
+GlObject::GlObject(Gl& gl, GlKind kind) : gl_(gl), kind_(kind) {
+  switch (kind_) {
+    case GlKind::Buffer:
+      gl_.glGenBuffers(1, &name_);
+      break;
+    case GlKind::Texture:
+      gl_.glGenTextures(1, &name_);
+      break;
+    case GlKind::Framebuffer:
+      gl_.glGenFramebuffers(1, &name_);
+      break;
+    case GlKind::VertexArray:
+      gl_.glGenVertexArrays(1, &name_);
+      break;
+  }
+}
+
+GlObject::~GlObject() {
+  if (name_ == 0) return;
+  switch (kind_) {
+    case GlKind::Buffer:
+      gl_.glDeleteBuffers(1, &name_);
+      break;
+    case GlKind::Texture:
+      gl_.glDeleteTextures(1, &name_);
+      break;
+    case GlKind::Framebuffer:
+      gl_.glDeleteFramebuffers(1, &name_);
+      break;
+    case GlKind::VertexArray:
+      gl_.glDeleteVertexArrays(1, &name_);
+      break;
+  }
+}
+
+BufferTexture::BufferTexture(Gl& gl, GLenum format)
+    : gl_(gl), format_(format), buffer_(gl, GlKind::Buffer), texture_(gl, GlKind::Texture) {}
+
+void BufferTexture::upload(const void* data, std::size_t bytes) {
+  gl_.glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+  // Room for one element at least: an empty buffer is no texture.
+  const auto size = static_cast<GLsizeiptr>(bytes);
+  gl_.glBufferData(GL_TEXTURE_BUFFER, size > 0 ? size : 16, size > 0 ? data : nullptr, GL_STATIC_DRAW);
+  gl_.glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
+  gl_.glTexBuffer(GL_TEXTURE_BUFFER, format_, buffer_.name());
+}
+
+void BufferTexture::bind(GLuint unit) const {
+  gl_.glActiveTexture(GL_TEXTURE0 + unit);
+  gl_.glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
+}
+
+QByteArray shader_text(const QString& path) {
+  need_resources();
+  QFile file(":/" + path);
+  if (!file.open(QIODevice::ReadOnly)) qFatal("%s is not among the resources", qPrintable(path));
+  return file.readAll();
+}
+
+std::unique_ptr<QOpenGLShaderProgram> program_of(const QString& vertex, const QStringList& fragments,
+                                                 const QString& geometry) {
+  auto program = std::make_unique<QOpenGLShaderProgram>();
+  const auto add = [&program](QOpenGLShader::ShaderTypeBit type, const QStringList& names) {
+    QByteArray text = "#version 330 core\n";
+    for (const QString& name : names) text += shader_text("view/" + name);
+    if (!program->addShaderFromSourceCode(type, text)) {
+      qFatal("%s: %s", qPrintable(names.join(' ')), qPrintable(program->log()));
+    }
+  };
+  add(QOpenGLShader::Vertex, {vertex});
+  add(QOpenGLShader::Fragment, fragments);
+  if (!geometry.isEmpty()) add(QOpenGLShader::Geometry, {geometry});
+  if (!program->link()) qFatal("%s: %s", qPrintable(fragments.join(' ')), qPrintable(program->log()));
+  return program;
+}
+
+QMatrix4x4 to_qt(const grf::Matrix44d& matrix) {
+  QMatrix4x4 result;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      // Ours multiplies row vectors, Qt's column vectors.
+      result(column, row) = static_cast<float>(matrix[row][column]);
+    }
+  }
+  return result;
+}
+
+}  // namespace editor

@@ -1,0 +1,74 @@
+// Things that live on the graphics card, destroyed with their owners. All of them are made, used and
+// destroyed while their context is current.
+#pragma once
+
+#include <QOpenGLShaderProgram>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include <QOpenGLFunctions_3_3_Core>
+
+#include "grf/math.h"
+
+namespace editor {
+
+using Gl = QOpenGLFunctions_3_3_Core;
+
+enum class GlKind { Buffer, Texture, Framebuffer, VertexArray };
+
+class GlObject {
+ public:
+  GlObject(Gl& gl, GlKind kind);
+  ~GlObject();
+  GlObject(GlObject&& other) noexcept
+      : gl_(other.gl_), kind_(other.kind_), name_(std::exchange(other.name_, 0)) {}
+  GlObject(const GlObject&) = delete;
+  GlObject& operator=(const GlObject&) = delete;
+  GlObject& operator=(GlObject&&) = delete;
+
+  GLuint name() const { return name_; }
+
+ private:
+  Gl& gl_;
+  GlKind kind_;
+  GLuint name_ = 0;
+};
+
+/// An array that shaders read by index.
+class BufferTexture {
+ public:
+  /// The format of an element, such as GL_R32UI.
+  BufferTexture(Gl& gl, GLenum format);
+
+  template <class T>
+  void upload(std::span<const T> values) {
+    upload(values.data(), values.size_bytes());
+  }
+  void bind(GLuint unit) const;
+
+ private:
+  void upload(const void* data, std::size_t bytes);
+
+  Gl& gl_;
+  GLenum format_;
+  GlObject buffer_;
+  GlObject texture_;
+};
+
+/// A program of shaders that are files under :/view/: those of the fragment shader one after the other, and
+/// the geometry shader only if it is named. What is wrong with one is a bug, and ends the program with its
+/// log.
+std::unique_ptr<QOpenGLShaderProgram> program_of(const QString& vertex, const QStringList& fragments,
+                                                 const QString& geometry = {});
+/// The text of a shader file.
+QByteArray shader_text(const QString& path);
+
+/// Matrices as shaders take them.
+QMatrix4x4 to_qt(const grf::Matrix44d& matrix);
+inline QVector3D to_qt(const grf::Vec3d& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+}  // namespace editor

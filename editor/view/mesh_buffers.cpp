@@ -1,0 +1,115 @@
+#include "editor/view/mesh_buffers.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+namespace editor {
+namespace {
+
+const void* at(std::size_t element, std::size_t size) {
+  return reinterpret_cast<const void*>(element * size);  // NOLINT: how OpenGL takes offsets
+}
+
+/// What an attribute without an array is for all vertices.
+void set_constant(GLuint index, float value) {
+  QOpenGLContext::currentContext()->functions()->glVertexAttrib4f(index, value, value, value, value);
+}
+
+}  // namespace
+
+MeshBuffers::MeshBuffers(Gl& gl, const TriangleArrays& arrays)
+    : gl_(gl),
+      triangle_count_(arrays.triangles.size()),
+      vertex_count_(arrays.positions.size()),
+      face_of_triangle_(gl, GL_R32UI),
+      coloured_(gl, GlKind::VertexArray),
+      irradiated_(gl, GlKind::VertexArray),
+      edged_(gl, GlKind::VertexArray),
+      faces_(gl, GlKind::VertexArray) {
+  const auto upload = [this]<class T>(const std::vector<T>& values) {
+    return values.empty() ? nullptr : buffer_of(GL_ARRAY_BUFFER, values.data(), values.size() * sizeof(T));
+  };
+  gl_.glBindVertexArray(0);
+  positions_ = upload(arrays.positions);
+  normals_ = upload(arrays.normals);
+  colours_ = upload(arrays.colours);
+  irradiance_ = upload(arrays.irradiance);
+  uvs_ = upload(arrays.uvs);
+  triangles_ = upload(arrays.triangles);
+  face_of_triangle_.upload(std::span(arrays.face_of_triangle));
+  make_vertex_array(coloured_, colours_.get());
+  make_vertex_array(irradiated_, irradiance_.get());
+  gl_.glBindVertexArray(0);
+}
+
+std::unique_ptr<GlObject> MeshBuffers::buffer_of(GLenum target, const void* data, std::size_t bytes) {
+  auto buffer = std::make_unique<GlObject>(gl_, GlKind::Buffer);
+  gl_.glBindBuffer(target, buffer->name());
+  gl_.glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
+void MeshBuffers::attribute(GLuint index, const GlObject* buffer, int components) {
+  if (buffer == nullptr) return;
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, buffer->name());
+  gl_.glEnableVertexAttribArray(index);
+  gl_.glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void MeshBuffers::make_vertex_array(const GlObject& vertex_array, const GlObject* values) {
+  gl_.glBindVertexArray(vertex_array.name());
+  attribute(0, positions_.get(), 3);
+  attribute(1, normals_.get(), 4);
+  attribute(2, values, 4);
+  attribute(3, uvs_.get(), 2);
+  if (triangles_) gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_->name());
+}
+
+void MeshBuffers::set_edges(const std::vector<MeshGeometry::Edge>& edges) {
+  gl_.glBindVertexArray(edged_.name());
+  attribute(0, positions_.get(), 3);
+  edges_ = buffer_of(GL_ELEMENT_ARRAY_BUFFER, edges.data(), edges.size() * sizeof(MeshGeometry::Edge));
+  edge_count_ = edges.size();
+  has_edges_ = true;
+  gl_.glBindVertexArray(0);
+}
+
+void MeshBuffers::set_face_normals(const MeshGeometry& geometry) {
+  gl_.glBindVertexArray(faces_.name());
+  face_count_ = geometry.centres().size();
+  const std::size_t bytes = face_count_ * sizeof(grf::Vec3f);
+  face_centres_ = buffer_of(GL_ARRAY_BUFFER, geometry.centres().data(), bytes);
+  face_normals_ = buffer_of(GL_ARRAY_BUFFER, geometry.normals().data(), bytes);
+  attribute(0, face_centres_.get(), 3);
+  attribute(1, face_normals_.get(), 3);
+  gl_.glBindVertexArray(0);
+}
+
+void MeshBuffers::draw_triangles(std::size_t first, std::size_t count, VertexValue value) {
+  face_of_triangle_.bind(0);
+  const bool is_colour = value == VertexValue::Colour;
+  gl_.glBindVertexArray((is_colour ? coloured_ : irradiated_).name());
+  // What holds where the mesh has no array is no part of the vertex array.
+  if ((is_colour ? colours_ : irradiance_) == nullptr) set_constant(2, is_colour ? 1 : 0);
+  if (uvs_ == nullptr) set_constant(3, 0);
+  gl_.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                     at(first, sizeof(TriangleArrays::Triangle)));
+}
+
+void MeshBuffers::draw_edges(std::size_t first, std::size_t count) {
+  gl_.glBindVertexArray(edged_.name());
+  gl_.glDrawElements(GL_LINES, static_cast<GLsizei>(2 * count), GL_UNSIGNED_INT,
+                     at(first, sizeof(MeshGeometry::Edge)));
+}
+
+void MeshBuffers::draw_vertices() {
+  gl_.glBindVertexArray(coloured_.name());
+  gl_.glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count_));
+}
+
+void MeshBuffers::draw_faces_as_points() {
+  gl_.glBindVertexArray(faces_.name());
+  gl_.glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(face_count_));
+}
+
+}  // namespace editor

@@ -1,0 +1,161 @@
+#include "editor/view/mesh_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "grf/summary.h"
+#include "grf/triangulation.h"
+
+namespace editor {
+namespace {
+
+using grf::Vec3d;
+using grf::Vec3f;
+
+constexpr std::size_t TrianglesPerBox = 128;
+
+Imath::V4f with_w(const Vec3f& v, float w) { return {v.x, v.y, v.z, w}; }
+
+grf::Colour total(const grf::Irradiance& irradiance) {
+  if (const auto* colour = std::get_if<grf::Colour>(&irradiance)) return *colour;
+  grf::Colour sum(0);
+  for (const auto& ray : std::get<std::vector<grf::DirectionalIrradiance>>(irradiance)) sum += ray.irradiance;
+  return sum;
+}
+
+void copy_vertices(const grf::Mesh& mesh, TriangleArrays& arrays) {
+  const std::size_t count = mesh.positions.size();
+  arrays.positions = mesh.positions;
+  arrays.normals.assign(count, Imath::V4f(0));
+  if (!mesh.colours.empty()) arrays.colours.assign(count, Imath::V4f(1));
+  if (!mesh.irradiance.empty()) arrays.irradiance.assign(count, Imath::V4f(0));
+  if (!mesh.uvs.empty()) arrays.uvs.assign(count, grf::Vec2f(0));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (mesh.normals.has(i)) arrays.normals[i] = with_w(mesh.normals[i].normalized(), 1);
+    if (mesh.colours.has(i)) arrays.colours[i] = with_w(mesh.colours[i], 1);
+    if (mesh.irradiance.has(i)) arrays.irradiance[i] = with_w(total(mesh.irradiance[i]), 1);
+    if (mesh.uvs.has(i)) arrays.uvs[i] = mesh.uvs[i];
+  }
+}
+
+/// Whether the line meets the box between these distances. Infinities of a direction along an axis are right.
+bool meets(const grf::Box3f& box, const Vec3d& origin, const Vec3d& inverse, double nearest,
+           double farthest) {
+  for (int i = 0; i < 3; ++i) {
+    double enter = (box.min[i] - origin[i]) * inverse[i];
+    double leave = (box.max[i] - origin[i]) * inverse[i];
+    if (enter > leave) std::swap(enter, leave);
+    // A comparison with NaN, of a ray in the plane of a side, is false and lets the box stay.
+    if (enter > nearest) nearest = enter;
+    if (leave < farthest) farthest = leave;
+  }
+  // Some more than rounding can make of a flat box.
+  return nearest <= farthest + 1e-9 * std::abs(farthest) + 1e-12;
+}
+
+/// Möller and Trumbore (1997), "Fast, minimum storage ray/triangle intersection".
+std::optional<double> intersect_triangle(const ViewRay& ray, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Vec3d edge1 = b - a;
+  const Vec3d edge2 = c - a;
+  const Vec3d p = ray.direction.cross(edge2);
+  const double determinant = edge1.dot(p);
+  if (determinant == 0) return std::nullopt;
+  const Vec3d from_a = ray.origin - a;
+  const double u = from_a.dot(p) / determinant;
+  if (!(u >= 0 && u <= 1)) return std::nullopt;
+  const Vec3d q = from_a.cross(edge1);
+  const double v = ray.direction.dot(q) / determinant;
+  if (!(v >= 0 && u + v <= 1)) return std::nullopt;
+  return edge2.dot(q) / determinant;
+}
+
+}  // namespace
+
+MeshGeometry::MeshGeometry(const grf::Mesh& mesh) {
+  copy_vertices(mesh, arrays_);
+  cut_faces(mesh);
+  find_edges(mesh);
+  enclose_triangles();
+}
+
+void MeshGeometry::cut_faces(const grf::Mesh& mesh) {
+  const std::size_t faces = mesh.face_count();
+  const std::size_t triangles = mesh.corners.size() - 2 * faces;
+  arrays_.triangles.reserve(triangles);
+  arrays_.face_of_triangle.reserve(triangles);
+  centres_.reserve(faces);
+  normals_.reserve(faces);
+  first_triangle_.reserve(faces + 1);
+  std::vector<Vec3f> corners;
+  std::vector<TriangleArrays::Triangle> cut;
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto face = mesh.face(i);
+    first_triangle_.push_back(static_cast<std::uint32_t>(arrays_.triangles.size()));
+    corners.clear();
+    Vec3d sum(0);
+    for (const std::uint32_t corner : face) {
+      corners.push_back(mesh.positions[corner]);
+      sum += Vec3d(corners.back());
+    }
+    centres_.emplace_back(sum / static_cast<double>(face.size()));
+    normals_.emplace_back(grf::doubled_area_vector(mesh, i, {}).normalized());
+    cut.clear();
+    grf::triangulate(corners, cut);
+    for (const auto& t : cut) {
+      arrays_.triangles.push_back({face[t[0]], face[t[1]], face[t[2]]});
+      arrays_.face_of_triangle.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  first_triangle_.push_back(static_cast<std::uint32_t>(arrays_.triangles.size()));
+}
+
+void MeshGeometry::find_edges(const grf::Mesh& mesh) {
+  edges_.reserve(mesh.corners.size());
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    const auto face = mesh.face(i);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t a = face[k];
+      const std::uint32_t b = face[k + 1 < face.size() ? k + 1 : 0];
+      edges_.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+}
+
+void MeshGeometry::enclose_triangles() {
+  const auto& triangles = arrays_.triangles;
+  boxes_.resize((triangles.size() + TrianglesPerBox - 1) / TrianglesPerBox);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const std::uint32_t corner : triangles[i])
+      boxes_[i / TrianglesPerBox].extendBy(arrays_.positions[corner]);
+  }
+  for (const grf::Box3f& box : boxes_) bounds_.extendBy(box);
+}
+
+std::optional<MeshHit> MeshGeometry::intersect(const ViewRay& ray) const {
+  const Vec3d inverse(1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z);
+  MeshHit nearest{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t box = 0; box < boxes_.size(); ++box) {
+    if (!meets(boxes_[box], ray.origin, inverse, ray.nearest, nearest.distance)) continue;
+    const std::size_t end = std::min((box + 1) * TrianglesPerBox, arrays_.triangles.size());
+    for (std::size_t i = box * TrianglesPerBox; i < end; ++i) {
+      const auto& [a, b, c] = arrays_.triangles[i];
+      const auto distance = intersect_triangle(ray, Vec3d(arrays_.positions[a]), Vec3d(arrays_.positions[b]),
+                                               Vec3d(arrays_.positions[c]));
+      if (distance && *distance > ray.nearest && *distance < nearest.distance) {
+        nearest = {*distance, static_cast<std::uint32_t>(i)};
+      }
+    }
+  }
+  if (nearest.distance == std::numeric_limits<double>::infinity()) return std::nullopt;
+  return nearest;
+}
+
+bool has_same_geometry(const grf::Mesh& a, const grf::Mesh& b) {
+  return a.positions == b.positions && a.corners == b.corners && a.face_offsets == b.face_offsets &&
+         a.normals == b.normals && a.colours == b.colours && a.uvs == b.uvs && a.irradiance == b.irradiance;
+}
+
+}  // namespace editor

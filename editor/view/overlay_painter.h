@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QColor>
+#include <memory>
+#include <vector>
+
+#include "editor/view/gl_objects.h"
+#include "editor/view/view_camera.h"
+
+namespace editor {
+
+/// A line in the world, or in pixels from the upper left.
+struct OverlayLine {
+  grf::Vec3d from;
+  grf::Vec3d to;
+  QColor colour;
+};
+
+/// Draws smooth lines of one width on the screen.
+class OverlayPainter {
+ public:
+  struct Screen {
+    grf::Vec2d size;  ///< pixels of the window
+    double pixel_ratio = 1;
+  };
+
+  explicit OverlayPainter(Gl& gl);
+
+  /// Hidden parts are drawn with this opacity: 0 to 1.
+  void draw(const std::vector<OverlayLine>& lines, const ViewCamera& camera, const grf::Box3d& bounds,
+            const Screen& screen, double width, double hidden_opacity);
+  void draw_flat(const std::vector<OverlayLine>& lines, const Screen& screen, double width);
+
+ private:
+  void upload(const std::vector<OverlayLine>& lines, const grf::Matrix44d& to_camera);
+  void draw_uploaded(const grf::Matrix44d& to_clip, const Screen& screen, double width, double opacity);
+
+  Gl& gl_;
+  std::unique_ptr<QOpenGLShaderProgram> program_;
+  GlObject buffer_;
+  GlObject vertex_array_;
+  GLsizei vertices_ = 0;
+};
+
+}  // namespace editor

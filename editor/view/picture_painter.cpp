@@ -1,0 +1,366 @@
+#include "editor/view/picture_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QMatrix3x3>
+#include <QMatrix4x4>
+
+namespace editor {
+namespace {
+
+/// Triangles, and edges, of one step.
+constexpr std::size_t TrianglesPerStep = 20'000;
+constexpr std::size_t EdgesPerStep = 12'000;
+/// Rows of pixels of one step of a BRDF.
+constexpr int BrdfRows = 32;
+/// How far lines are drawn nearer than they are, so that faces beside them do not hide them.
+constexpr float Nearer = 2e-4F;
+
+grf::Matrix44d moved(const grf::Matrix44d& matrix, const grf::Vec2d& shift, const QSize& size) {
+  return matrix * grf::Matrix44d().setTranslation(
+                      grf::Vec3d(2 * shift.x / size.width(), 2 * shift.y / size.height(), 0));
+}
+
+bool has_faces(DisplayMode mode) { return mode != DisplayMode::Points && mode != DisplayMode::Wireframe; }
+
+bool has_textures(DisplayMode mode) { return mode == DisplayMode::Textured || mode == DisplayMode::Brdf; }
+
+QMatrix3x3 camera_to_world(const ViewCamera& camera) {
+  const auto matrix = to_qt(camera.world_to_camera().inverse());
+  return matrix.toGenericMatrix<3, 3>();
+}
+
+QVector4D premultiplied(const QColor& colour) {
+  const float a = colour.alphaF();
+  return {colour.redF() * a, colour.greenF() * a, colour.blueF() * a, a};
+}
+
+}  // namespace
+
+void set_picture_units(QOpenGLShaderProgram& program) {
+  int unit = PictureUnit;
+  for (const char* name : {"faces", "normals", "values", "uvs", "depths", "light", "colours"}) {
+    program.setUniformValue(name, unit++);
+  }
+  unit = TablesUnit;
+  for (const char* name : {"selected", "surface_of_face", "surfaces", "terms"}) {
+    program.setUniformValue(name, unit++);
+  }
+}
+
+PicturePainter::PicturePainter(Gl& gl) : gl_(gl), no_vertices_(gl, GlKind::VertexArray) {
+  geometry_ = program_of("geometry.vert", {"geometry.frag"});
+  shade_ = program_of("screen.vert", {"picture.glsl", "shade.frag"});
+  texture_ = program_of("screen.vert", {"picture.glsl", "texture.frag"});
+  resolve_ = program_of("screen.vert", {"picture.glsl", "sky.glsl", "resolve.frag"});
+  lines_ = program_of("lines.vert", {"lines.frag"});
+  normals_ = program_of("normals.vert", {"lines.frag"}, "normals.geom");
+}
+
+MeshBuffers* PicturePainter::Job::mesh(std::size_t instance) const {
+  const std::uint32_t mesh = scene.instances()[instance].mesh;
+  return request.is_quick ? scene.quick_mesh(mesh) : scene.mesh(mesh);
+}
+
+std::vector<PicturePainter::Step> PicturePainter::steps(SceneBuffers& scene, Picture& picture,
+                                                        const PictureRequest& request) {
+  const auto job = std::make_shared<const Job>(Job{
+      scene, picture, request,
+      moved(request.camera.camera_to_clip(request.aspect, request.bounds), request.shift, picture.size())});
+  std::vector<Step> steps;
+  steps.emplace_back([this, job] { clear(*job); });
+  for (Runs& runs : runs_of(*job, &MeshBuffers::triangle_count, TrianglesPerStep)) {
+    steps.emplace_back([this, job, runs = std::move(runs)] { paint_geometry(*job, runs); });
+  }
+  const DisplayMode mode = request.style.mode;
+  if (has_textures(mode)) steps.emplace_back([this, job] { paint_textures(*job); });
+  if (mode == DisplayMode::Brdf) {
+    add_brdf_steps(job, steps);
+  } else if (has_faces(mode)) {
+    steps.emplace_back([this, job] { shade(*job); });
+  }
+  add_line_steps(job, steps);
+  return steps;
+}
+
+std::vector<PicturePainter::Runs> PicturePainter::runs_of(const Job& job,
+                                                          std::size_t (MeshBuffers::*count)() const,
+                                                          std::size_t size) {
+  std::vector<Runs> all;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < job.scene.instances().size(); ++i) {
+    const MeshBuffers* mesh = job.mesh(i);
+    if (mesh == nullptr) continue;
+    const std::size_t end = (mesh->*count)();
+    for (std::size_t first = 0; first < end;) {
+      if (left == 0) {
+        all.emplace_back();
+        left = size;
+      }
+      const std::size_t taken = std::min(left, end - first);
+      all.back().push_back({i, first, taken});
+      first += taken;
+      left -= taken;
+    }
+  }
+  return all;
+}
+
+void PicturePainter::clear(const Job& job) {
+  gl_.glDisable(GL_SCISSOR_TEST);
+  gl_.glDisable(GL_BLEND);
+  gl_.glDepthMask(GL_TRUE);
+  job.picture.begin_geometry();
+  const std::array<GLuint, 4> nothing = {};
+  const std::array<GLfloat, 1> far = {1};
+  gl_.glClearBufferuiv(GL_COLOR, 0, nothing.data());
+  gl_.glClearBufferfv(GL_DEPTH, 0, far.data());
+  const std::array<GLfloat, 4> black = {};
+  job.picture.begin_light();
+  gl_.glClearBufferfv(GL_COLOR, 0, black.data());
+  job.picture.begin_colour();
+  gl_.glClearBufferfv(GL_COLOR, 0, black.data());
+}
+
+void PicturePainter::paint_geometry(const Job& job, const Runs& runs) {
+  job.picture.begin_geometry();
+  gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glDepthFunc(GL_LESS);
+  gl_.glDisable(GL_BLEND);
+  // Lines are drawn over faces.
+  gl_.glEnable(GL_POLYGON_OFFSET_FILL);
+  gl_.glPolygonOffset(0.5F, 1);
+  const bool has_irradiance = job.request.style.mode == DisplayMode::Irradiance;
+  const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
+  geometry_->bind();
+  geometry_->setUniformValue("face_of_triangle", 0);
+  geometry_->setUniformValue("is_orthographic", job.request.camera.is_orthographic());
+  geometry_->setUniformValue("has_irradiance", has_irradiance);
+  for (const Run& run : runs) {
+    const SceneBuffers::Instance& instance = job.scene.instances()[run.instance];
+    const grf::Matrix44d to_camera = instance.to_world * world_to_camera;
+    geometry_->setUniformValue("to_camera", to_qt(to_camera));
+    geometry_->setUniformValue("to_clip", to_qt(to_camera * job.camera_to_clip));
+    geometry_->setUniformValue("normal_to_camera", to_qt(to_camera).normalMatrix());
+    geometry_->setUniformValue("is_mirrored", instance.to_world.determinant() < 0);
+    geometry_->setUniformValue("y_axis", to_qt(to_camera).mapVector(QVector3D(0, 1, 0)));
+    geometry_->setUniformValue("first_triangle", static_cast<GLint>(run.first));
+    geometry_->setUniformValue("instance", static_cast<GLint>(run.instance));
+    geometry_->setUniformValue("first_face",
+                               static_cast<GLint>(job.scene.tables().first_face[instance.mesh]));
+    job.mesh(run.instance)
+        ->draw_triangles(run.first, run.count,
+                         has_irradiance ? VertexValue::Irradiance : VertexValue::Colour);
+  }
+  gl_.glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void PicturePainter::cover(QOpenGLShaderProgram& program, const Job& job) {
+  set_picture_units(program);
+  job.picture.bind_textures(PictureUnit);
+  job.scene.bind_tables(TablesUnit);
+  gl_.glDisable(GL_DEPTH_TEST);
+  gl_.glBindVertexArray(no_vertices_.name());
+  gl_.glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PicturePainter::paint_textures(const Job& job) {
+  gl_.glEnable(GL_BLEND);
+  gl_.glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  gl_.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  job.picture.begin_values();
+  texture_->bind();
+  texture_->setUniformValue("image", static_cast<GLint>(ImageUnit));
+  for (std::size_t i = 0; i < job.scene.tables().textures.size(); ++i) {
+    texture_->setUniformValue("number", static_cast<GLint>(i));
+    job.scene.bind_texture(i, ImageUnit);
+    cover(*texture_, job);
+  }
+  gl_.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.glDisable(GL_BLEND);
+}
+
+void PicturePainter::shade(const Job& job) {
+  const DisplayMode mode = job.request.style.mode;
+  const bool is_coloured = mode == DisplayMode::Textured || mode == DisplayMode::VertexColours;
+  job.picture.begin_colour();
+  gl_.glDisable(GL_BLEND);
+  shade_->bind();
+  shade_->setUniformValue("look", is_coloured ? 1 : mode == DisplayMode::Irradiance ? 2 : 0);
+  shade_->setUniformValue("irradiance_scale", job.scene.tables().irradiance_scale);
+  shade_->setUniformValue("clay", QVector3D(0.56F, 0.57F, 0.59F));
+  cover(*shade_, job);
+}
+
+void PicturePainter::add_line_steps(const SharedJob& job, std::vector<Step>& steps) {
+  const ViewStyle& style = job->request.style;
+  const bool stands_in = job->request.is_quick && job->scene.has_stand_ins();
+  if (style.mode == DisplayMode::Points) steps.emplace_back([this, job] { paint_points(*job); });
+  if (style.mode == DisplayMode::Wireframe || (style.mode == DisplayMode::SolidEdges && !stands_in)) {
+    // A stand-in has no polygons.
+    if (!stands_in) {
+      for (std::uint32_t mesh = 0; mesh < job->scene.tables().first_face.size(); ++mesh) {
+        MeshBuffers* buffers = job->scene.mesh(mesh);
+        if (buffers != nullptr && !buffers->has_edges())
+          buffers->set_edges(job->scene.geometry(mesh)->edges());
+      }
+    }
+    const auto count = stands_in ? &MeshBuffers::triangle_count : &MeshBuffers::edge_count;
+    for (Runs& runs : runs_of(*job, count, EdgesPerStep)) {
+      steps.emplace_back(
+          [this, job, stands_in, runs = std::move(runs)] { paint_edges(*job, runs, stands_in); });
+    }
+  }
+  if (stands_in) return;
+  if (style.has_vertex_normals) steps.emplace_back([this, job] { paint_normals(*job, false); });
+  if (style.has_face_normals) steps.emplace_back([this, job] { paint_normals(*job, true); });
+}
+
+void PicturePainter::paint_edges(const Job& job, const Runs& runs, bool are_triangles) {
+  const bool is_over_faces = job.request.style.mode == DisplayMode::SolidEdges;
+  job.picture.begin_colour();
+  gl_.glDepthMask(GL_FALSE);
+  gl_.glDepthFunc(GL_LEQUAL);
+  is_over_faces ? gl_.glEnable(GL_DEPTH_TEST) : gl_.glDisable(GL_DEPTH_TEST);
+  gl_.glEnable(GL_BLEND);
+  gl_.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  QColor colour = is_over_faces ? QColor(0x14, 0x15, 0x18) : job.request.style.lines;
+  if (is_over_faces) colour.setAlphaF(0.75F);
+  const grf::Matrix44d world_to_clip = job.request.camera.world_to_camera() * job.camera_to_clip;
+  lines_->bind();
+  lines_->setUniformValue("line_colour", premultiplied(colour));
+  lines_->setUniformValue("nearer", Nearer);
+  if (are_triangles) gl_.glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  for (const Run& run : runs) {
+    const SceneBuffers::Instance& instance = job.scene.instances()[run.instance];
+    lines_->setUniformValue("to_clip", to_qt(instance.to_world * world_to_clip));
+    MeshBuffers* mesh = job.mesh(run.instance);
+    are_triangles ? mesh->draw_triangles(run.first, run.count, VertexValue::Colour)
+                  : mesh->draw_edges(run.first, run.count);
+  }
+  gl_.glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  gl_.glDepthMask(GL_TRUE);
+}
+
+void PicturePainter::paint_points(const Job& job) {
+  job.picture.begin_colour();
+  gl_.glDisable(GL_DEPTH_TEST);
+  gl_.glDisable(GL_BLEND);
+  gl_.glEnable(GL_PROGRAM_POINT_SIZE);
+  const grf::Matrix44d world_to_clip = job.request.camera.world_to_camera() * job.camera_to_clip;
+  lines_->bind();
+  lines_->setUniformValue("line_colour", premultiplied(job.request.style.lines));
+  lines_->setUniformValue("nearer", 0.0F);
+  lines_->setUniformValue("point_size", 3 * job.request.style.pixel_ratio);
+  for (std::size_t i = 0; i < job.scene.instances().size(); ++i) {
+    MeshBuffers* mesh = job.mesh(i);
+    if (mesh == nullptr) continue;
+    lines_->setUniformValue("to_clip", to_qt(job.scene.instances()[i].to_world * world_to_clip));
+    mesh->draw_vertices();
+  }
+  gl_.glDisable(GL_PROGRAM_POINT_SIZE);
+}
+
+void PicturePainter::paint_normals(const Job& job, bool of_faces) {
+  job.picture.begin_colour();
+  gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glDepthFunc(GL_LEQUAL);
+  gl_.glDepthMask(GL_FALSE);
+  gl_.glDisable(GL_BLEND);
+  QColor colour = job.request.style.normals;
+  if (of_faces) colour = colour.lighter(150);
+  normals_->bind();
+  normals_->setUniformValue("line_colour", premultiplied(colour));
+  normals_->setUniformValue("nearer", Nearer);
+  normals_->setUniformValue("camera_to_clip", to_qt(job.camera_to_clip));
+  const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
+  for (std::size_t i = 0; i < job.scene.instances().size(); ++i) {
+    const SceneBuffers::Instance& instance = job.scene.instances()[i];
+    MeshBuffers* mesh = job.scene.mesh(instance.mesh);
+    if (mesh == nullptr) continue;
+    const MeshGeometry& geometry = *job.scene.geometry(instance.mesh);
+    if (of_faces && !mesh->has_face_normals()) mesh->set_face_normals(geometry);
+    const grf::Matrix44d to_camera = instance.to_world * world_to_camera;
+    // About as long as an edge.
+    const double faces = std::max(geometry.face_count(), 1U);
+    const double scale = std::cbrt(std::abs(instance.to_world.determinant()));
+    const double size = scale * grf::Box3d(geometry.bounds().min, geometry.bounds().max).size().length() /
+                        std::max(4.0, std::sqrt(faces));
+    normals_->setUniformValue("size", static_cast<float>(size));
+    normals_->setUniformValue("to_camera", to_qt(to_camera));
+    normals_->setUniformValue("normal_to_camera", to_qt(to_camera).normalMatrix());
+    of_faces ? mesh->draw_faces_as_points() : mesh->draw_vertices();
+  }
+  gl_.glDepthMask(GL_TRUE);
+}
+
+void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
+  for (const std::size_t model : job->scene.tables().models) {
+    for (int row = 0; row < job->picture.size().height(); row += BrdfRows) {
+      steps.emplace_back([this, job, model, row] { paint_brdf(*job, model, row); });
+    }
+  }
+  steps.emplace_back([this, job] { resolve(*job); });
+}
+
+QOpenGLShaderProgram* PicturePainter::brdf_program(std::size_t model) {
+  auto& program = brdfs_[model];
+  if (program != nullptr) return program.get();
+  const ModelShader& shader = model_shaders()[model];
+  QByteArray text = "#version 330 core\n" + shader_text("view/picture.glsl");
+  for (const char* shared :
+       {"glsl_functions", "float_functions", "common", "fresnel", "beckmann", "refraction", "kirchhoff"}) {
+    text += shader_text(QString("reflectance/%1.glsl").arg(shared));
+  }
+  text += shader_text(QString("reflectance/%1.glsl").arg(QString::fromStdString(shader.keyword)));
+  text += shader_text("view/brdf_parameters.glsl");
+  text += "vec3 model(vec3 u, vec3 v) { return " + QByteArray::fromStdString(shader.call) + "; }\n";
+  text += shader_text("view/sky.glsl") + shader_text("view/brdf.frag");
+  program = std::make_unique<QOpenGLShaderProgram>();
+  const bool is_made = program->addShaderFromSourceCode(
+                           QOpenGLShader::Vertex, "#version 330 core\n" + shader_text("view/screen.vert")) &&
+                       program->addShaderFromSourceCode(QOpenGLShader::Fragment, text) && program->link();
+  if (!is_made) qFatal("%s: %s", shader.keyword.c_str(), qPrintable(program->log()));
+  return program.get();
+}
+
+void PicturePainter::set_eye(QOpenGLShaderProgram& program, const Job& job) {
+  const ViewCamera& camera = job.request.camera;
+  const double tangent = std::tan(camera.field_of_view() * std::numbers::pi / 360);
+  program.setUniformValue("camera_to_world", camera_to_world(camera));
+  program.setUniformValue("is_orthographic", camera.is_orthographic());
+  program.setUniformValue("screen_size", QVector2D(static_cast<float>(job.picture.size().width()),
+                                                   static_cast<float>(job.picture.size().height())));
+  program.setUniformValue(
+      "half_size", QVector2D(static_cast<float>(tangent * job.request.aspect), static_cast<float>(tangent)));
+}
+
+void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row) {
+  QOpenGLShaderProgram& program = *brdf_program(model);
+  job.picture.begin_light();
+  gl_.glEnable(GL_SCISSOR_TEST);
+  gl_.glScissor(0, first_row, job.picture.size().width(), BrdfRows);
+  gl_.glEnable(GL_BLEND);
+  gl_.glBlendFunc(GL_ONE, GL_ONE);
+  program.bind();
+  program.setUniformValue("model_number", static_cast<GLint>(model));
+  program.setUniformValue("sky_samples", job.request.is_quick ? 4 : 8);
+  program.setUniformValue("pass", job.request.pass);
+  set_eye(program, job);
+  cover(program, job);
+  gl_.glDisable(GL_BLEND);
+  gl_.glDisable(GL_SCISSOR_TEST);
+}
+
+void PicturePainter::resolve(const Job& job) {
+  job.picture.begin_colour();
+  gl_.glDisable(GL_BLEND);
+  resolve_->bind();
+  resolve_->setUniformValue("mirror_values", SurfaceTables::MirrorValues);
+  set_eye(*resolve_, job);
+  cover(*resolve_, job);
+}
+
+}  // namespace editor

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <QColor>
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "editor/view/picture.h"
+#include "editor/view/scene_buffers.h"
+#include "editor/view/view_camera.h"
+
+namespace editor {
+
+/// What the 3D view shows of faces.
+enum class DisplayMode { Points, Wireframe, Solid, SolidEdges, Textured, VertexColours, Irradiance, Brdf };
+
+/// How a scene is drawn.
+struct ViewStyle {
+  DisplayMode mode = DisplayMode::Solid;
+  bool has_vertex_normals = false;
+  bool has_face_normals = false;
+  QColor lines;           ///< edges and points
+  QColor normals;         ///< lines of normals
+  float pixel_ratio = 1;  ///< of device pixels to those of the window
+
+  bool operator==(const ViewStyle&) const = default;
+};
+
+/// What a picture is to show.
+struct PictureRequest {
+  ViewCamera camera;
+  grf::Box3d bounds;  ///< of all that is drawn
+  ViewStyle style;
+  double aspect = 1;
+  bool is_quick = false;             ///< with what stands in for large meshes, and with less light
+  int pass = 0;                      ///< pictures of several passes differ in what is random
+  grf::Vec2d shift = grf::Vec2d(0);  ///< pixels, by which the image is moved
+};
+
+/// Paints scenes into pictures, step by step: each takes some milliseconds at most.
+class PicturePainter {
+ public:
+  using Step = std::function<void()>;
+
+  explicit PicturePainter(Gl& gl);
+
+  /// What is to be done, in this order. Scene and picture have to stay until then.
+  std::vector<Step> steps(SceneBuffers& scene, Picture& picture, const PictureRequest& request);
+
+ private:
+  /// Some of the triangles or edges of an instance.
+  struct Run {
+    std::size_t instance = 0;
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  using Runs = std::vector<Run>;
+  struct Job {
+    SceneBuffers& scene;
+    Picture& picture;
+    PictureRequest request;
+    grf::Matrix44d camera_to_clip;
+
+    MeshBuffers* mesh(std::size_t instance) const;
+  };
+  using SharedJob = std::shared_ptr<const Job>;
+
+  static std::vector<Runs> runs_of(const Job& job, std::size_t (MeshBuffers::*count)() const,
+                                   std::size_t size);
+  void clear(const Job& job);
+  void paint_geometry(const Job& job, const Runs& runs);
+  void paint_textures(const Job& job);
+  void shade(const Job& job);
+  void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);
+  void add_line_steps(const SharedJob& job, std::vector<Step>& steps);
+  void paint_brdf(const Job& job, std::size_t model, int first_row);
+  void resolve(const Job& job);
+  void paint_edges(const Job& job, const Runs& runs, bool are_triangles);
+  void paint_points(const Job& job);
+  void paint_normals(const Job& job, bool of_faces);
+  void cover(QOpenGLShaderProgram& program, const Job& job);
+  void set_eye(QOpenGLShaderProgram& program, const Job& job);
+  QOpenGLShaderProgram* brdf_program(std::size_t model);
+
+  Gl& gl_;
+  GlObject no_vertices_;
+  std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, resolve_, lines_, normals_;
+  std::map<std::size_t, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
+};
+
+/// Tells a program that starts with picture.glsl which texture units its tables have.
+void set_picture_units(QOpenGLShaderProgram& program);
+/// The first texture units of pictures, of tables, and of an image.
+constexpr GLuint PictureUnit = 0;
+constexpr GLuint TablesUnit = 7;
+constexpr GLuint ImageUnit = 11;
+
+}  // namespace editor

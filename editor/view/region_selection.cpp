@@ -1,0 +1,192 @@
+#include "editor/view/region_selection.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace editor {
+namespace {
+
+using grf::Vec3d;
+
+/// Which pixels are inside a polygon.
+class Mask {
+ public:
+  Mask(const QPolygonF& region, const QSize& size)
+      : rectangle_(region.boundingRect().toAlignedRect().intersected(QRect(QPoint(), size))) {
+    if (rectangle_.isEmpty()) return;
+    image_ = QImage(rectangle_.size(), QImage::Format_Grayscale8);
+    image_.fill(0);
+    QPainter painter(&image_);
+    painter.translate(-rectangle_.topLeft());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawPolygon(region, Qt::OddEvenFill);
+  }
+
+  const QRect& rectangle() const { return rectangle_; }
+  bool empty() const { return rectangle_.isEmpty(); }
+  /// For a pixel of the rectangle, whose corner is (0,0).
+  bool has(int x, int y) const { return image_.constScanLine(y)[x] != 0; }
+
+ private:
+  QRect rectangle_;
+  QImage image_;
+};
+
+/// An instance, with what is computed once for all of its faces.
+struct PlacedMesh {
+  std::uint32_t mesh = 0;
+  const MeshGeometry* geometry = nullptr;
+  grf::Matrix44d to_world;
+  grf::Matrix44d normal_to_world;
+  double scale = 1;
+
+  Vec3d centre(std::uint32_t face) const { return geometry->centre(face) * to_world; }
+  Vec3d normal(std::uint32_t face) const {
+    Vec3d result;
+    normal_to_world.multDirMatrix(geometry->normal(face), result);
+    return result.normalized();
+  }
+  /// The largest distance of a corner from the centre.
+  double radius(std::uint32_t face) const {
+    const TriangleArrays& arrays = geometry->arrays();
+    const grf::Vec3f& middle = geometry->centres()[face];
+    float farthest = 0;
+    for (std::uint32_t i = geometry->first_triangle(face); i < geometry->end_triangle(face); ++i) {
+      for (const std::uint32_t corner : arrays.triangles[i]) {
+        farthest = std::max(farthest, (arrays.positions[corner] - middle).length2());
+      }
+    }
+    return std::sqrt(farthest) * scale;
+  }
+};
+
+std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
+  std::vector<PlacedMesh> placed;
+  for (const MeshInstance& instance : scene.objects.instances) {
+    PlacedMesh mesh{instance.mesh, scene.store.geometry(instance.mesh).get(), instance.to_world,
+                    instance.to_world.inverse().transposed(), 1};
+    mesh.scale = std::cbrt(std::abs(instance.to_world.determinant()));
+    placed.push_back(mesh);
+  }
+  return placed;
+}
+
+/// Calls visit(face, x, y, centre) for each face of a mesh whose centre is in the region: the pixel in the
+/// mask's rectangle, and the centre in the world.
+template <class Visit>
+void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh& mesh, const Visit& visit) {
+  if (mesh.geometry == nullptr) return;
+  const double aspect = static_cast<double>(scene.size.width()) / scene.size.height();
+  const grf::Matrix44d to_clip =
+      mesh.to_world * scene.camera.world_to_camera() * scene.camera.camera_to_clip(aspect, {});
+  for (std::uint32_t face = 0; face < mesh.geometry->face_count(); ++face) {
+    const Vec3d p = mesh.geometry->centre(face);
+    const double w = p.x * to_clip[0][3] + p.y * to_clip[1][3] + p.z * to_clip[2][3] + to_clip[3][3];
+    if (!(w > 0)) continue;
+    const double clip_x = p.x * to_clip[0][0] + p.y * to_clip[1][0] + p.z * to_clip[2][0] + to_clip[3][0];
+    const double clip_y = p.x * to_clip[0][1] + p.y * to_clip[1][1] + p.z * to_clip[2][1] + to_clip[3][1];
+    const double x = (0.5 + 0.5 * clip_x / w) * scene.size.width() - mask.rectangle().x();
+    const double y = (0.5 - 0.5 * clip_y / w) * scene.size.height() - mask.rectangle().y();
+    if (!(x >= 0 && y >= 0 && x < mask.rectangle().width() && y < mask.rectangle().height())) continue;
+    if (mask.has(static_cast<int>(x), static_cast<int>(y)))
+      visit(face, static_cast<int>(x), static_cast<int>(y));
+  }
+}
+
+/// Tells whether a face that is too small for a pixel lies on the face that its pixel shows.
+class SmallFaces {
+ public:
+  explicit SmallFaces(const SeenScene& scene) : scene_(scene) {}
+
+  bool is_seen(const PlacedMesh& mesh, std::uint32_t face, const PlacedMesh& shown,
+               std::uint32_t shown_face) const {
+    const Vec3d centre = mesh.centre(face);
+    const double pixel = 2 * scene_.camera.half_height_at(centre) / scene_.size.height();
+    if (mesh.radius(face) > 1.5 * pixel) return false;  // it would have a pixel
+    const ViewCamera& camera = scene_.camera;
+    const Vec3d along = camera.is_orthographic() ? camera.forward() : (centre - camera.eye()).normalized();
+    const double cosine = along.dot(mesh.normal(face));
+    const double shown_cosine = along.dot(shown.normal(shown_face));
+    if (cosine * shown_cosine <= 0) return false;  // from the other side
+    const double behind = (centre - shown.centre(shown_face)).dot(shown.normal(shown_face)) / shown_cosine;
+    const double slope = std::max(0.15, std::min(std::abs(cosine), std::abs(shown_cosine)));
+    return std::abs(behind) <= 2 * pixel / slope;
+  }
+
+ private:
+  const SeenScene& scene_;
+};
+
+}  // namespace
+
+std::optional<SceneHit> intersect(const SceneObjects& objects, const GeometryStore& store,
+                                  const ViewRay& ray) {
+  std::optional<SceneHit> nearest;
+  for (std::uint32_t i = 0; i < objects.instances.size(); ++i) {
+    const MeshInstance& instance = objects.instances[i];
+    const auto& geometry = store.geometry(instance.mesh);
+    if (geometry == nullptr) continue;
+    const auto hit = geometry->intersect(transformed(ray, instance.to_world.inverse()));
+    if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
+    nearest = {{instance.mesh, geometry->arrays().face_of_triangle[hit->triangle]}, i, hit->distance};
+  }
+  return nearest;
+}
+
+FaceSelection seen_in_region(const SeenScene& scene, const QPolygonF& region,
+                             const std::function<std::vector<FacePixel>(const QRect&)>& faces_in) {
+  FaceSelection selection(scene.objects);
+  const Mask mask(region, scene.size);
+  if (mask.empty()) return selection;
+  const std::vector<PlacedMesh> placed = placed_meshes(scene);
+  std::vector<std::uint32_t> first_face;
+  std::uint32_t faces = 0;
+  for (const MeshObject& mesh : scene.objects.meshes) {
+    first_face.push_back(faces);
+    faces += static_cast<std::uint32_t>(mesh.mesh->face_count());
+  }
+  const QRect& area = mask.rectangle();
+  const QRect upwards(area.x(), scene.size.height() - area.y() - area.height(), area.width(), area.height());
+  const std::vector<FacePixel> pixels = faces_in(upwards);
+  const auto pixel_at = [&](int x, int y) {
+    return pixels[static_cast<std::size_t>(area.height() - 1 - y) * static_cast<std::size_t>(area.width()) +
+                  static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y < area.height(); ++y) {
+    for (int x = 0; x < area.width(); ++x) {
+      const FacePixel pixel = pixel_at(x, y);
+      if (pixel.instance == 0 || !mask.has(x, y)) continue;
+      const std::uint32_t mesh = placed[pixel.instance - 1].mesh;
+      selection.set({mesh, pixel.face - first_face[mesh]});
+    }
+  }
+  const SmallFaces small(scene);
+  for (const PlacedMesh& mesh : placed) {
+    for_each_centre(scene, mask, mesh, [&](std::uint32_t face, int x, int y) {
+      const FacePixel pixel = pixel_at(x, y);
+      if (pixel.instance == 0 || selection.has({mesh.mesh, face})) return;
+      const PlacedMesh& shown = placed[pixel.instance - 1];
+      if (small.is_seen(mesh, face, shown, pixel.face - first_face[shown.mesh]))
+        selection.set({mesh.mesh, face});
+    });
+  }
+  return selection;
+}
+
+FaceSelection all_in_region(const SeenScene& scene, const QPolygonF& region) {
+  FaceSelection selection(scene.objects);
+  const Mask mask(region, scene.size);
+  if (mask.empty()) return selection;
+  for (const PlacedMesh& mesh : placed_meshes(scene)) {
+    for_each_centre(scene, mask, mesh, [&](std::uint32_t face, int, int) {
+      selection.set({mesh.mesh, face});
+    });
+  }
+  return selection;
+}
+
+}  // namespace editor

@@ -1,0 +1,68 @@
+// A scene on the graphics card.
+#pragma once
+
+#include <QImage>
+#include <QOpenGLPixelTransferOptions>
+#include <QOpenGLTexture>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "editor/document/face_selection.h"
+#include "editor/view/geometry_store.h"
+#include "editor/view/mesh_buffers.h"
+#include "editor/view/surface_tables.h"
+#include "renderer/transport/image/image.h"
+
+namespace editor {
+
+class SceneBuffers {
+ public:
+  /// A mesh where it stands.
+  struct Instance {
+    std::uint32_t mesh = 0;
+    grf::Matrix44d to_world;
+  };
+
+  explicit SceneBuffers(Gl& gl);
+
+  void set_objects(const SceneObjects& objects);
+  /// After the objects; keeps the buffers of geometry that stays. Returns whether a mesh got another one, and
+  /// not only another stand-in.
+  bool set_geometry(const GeometryStore& store);
+  void set_selection(const FaceSelection& selection);
+  /// An image that a face of the scene names; none: it cannot be read.
+  void set_texture(const std::string& path, const transport::Image* image);
+
+  const std::vector<Instance>& instances() const { return instances_; }
+  const SurfaceTables& tables() const { return tables_; }
+  /// Null until the geometry is made.
+  MeshBuffers* mesh(std::uint32_t mesh) const { return meshes_[mesh]; }
+  /// What stands in for it, or the mesh itself.
+  MeshBuffers* quick_mesh(std::uint32_t mesh) const { return quick_meshes_[mesh]; }
+  const MeshGeometry* geometry(std::uint32_t mesh) const { return geometries_[mesh].get(); }
+  bool has_stand_ins() const;
+
+  /// The tables, from this unit on: selected faces, surfaces of faces, surfaces, terms.
+  void bind_tables(GLuint first_unit) const;
+  /// Of a number in the tables; a plain one until it has come.
+  void bind_texture(std::size_t number, GLuint unit);
+
+ private:
+  std::unique_ptr<QOpenGLTexture> texture_of(const transport::Image& image) const;
+  std::unique_ptr<QOpenGLTexture> squares(QRgb first, QRgb second) const;
+
+  Gl& gl_;
+  SurfaceTables tables_;
+  std::vector<Instance> instances_;
+  std::map<std::shared_ptr<const MeshGeometry>, std::unique_ptr<MeshBuffers>> geometry_buffers_;
+  std::map<std::shared_ptr<const TriangleArrays>, std::unique_ptr<MeshBuffers>> quick_buffers_;
+  std::vector<std::shared_ptr<const MeshGeometry>> geometries_;
+  std::vector<MeshBuffers*> meshes_;
+  std::vector<MeshBuffers*> quick_meshes_;
+  std::map<std::string, std::unique_ptr<QOpenGLTexture>> textures_;
+  std::unique_ptr<QOpenGLTexture> awaited_texture_;
+  BufferTexture selected_, surface_of_face_, surfaces_, terms_;
+};
+
+}  // namespace editor

@@ -1,0 +1,175 @@
+// The 3D view of a scene.
+#pragma once
+
+#include <QOpenGLWidget>
+#include <QPolygonF>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "editor/document/face_selection.h"
+#include "editor/view/geometry_store.h"
+#include "editor/view/picture_painter.h"
+#include "editor/view/scene_handles.h"
+#include "editor/view/texture_store.h"
+#include "editor/view/view_camera.h"
+
+namespace editor {
+
+struct SceneHit;
+
+/// Shows a scene and lets faces be selected and things be moved. It edits nothing: what gestures ask for is
+/// said by signals, and what has become of it comes back by `show` and `set_selection`.
+///
+/// Pointer: a click selects a face, a drag from a face those in a box (with Alt or `set_lasso` in a lasso);
+/// Shift adds, Ctrl takes away. A drag from empty ground or with the middle button orbits, Shift and the
+/// middle button pan, the wheel zooms about the pointer, with the right button held the view turns and W A S
+/// D Q E fly. A double click sets the centre of the orbit.
+///
+/// Keys: arrows orbit (with Shift pan), + and - zoom, F frames the selection, Home all, 1 3 7 are the front,
+/// the right and the top, 9 the opposite, 5 perspective or parallel, Space toggles the face in the middle,
+/// Escape gives up a gesture.
+class SceneView : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  using QWidget::show;
+  /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.
+  void show(const SceneObjects& objects);
+  const SceneObjects& objects() const { return objects_; }
+  /// Of the objects that are shown.
+  void set_selection(const FaceSelection& selection);
+  const FaceSelection& selection() const { return selection_; }
+  void set_camera(const ViewCamera& camera);
+  const ViewCamera& camera() const { return camera_; }
+  /// As by a gesture: with `camera_moved`.
+  void move_camera(const ViewCamera& camera);
+  void frame_all();
+  void frame_selection();
+
+  void set_mode(DisplayMode mode);
+  DisplayMode mode() const { return mode_; }
+  void set_vertex_normals(bool are_shown);
+  void set_face_normals(bool are_shown);
+  void set_grid(bool is_shown);
+  /// A drag makes a lasso instead of a box.
+  void set_lasso(bool is_lasso) { is_lasso_ = is_lasso; }
+  /// Boxes and lassos select hidden faces too.
+  void set_select_through(bool selects_through) { selects_through_ = selects_through; }
+  /// The render's camera and its image's width over height; none: it is not drawn.
+  void set_render_camera(const std::optional<transport::View>& camera, double aspect = 1.25);
+
+  /// Whether the scene is drawn in full detail and nothing is being loaded or improved.
+  bool is_complete() const;
+  /// Whether full detail of the scene as it is now is on the screen, perhaps with edges that are still being
+  /// smoothed.
+  bool is_full() const;
+  /// What a click at this place of the widget would select.
+  std::optional<FaceId> face_at(const QPointF& pixel) const;
+  /// The lights, observers and the camera as they stand now.
+  const std::vector<SceneHandle>& handles() const { return handles_; }
+
+ signals:
+  void selection_made(const editor::FaceSelection& selection);
+  void camera_moved();
+  /// While a thing is dragged, and once when it is let go, with its new SceneHandle::position. An AreaLight's
+  /// new corner is `position * to_world.inverse()`.
+  void object_moving(const editor::HandleId& object, const grf::Vec3d& position);
+  void object_moved(const editor::HandleId& object, const grf::Vec3d& position);
+  /// What is under the pointer, in words; empty: nothing.
+  void hovered(const QString& text);
+  /// Something cannot be shown as it is, such as a texture.
+  void message(const QString& text);
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
+  void changeEvent(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  enum class Gesture { None, Orbit, Pan, Look, Region, Handle };
+  struct Graphics;  // what lives in the OpenGL context
+
+  // scene_view.cpp
+  void release_graphics();
+  void load_scene();
+  void work();
+  void place_handles();
+  double aspect() const;
+  grf::Vec2d window_size() const;
+  ViewStyle style() const;
+  PictureRequest request() const;
+  QSize picture_size() const;
+  grf::Box3d drawn_bounds() const;
+
+  // scene_view_overlay.cpp
+  void compose();
+  void draw_overlay();
+  void draw_grid();
+  void draw_handles();
+  void draw_gesture();
+
+  // scene_view_input.cpp
+  std::optional<SceneHit> hit_at(const QPointF& pixel) const;
+  grf::Vec2d place_at(const QPointF& pixel) const;
+  void start_gesture(QMouseEvent* event);
+  void drag_handle(const QPointF& pixel, bool along_axis);
+  void end_handle();
+  void end_region(Qt::KeyboardModifiers modifiers);
+  void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
+  void toggle_middle();
+  void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
+  bool navigate_by_key(int key, bool has_shift);
+  bool choose_view_by_key(int key);
+  void fly();
+  void tell_hovered();
+  void cancel_gesture();
+
+  SceneObjects objects_;
+  FaceSelection selection_;
+  GeometryStore geometry_;
+  TextureStore textures_;
+  ViewCamera camera_;
+  DisplayMode mode_ = DisplayMode::Solid;
+  bool has_vertex_normals_ = false;
+  bool has_face_normals_ = false;
+  bool has_grid_ = true;
+  bool is_lasso_ = false;
+  bool selects_through_ = false;
+  std::optional<transport::View> render_camera_;
+  double render_aspect_ = 1.25;
+  std::vector<SceneHandle> handles_;
+  std::unique_ptr<Graphics> graphics_;
+  bool is_scene_loaded_ = false;
+  bool is_geometry_loaded_ = false;
+  bool is_full_on_screen_ = false;  // of what was drawn last
+  QTimer work_timer_, hover_timer_, fly_timer_;
+
+  Gesture gesture_ = Gesture::None;
+  bool is_click_ = false;  // the pointer has not moved since it was pressed
+  QPointF pressed_at_, last_at_, hovered_at_;
+  QPolygonF region_;  // in pixels of the window
+  bool draws_lasso_ = false;
+  std::optional<std::size_t> taken_;  // a handle
+  grf::Vec3d taken_offset_ = grf::Vec3d(0);
+  std::optional<HandleId> hovered_handle_;
+  std::set<int> flying_keys_;
+  bool shows_middle_ = false;
+};
+
+}  // namespace editor

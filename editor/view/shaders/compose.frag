@@ -1,0 +1,35 @@
+// Puts a picture onto the screen: over the background, with the selection in the accent colour.
+uniform sampler2D sum;
+uniform float sum_weight;  // 0: the picture's own colours are shown
+uniform vec2 to_picture;   // pixels of the picture in one of the screen
+uniform vec3 background_top;
+uniform vec3 background_bottom;
+uniform float height;
+uniform vec3 accent;
+uniform float fill;  // how much of the accent selected faces take
+layout(location = 0) out vec4 colour;
+
+bool is_selected(ivec2 place) {
+  ivec2 size = textureSize(faces, 0);
+  uvec2 face = face_at(clamp(place, ivec2(0), size - 1));
+  return !is_nothing(face) && texelFetch(selected, int(face.y)).r != 0u;
+}
+
+void main() {
+  vec2 at = gl_FragCoord.xy * to_picture;
+  ivec2 place = ivec2(at);
+  vec4 shown = sum_weight > 0 ? texelFetch(sum, place, 0) * sum_weight
+                              : texture(colours, at / vec2(textureSize(colours, 0)));
+  bool here = is_selected(place);
+  int others = 0;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 step = ivec2(i < 2 ? 2 * i - 1 : 0, i < 2 ? 0 : 2 * i - 5);
+    if (is_selected(place + step) != here) ++others;
+  }
+  vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / height);
+  vec3 over = shown.rgb + background * (1 - shown.a);
+  if (here) over = mix(over, accent, fill);
+  if (others > 0) over = mix(over, accent, here ? 1.0 : 0.45);
+  colour = vec4(over, 1);
+  gl_FragDepth = texelFetch(depths, place, 0).r;
+}

@@ -1,0 +1,65 @@
+// What is in a pixel: see picture.h.
+uniform usamplerBuffer face_of_triangle;
+uniform int first_triangle;
+uniform int instance;
+uniform int first_face;
+uniform bool is_mirrored;
+uniform bool is_orthographic;
+uniform bool has_irradiance;
+uniform vec3 y_axis;  // the mesh's own, in the camera's coordinates
+in vec3 camera_place;
+in vec4 camera_normal;
+in vec4 vertex_value;
+in vec2 vertex_uv;
+layout(location = 0) out uvec2 face_out;
+layout(location = 1) out vec4 normal_out;
+layout(location = 2) out vec4 value_out;
+layout(location = 3) out vec2 uv_out;
+
+vec2 octahedral(vec3 n) {
+  n /= abs(n.x) + abs(n.y) + abs(n.z);
+  vec2 signs = vec2(n.x >= 0 ? 1 : -1, n.y >= 0 ? 1 : -1);
+  vec2 folded = n.z >= 0 ? n.xy : (1 - abs(n.yx)) * signs;
+  return folded * 0.5 + 0.5;
+}
+
+// Towards the eye.
+vec3 flat_normal(vec3 eye) {
+  vec3 n = cross(dFdx(camera_place), dFdy(camera_place));
+  float size = length(n);
+  if (!(size > 0)) return eye;
+  return dot(n, eye) < 0 ? -n / size : n / size;
+}
+
+// The angle from the frame's own x axis to where u grows, or without uv to what is level in the mesh.
+float tangent_angle(vec3 n) {
+  vec2 along_x = dFdx(vertex_uv);
+  vec2 along_y = dFdy(vertex_uv);
+  float area = along_x.x * along_y.y - along_x.y * along_y.x;
+  vec3 tangent = cross(y_axis, n);
+  if (area != 0) tangent = (dFdx(camera_place) * along_y.y - dFdy(camera_place) * along_x.y) * sign(area);
+  float side = n.z >= 0 ? 1 : -1;
+  float a = -1 / (side + n.z);
+  float b = n.x * n.y * a;
+  vec3 x = vec3(1 + side * n.x * n.x * a, side * b, -side * n.x);
+  vec3 y = vec3(b, side + n.y * n.y * a, -n.y);
+  return atan(dot(tangent, y), dot(tangent, x) + 1e-20);
+}
+
+void main() {
+  uint face = texelFetch(face_of_triangle, first_triangle + gl_PrimitiveID).r;
+  bool from_behind = gl_FrontFacing == is_mirrored;
+  face_out = uvec2(uint(instance + 1) | (from_behind ? 0x80000000u : 0u), uint(first_face) + face);
+  vec3 eye = is_orthographic ? vec3(0, 0, 1) : normalize(-camera_place);
+  vec3 n = flat_normal(eye);
+  // A face with a corner that has no normal is flat.
+  if (camera_normal.w > 0.999 && dot(camera_normal.xyz, camera_normal.xyz) > 0) {
+    vec3 smooth_normal = normalize(camera_normal.xyz);
+    n = dot(smooth_normal, n) < 0 ? -smooth_normal : smooth_normal;
+  }
+  normal_out = vec4(octahedral(n), tangent_angle(n) / 6.28318531 + 0.5, 0);
+  vec2 width = max(abs(dFdx(vertex_uv)), abs(dFdy(vertex_uv)));
+  float footprint = log2(max(max(width.x, width.y), 1e-6));
+  value_out = vec4(vertex_value.rgb, has_irradiance ? (vertex_value.a > 0.999 ? 1 : 0) : footprint);
+  uv_out = vertex_uv;
+}

@@ -1,0 +1,200 @@
+#include "editor/view/surface_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "renderer/reflectance/brdf.h"
+#include "renderer/reflectance/each_type.h"
+
+namespace editor {
+namespace {
+
+using reflectance::Rgb;
+
+constexpr std::size_t FormulaCount = std::variant_size_v<reflectance::FormulaBrdf>;
+
+Imath::V4f row(const Rgb& rgb, float w) { return {rgb.x, rgb.y, rgb.z, w}; }
+
+template <class Model>
+std::string argument(std::size_t k, float Model::*) {
+  return fmt::format("parameter({}).x", k);
+}
+template <class Model>
+std::string argument(std::size_t k, Rgb Model::*) {
+  return fmt::format("parameter({})", k);
+}
+template <class Model>
+std::string argument(std::size_t k, int Model::*) {
+  return fmt::format("int(parameter({}).x)", k);
+}
+template <class Model>
+std::string argument(std::size_t k, bool Model::*) {
+  return fmt::format("(parameter({}).x != 0)", k);
+}
+
+/// The function has the keyword's name, and its arguments are the parameters in the order of the table.
+template <class Model>
+ModelShader shader_of() {
+  const auto table = Model::table();
+  std::string call = fmt::format("{}(u, v", table.keyword);
+  for (std::size_t k = 0; k < table.parameters.size(); ++k) {
+    call += ", " + std::visit([&](auto field) { return argument(k, field); }, table.parameters[k].field);
+  }
+  return {std::string(table.keyword), call + ")"};
+}
+
+Rgb shader_value(float value) { return Rgb(value); }
+Rgb shader_value(int value) { return Rgb(static_cast<float>(value)); }
+Rgb shader_value(bool value) { return Rgb(value ? 1.0F : 0.0F); }
+Rgb shader_value(const Rgb& value) { return value; }
+
+struct WeightedBrdf {
+  float weight = 1;
+  reflectance::Brdf brdf;
+};
+
+class Builder {
+ public:
+  SurfaceTables build(const SceneObjects& objects) {
+    std::uint32_t surfaces = 0;
+    for (const MeshObject& mesh : objects.meshes) {
+      tables_.first_face.push_back(static_cast<std::uint32_t>(tables_.surface_of_face.size()));
+      for (const std::uint32_t surface : mesh.mesh->surface_of_face) {
+        tables_.surface_of_face.push_back(surfaces + surface);
+      }
+      for (const Look& look : mesh.looks) add_surface(look, mesh.is_light);
+      surfaces += static_cast<std::uint32_t>(mesh.looks.size());
+    }
+    tables_.irradiance_scale = irradiance_scale(objects);
+    return std::move(tables_);
+  }
+
+ private:
+  void add_surface(const Look& look, bool is_light) {
+    const std::optional<grf::Colour> emission = is_light ? look.colour : look.emission;
+    const Rgb colour = is_light ? Rgb(1) : look.colour;
+    tables_.surfaces.push_back(row(colour, texture_number(look.texture)));
+    tables_.surfaces.push_back(row(emission.value_or(Rgb(0)), emission ? 1.0F : 0.0F));
+    const bool is_black = emission && !look.brdf;
+    const std::vector<WeightedBrdf> brdfs = is_black ? std::vector<WeightedBrdf>() : brdfs_of(look);
+    const std::size_t first = tables_.terms.size();
+    for (const WeightedBrdf& term : brdfs) add_term(term);
+    tables_.surfaces.emplace_back(static_cast<float>(first), static_cast<float>(brdfs.size()),
+                                  add_mirror(brdfs), lobe_exponent(brdfs));
+  }
+
+  float texture_number(const std::string& path) {
+    if (path.empty()) return -1;
+    const auto [entry, is_new] = texture_numbers_.try_emplace(path, tables_.textures.size());
+    if (is_new) tables_.textures.push_back(path);
+    return static_cast<float>(entry->second);
+  }
+
+  std::vector<WeightedBrdf> brdfs_of(const Look& look) {
+    if (!look.brdf) return {{1, reflectance::default_brdf()}};
+    if (look.brdf->terms.empty()) return {{1, brdf_of(*look.brdf)}};
+    std::vector<WeightedBrdf> brdfs;
+    for (std::size_t i = 0; i < std::min(look.terms.size(), look.brdf->terms.size()); ++i) {
+      brdfs.push_back({look.brdf->terms[i].weight, brdf_of(look.terms[i])});
+    }
+    return brdfs;
+  }
+
+  reflectance::Brdf brdf_of(const grf::BrdfModel& model) {
+    const auto brdf = reflectance::make_brdf(model);
+    if (brdf && brdf->index() < FormulaCount) return *brdf;
+    tables_.not_shown.insert(model.keyword);
+    return reflectance::default_brdf();
+  }
+
+  void add_term(const WeightedBrdf& term) {
+    tables_.models.insert(term.brdf.index());
+    const std::size_t head = tables_.terms.size();
+    tables_.terms.emplace_back();
+    std::visit(
+        [this]<class Model>(const Model& model) {
+          for (const auto& parameter : Model::table().parameters) {
+            reflectance::visit_field(
+                parameter, [&](auto field) { tables_.terms.push_back(row(shader_value(model.*field), 0)); });
+          }
+        },
+        term.brdf);
+    const auto parameters = static_cast<float>(tables_.terms.size() - head - 1);
+    tables_.terms[head] = {term.weight, static_cast<float>(term.brdf.index()), parameters, 0};
+  }
+
+  /// Returns where the values begin, or -1.
+  float add_mirror(const std::vector<WeightedBrdf>& brdfs) {
+    const bool has_one = std::any_of(brdfs.begin(), brdfs.end(), [](const WeightedBrdf& term) {
+      return reflectance::has_mirror(term.brdf);
+    });
+    if (!has_one) return -1;
+    const std::size_t first = tables_.terms.size();
+    for (int i = 0; i < SurfaceTables::MirrorValues; ++i) {
+      const float cosine = std::max(1e-3F, static_cast<float>(i) / (SurfaceTables::MirrorValues - 1));
+      const grf::Vec3f u(std::sqrt(1 - cosine * cosine), 0, cosine);
+      Rgb sum(0);
+      for (const WeightedBrdf& term : brdfs) sum += term.weight * reflectance::mirror(term.brdf, u);
+      tables_.terms.push_back(row(sum, 0));
+    }
+    return static_cast<float>(first);
+  }
+
+  /// Of the widest lobe: 1 where there is none.
+  static float lobe_exponent(const std::vector<WeightedBrdf>& brdfs) {
+    std::optional<float> widest;
+    for (const WeightedBrdf& term : brdfs) {
+      const auto exponents = reflectance::lobe_exponents(term.brdf);
+      if (!exponents) continue;
+      const float exponent = std::min(exponents->x, exponents->y);
+      widest = widest ? std::min(*widest, exponent) : exponent;
+    }
+    return std::clamp(widest.value_or(1), 1.0F, 1e6F);
+  }
+
+  /// Maps a value that few vertices surpass to white.
+  static float irradiance_scale(const SceneObjects& objects) {
+    std::vector<float> values;
+    for (const MeshObject& mesh : objects.meshes) {
+      const auto& irradiance = mesh.mesh->irradiance;
+      if (irradiance.empty()) continue;
+      for (std::size_t i = 0; i < mesh.mesh->positions.size(); ++i) {
+        if (!irradiance.has(i)) continue;
+        float value = 0;
+        if (const auto* colour = std::get_if<grf::Colour>(&irradiance[i]))
+          value = reflectance::largest(*colour);
+        values.push_back(value);
+      }
+    }
+    if (values.empty()) return 1;
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 95 / 100);
+    std::nth_element(values.begin(), place, values.end());
+    return *place > 0 ? 1 / *place : 1;
+  }
+
+  SurfaceTables tables_;
+  std::map<std::string, std::size_t> texture_numbers_;
+};
+
+}  // namespace
+
+const std::vector<ModelShader>& model_shaders() {
+  static const std::vector<ModelShader> shaders = [] {
+    std::vector<ModelShader> all;
+    reflectance::EachType<reflectance::FormulaBrdf>::any([&](auto candidate) {
+      all.push_back(shader_of<decltype(candidate)>());
+      return false;
+    });
+    return all;
+  }();
+  return shaders;
+}
+
+SurfaceTables tables_of(const SceneObjects& objects) { return Builder().build(objects); }
+
+}  // namespace editor

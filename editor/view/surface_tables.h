@@ -1,0 +1,45 @@
+// What the faces of a scene look like, as tables that shaders read.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <ImathVec.h>
+
+#include "editor/document/scene_objects.h"
+
+namespace editor {
+
+/// A BRDF model in the shaders' language.
+struct ModelShader {
+  std::string keyword;  ///< its formula is in KEYWORD.glsl
+  std::string call;     ///< of its function: directions u and v, and the values of its parameters
+};
+
+/// Of all models that are formulas, in the order of their numbers.
+const std::vector<ModelShader>& model_shaders();
+
+/// Faces of all meshes are numbered one after the other.
+struct SurfaceTables {
+  /// So many values for the mirror part over the cosine of the angle of view, from 0 to 1.
+  static constexpr int MirrorValues = 32;
+
+  std::vector<std::uint32_t> first_face;  ///< of each mesh
+  std::vector<std::uint32_t> surface_of_face;
+  /// Three rows a surface: see shaders/picture.glsl.
+  std::vector<Imath::V4f> surfaces;
+  /// Each term of a BRDF has its weight, its model's number and the number of its parameters, followed by
+  /// these. Values of mirror parts are between.
+  std::vector<Imath::V4f> terms;
+  std::vector<std::string> textures;  ///< paths of images, by number
+  std::set<std::size_t> models;       ///< numbers of those that occur
+  std::set<std::string> not_shown;    ///< keywords of BRDFs that look matte instead
+  float irradiance_scale = 1;         ///< makes bright places of the scene white
+};
+
+SurfaceTables tables_of(const SceneObjects& objects);
+
+}  // namespace editor

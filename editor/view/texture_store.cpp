@@ -1,0 +1,40 @@
+#include "editor/view/texture_store.h"
+
+#include <QtConcurrent>
+#include <algorithm>
+#include <utility>
+
+namespace editor {
+
+void TextureStore::set_paths(const std::vector<std::string>& paths) {
+  std::map<std::string, Entry> old = std::exchange(entries_, {});
+  for (const std::string& path : paths) {
+    const auto known = old.find(path);
+    if (known != old.end()) {
+      entries_.insert(*known);
+      continue;
+    }
+    if (!entries_.try_emplace(path).second) continue;
+    QtConcurrent::run(read, path).then(this, [this, path](Result result) {
+      const auto entry = entries_.find(path);
+      if (entry == entries_.end() || entry->second.is_read) return;
+      entry->second = {std::move(result.image), true};
+      if (!result.message.empty()) emit failed(QString::fromStdString(result.message));
+      emit changed(path);
+    });
+  }
+}
+
+bool TextureStore::is_complete() const {
+  return std::all_of(entries_.begin(), entries_.end(),
+                     [](const auto& entry) { return entry.second.is_read; });
+}
+
+TextureStore::Result TextureStore::read(const std::string& path) {
+  grf::Diagnostics diagnostics;
+  auto image = transport::read_image(path, diagnostics);
+  if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}};
+  return {nullptr, path + ": " + diagnostics.entries().front().message};
+}
+
+}  // namespace editor

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/transport/image/image.h"
+
+namespace editor {
+
+/// The images that faces name, read in other threads, each once.
+class TextureStore : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TextureStore(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Starts to read those that are new, and forgets the others.
+  void set_paths(const std::vector<std::string>& paths);
+  /// Whether nothing more will come.
+  bool is_complete() const;
+
+  /// Calls visit(path, image) for each that was read, with null for one that cannot be.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const auto& [path, entry] : entries_) {
+      if (entry.is_read) visit(path, entry.image.get());
+    }
+  }
+
+ signals:
+  /// An image has come.
+  void changed(const std::string& path);
+  /// An image cannot be read; why, in words.
+  void failed(const QString& message);
+
+ private:
+  struct Entry {
+    std::shared_ptr<const transport::Image> image;
+    bool is_read = false;
+  };
+  struct Result {
+    std::shared_ptr<const transport::Image> image;
+    std::string message;
+  };
+
+  static Result read(const std::string& path);
+
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace editor

@@ -1,0 +1,158 @@
+// What the view draws.
+#include <QImage>
+#include <QTemporaryDir>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "editor/appearance/theme.h"
+#include "tests/editor/view/shown_view.h"
+
+namespace editor {
+namespace {
+
+using grf::Vec3d;
+using test::ShownView;
+
+/// The mean difference of two pictures' channels, 0 to 255.
+double difference(const QImage& a, const QImage& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double sum = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+    }
+  }
+  return sum / (3.0 * a.width() * a.height());
+}
+
+QImage grab(ShownView& shown, DisplayMode mode) {
+  shown.view.set_mode(mode);
+  EXPECT_TRUE(shown.complete());
+  return shown.view.grabFramebuffer();
+}
+
+/// A cube with a texture, vertices' irradiance, and a BRDF that shines.
+SceneObjects rich_cube(const QTemporaryDir& folder) {
+  QImage image(2, 2, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  image.setPixelColor(0, 0, Qt::blue);
+  image.save(folder.filePath("squares.png"));
+  std::string text = test::cube_text("texture \"squares.png\" brdf ward sx=0.2 ks=0.6 kd=0.3");
+  for (std::size_t at = text.find("uv"); at != std::string::npos; at = text.find("uv", at + 20)) {
+    text.insert(at, "irad (1,2,3) ");
+  }
+  grf::Diagnostics diagnostics;
+  const std::string path = folder.filePath("scene.grf").toStdString();
+  const auto scene = grf::read_text(text, path, diagnostics);
+  EXPECT_TRUE(scene);
+  return objects_of(*scene, path);
+}
+
+ViewCamera from_the_corner() {
+  transport::View view;
+  view.eye = Vec3d(2.5, 2, 4);
+  view.field_of_view = 40;
+  return ViewCamera(view);
+}
+
+TEST(DisplayModes, EachDrawsSomethingElse) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder), from_the_corner());
+  ASSERT_TRUE(shown.is_shown);
+  std::map<DisplayMode, QImage> images;
+  for (const DisplayMode mode :
+       {DisplayMode::Points, DisplayMode::Wireframe, DisplayMode::Solid, DisplayMode::SolidEdges,
+        DisplayMode::Textured, DisplayMode::VertexColours, DisplayMode::Irradiance, DisplayMode::Brdf}) {
+    const QImage image = grab(shown, mode);
+    for (const auto& [other, other_image] : images) {
+      EXPECT_GT(difference(image, other_image), 0.05) << int(mode) << " and " << int(other);
+    }
+    images[mode] = image;
+  }
+  EXPECT_LT(difference(grab(shown, DisplayMode::Solid), images[DisplayMode::Solid]), 0.01);
+}
+
+TEST(DisplayModes, ColoursAreThoseOfTheFaces) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder));
+  const QImage image = grab(shown, DisplayMode::VertexColours);
+  const QColor front = image.pixelColor(shown.pixel_of(Vec3d(0, 0, 1)));
+  EXPECT_GT(front.red(), 1.5 * front.green());
+  EXPECT_NEAR(front.green(), front.blue(), 2);
+}
+
+TEST(DisplayModes, ATextureStandsUpright) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder));
+  const QImage image = grab(shown, DisplayMode::Textured);
+  // The image's upper left quarter is blue, which leaves nothing of the red front.
+  const QColor blue = image.pixelColor(shown.pixel_of(Vec3d(-0.5, 0.5, 1)));
+  const QColor red = image.pixelColor(shown.pixel_of(Vec3d(0.5, -0.5, 1)));
+  EXPECT_LT(blue.red(), 60);
+  EXPECT_GT(red.red(), 120);
+}
+
+TEST(DisplayModes, IrradianceIsInItsOwnColour) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder));
+  const QColor colour = grab(shown, DisplayMode::Irradiance).pixelColor(shown.pixel_of(Vec3d(0.2, 0.2, 1)));
+  EXPECT_GT(colour.blue(), colour.green());
+  EXPECT_GT(colour.green(), colour.red());
+  EXPECT_GE(colour.blue(), 254);
+}
+
+TEST(DisplayModes, NormalsAreDrawnAsLines) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder), from_the_corner());
+  const QImage without = grab(shown, DisplayMode::Solid);
+  shown.view.set_face_normals(true);
+  ASSERT_TRUE(shown.complete());
+  const QImage with = shown.view.grabFramebuffer();
+  EXPECT_GT(difference(with, without), 0.01);
+  shown.view.set_face_normals(false);
+  shown.view.set_vertex_normals(true);  // it has none
+  ASSERT_TRUE(shown.complete());
+  EXPECT_LT(difference(shown.view.grabFramebuffer(), without), 0.01);
+}
+
+TEST(DisplayModes, EveryModelCompiles) {
+  const auto objects = test::objects_of_file(GRANADA_SOURCE_DIR "/samples/models/models.grf");
+  ASSERT_FALSE(objects.meshes.empty());
+  ShownView shown(objects);
+  shown.view.resize(200, 120);
+  shown.view.frame_all();
+  EXPECT_FALSE(grab(shown, DisplayMode::Brdf).isNull());
+}
+
+TEST(DisplayModes, TheThemeIsFollowedAtOnce) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder));
+  const QColor dark = shown.view.grabFramebuffer().pixelColor(3, 3);
+  apply(Theme::Light, *qApp);
+  ASSERT_TRUE(shown.complete());
+  const QColor light = shown.view.grabFramebuffer().pixelColor(3, 3);
+  apply(Theme::Dark, *qApp);
+  EXPECT_LT(dark.lightness(), 80);
+  EXPECT_GT(light.lightness(), 180);
+}
+
+TEST(DisplayModes, AnEditOfSurfacesAloneIsShown) {
+  const QTemporaryDir folder;
+  ShownView shown(rich_cube(folder));
+  const QImage before = grab(shown, DisplayMode::VertexColours);
+  SceneObjects objects = shown.view.objects();
+  objects.meshes[0].looks[objects.meshes[0].mesh->surface_of_face[0]].colour = grf::Colour(0, 0, 1);
+  shown.view.show(objects);
+  ASSERT_TRUE(shown.complete());
+  const QColor front = shown.view.grabFramebuffer().pixelColor(shown.pixel_of(Vec3d(0, 0, 1)));
+  EXPECT_GT(front.blue(), 100);
+  EXPECT_LT(front.red(), 40);
+  EXPECT_GT(difference(shown.view.grabFramebuffer(), before), 1);
+}
+
+}  // namespace
+}  // namespace editor
