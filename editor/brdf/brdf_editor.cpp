@@ -1,0 +1,253 @@
+#include "editor/brdf/brdf_editor.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QDragEnterEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QToolButton>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/controls/number_box.h"
+#include "editor/controls/scaled_slider.h"
+#include "editor/document/brdf_mime.h"
+
+namespace editor {
+namespace {
+
+constexpr int UnfoldedWidth = 110 * Grid;
+
+QHBoxLayout* new_row(QWidget* parent) {
+  auto* row = new QHBoxLayout(parent);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(Grid / 2);
+  return row;
+}
+
+/// A slider and a box for one number of a view.
+template <class Take>
+void add_number(QHBoxLayout& row, const QString& name, const QString& help, const QString& unit,
+                double minimum, double maximum, double value, const Take& take) {
+  auto* label = new QLabel(name);
+  auto* slider = new ScaledSlider;
+  slider->set_range(minimum, maximum, SliderScale::Linear);
+  slider->set_number(value);
+  slider->setAccessibleName(name);
+  slider->setToolTip(help);
+  auto* box = new NumberBox;
+  box->set_range(minimum, maximum);
+  box->set_unit(unit);
+  box->set_value(value);
+  box->set_help(help);
+  box->setAccessibleName(name);
+  box->setFixedWidth(8 * Grid);
+  label->setBuddy(box);
+  row.addWidget(label);
+  row.addWidget(slider, 1);
+  row.addWidget(box);
+  const auto from_slider = [box, take](double number) {
+    box->set_value(number);
+    take(number);
+  };
+  const auto from_box = [slider, take](double number) {
+    slider->set_number(number);
+    take(number);
+  };
+  QObject::connect(slider, &ScaledSlider::changing, box, from_slider);
+  QObject::connect(box, &NumberBox::changing, slider, from_box);
+  QObject::connect(box, &NumberBox::edited, slider, from_box);
+}
+
+}  // namespace
+
+BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
+  setAcceptDrops(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(Grid, Grid, Grid, Grid);
+  column->setSpacing(Grid);
+  bar_ = new QWidget(this);
+  new_row(bar_);
+  buttons_ = new QButtonGroup(this);
+  column->addWidget(bar_);
+  splitter_ = new QSplitter(Qt::Vertical, this);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->setHandleWidth(Grid);
+  column->addWidget(splitter_, 1);
+  auto* holder = new QWidget(splitter_);
+  auto* grid = new QGridLayout(holder);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(Grid);
+  plots_ = new BrdfPlots;
+  library_ = new BrdfLibrary;
+  grid->addWidget(new_view(View::Sphere, "sphere", "Sphere", "The BRDF on a sphere", sphere_with_exposure()),
+                  0, 0);
+  grid->addWidget(new_view(View::Lobe, "lobe", "Lobe", "The lobe in three dimensions", lobe_with_choices()),
+                  0, 1);
+  grid->addWidget(
+      new_view(View::Plots, "curve", "Plots", "Plots in the plane of incidence, and albedo", plots_), 1, 0);
+  grid->addWidget(
+      new_view(View::Library, "library", "Library", "Presets, the scene's BRDFs, and yours", library_), 1, 1);
+  auto* scroll = new QScrollArea(splitter_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  form_ = new BrdfForm;
+  scroll->setWidget(form_);
+  connect(buttons_, &QButtonGroup::idClicked, this, [this](int id) { set_view(static_cast<View>(id)); });
+  connect(form_, &BrdfForm::changing, this, [this](const auto& models) {
+    show_brdf();
+    emit changing(models);
+  });
+  connect(form_, &BrdfForm::edited, this, [this](const auto& models) {
+    show_brdf();
+    emit edited(models);
+  });
+  connect(library_, &BrdfLibrary::chosen, this, [this](const grf::BrdfModel& brdf, const QString& name) {
+    if (!name.isEmpty()) return emit definition_chosen(name);
+    replace(brdf);
+  });
+  arrange();
+}
+
+QWidget* BrdfEditor::new_view(View view, const char* icon_name, const QString& name, const QString& tip,
+                              QWidget* contents) {
+  auto* button = new QToolButton(bar_);
+  button->setIcon(icon(icon_name));
+  button->setText(name);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setCheckable(true);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  button->setToolTip(tip);
+  button->setAccessibleName(name);
+  buttons_->addButton(button, static_cast<int>(view));
+  bar_->layout()->addWidget(button);
+  views_[static_cast<std::size_t>(view)] = contents;
+  return contents;
+}
+
+QWidget* BrdfEditor::sphere_with_exposure() {
+  auto* holder = new QWidget;
+  auto* column = new QVBoxLayout(holder);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(Grid / 2);
+  sphere_ = new LiveSphere;
+  column->addWidget(sphere_, 1);
+  auto* row = new QHBoxLayout;
+  add_number(*row, "Exposure", "Exposure of the sphere in powers of two", "", -5, 5, 0,
+             [this](double stops) { sphere_->set_exposure(stops); });
+  column->addLayout(row);
+  return holder;
+}
+
+QWidget* BrdfEditor::lobe_with_choices() {
+  auto* holder = new QWidget;
+  auto* column = new QVBoxLayout(holder);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(Grid / 2);
+  lobe_ = new LobeView;
+  column->addWidget(lobe_, 1);
+  auto* row = new QHBoxLayout;
+  add_number(*row, "View", "Angle of view in degrees from the normal", "deg", 0, 89, lobe_->view(),
+             [this](double degrees) { lobe_->set_view(degrees); });
+  auto* cosine = new QCheckBox("cos");
+  cosine->setChecked(true);
+  cosine->setToolTip("Times the cosine of the light's angle");
+  cosine->setAccessibleName("Times cosine");
+  auto* logarithmic = new QCheckBox("Log");
+  logarithmic->setToolTip("Lengths over five powers of ten");
+  logarithmic->setAccessibleName("Logarithmic lengths");
+  row->addWidget(cosine);
+  row->addWidget(logarithmic);
+  connect(cosine, &QCheckBox::toggled, lobe_, &LobeView::set_with_cosine);
+  connect(logarithmic, &QCheckBox::toggled, lobe_, &LobeView::set_logarithmic);
+  column->addLayout(row);
+  return holder;
+}
+
+void BrdfEditor::set_view(View view) {
+  view_ = view;
+  arrange();
+}
+
+void BrdfEditor::arrange() {
+  buttons_->button(static_cast<int>(view_))->setChecked(true);
+  bar_->setVisible(!is_unfolded_);
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    views_[i]->setVisible(is_unfolded_ || i == static_cast<std::size_t>(view_));
+  }
+  splitter_->setOrientation(is_unfolded_ ? Qt::Horizontal : Qt::Vertical);
+  // The form is beside the views on the left, or under them.
+  QWidget* form = form_->parentWidget()->parentWidget();
+  splitter_->insertWidget(is_unfolded_ ? 0 : 1, form);
+  form->setMinimumWidth(is_unfolded_ ? 40 * Grid : 0);
+  form->setMaximumWidth(is_unfolded_ ? 50 * Grid : QWIDGETSIZE_MAX);
+  // In a dock both have about half of the height; a form that needs more is scrolled.
+  splitter_->setStretchFactor(splitter_->indexOf(form), is_unfolded_ ? 0 : 1);
+  splitter_->setStretchFactor(1 - splitter_->indexOf(form), 1);
+  splitter_->setSizes(is_unfolded_ ? QList<int>{40 * Grid, 100 * Grid} : QList<int>{55 * Grid, 40 * Grid});
+}
+
+void BrdfEditor::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool is_wide = width() >= UnfoldedWidth;
+  if (is_wide == is_unfolded_) return;
+  is_unfolded_ = is_wide;
+  arrange();
+}
+
+void BrdfEditor::set_models(const std::vector<grf::BrdfModel>& models) {
+  form_->set_models(models);
+  show_brdf();
+}
+
+void BrdfEditor::set_definitions(const Definitions& definitions) {
+  definitions_ = definitions;
+  form_->set_definitions(definitions);
+  library_->set_definitions(definitions);
+  show_brdf();
+}
+
+void BrdfEditor::show_brdf() {
+  making_.stop();
+  const auto show = [this](const SharedBrdf& brdf) {
+    sphere_->set_brdf(brdf);
+    lobe_->set_brdf(brdf);
+    plots_->set_brdf(brdf);
+  };
+  if (models().empty()) {
+    library_->set_current(std::nullopt);
+    return show(nullptr);
+  }
+  const grf::BrdfModel& model = models().front();
+  library_->set_current(model);
+  if (!form_->mistakes().empty()) return show(nullptr);
+  if (!reads_data(model, definitions_)) return show(made_brdf(model, definitions_).brdf);
+  making_.start(
+      [model, definitions = definitions_](const StopFlag&) { return made_brdf(model, definitions); },
+      [show](const MadeBrdf& made) { show(made.brdf); });
+}
+
+void BrdfEditor::replace(const grf::BrdfModel& brdf) {
+  if (models().empty()) return;
+  const std::vector<grf::BrdfModel> replaced(models().size(), brdf);
+  set_models(replaced);
+  if (form_->mistakes().empty()) emit edited(replaced);
+}
+
+void BrdfEditor::dragEnterEvent(QDragEnterEvent* event) {
+  if (!models().empty() && event->mimeData()->hasFormat(BrdfMimeType)) event->acceptProposedAction();
+}
+
+void BrdfEditor::dropEvent(QDropEvent* event) {
+  grf::Diagnostics unheard;
+  const auto brdf = brdf_of(*event->mimeData(), reflectance::brdf_infos(), unheard);
+  if (!brdf) return;
+  event->acceptProposedAction();
+  replace(*brdf);
+}
+
+}  // namespace editor

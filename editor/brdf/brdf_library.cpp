@@ -1,0 +1,374 @@
+#include "editor/brdf/brdf_library.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/brdf/picture_tiles.h"
+#include "editor/document/brdf_mime.h"
+#include "grf/read.h"
+#include "grf/write.h"
+#include "renderer/reflectance/presets.h"
+
+namespace editor {
+namespace {
+
+constexpr int TileSide = 8 * Grid;
+constexpr int TileMargin = Grid / 2;
+/// The light alone shows a white matte surface as white, and there is a sky besides.
+constexpr double PictureStops = -1;
+constexpr int PictureSamples = 32;
+
+QString to_qt(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+grf::BrdfModel preset_of(std::string_view text) {
+  grf::Diagnostics diagnostics;
+  auto model = grf::read_brdf(std::string(text), "preset", diagnostics);
+  Q_ASSERT(model);
+  grf::BrdfModel brdf = model.value_or(grf::BrdfModel());
+  brdf.location = {};
+  for (grf::Argument& argument : brdf.arguments) argument.location = {};
+  return brdf;
+}
+
+void add_presets(std::vector<LibraryEntry>& entries) {
+  for (const reflectance::PresetTable& table : reflectance::preset_tables()) {
+    for (const reflectance::Preset& preset : table.presets) {
+      entries.push_back(
+          {LibraryEntry::Source::Preset, to_qt(table.title), to_qt(preset.name), preset_of(preset.brdf)});
+    }
+  }
+  for (const grf::ModelInfo& info : reflectance::brdf_infos()) {
+    if (info.example.empty()) continue;
+    entries.push_back(
+        {LibraryEntry::Source::Preset, "Examples of all models", to_qt(info.title), preset_of(info.example)});
+  }
+}
+
+/// The same for BRDFs that look the same.
+QString picture_key(const LibraryEntry& entry) { return QString::fromStdString(grf::to_text(entry.brdf)); }
+
+/// A sphere with some room around it, for a screen of that many pixels a device-independent one.
+QImage picture_of(const grf::BrdfModel& model, const Definitions& definitions, double ratio,
+                  const StopFlag& stop) {
+  SphereScene scene;
+  scene.brdf = made_brdf(model, definitions).brdf;
+  scene.side = static_cast<int>((TileSide - 2 * TileMargin) * ratio);
+  scene.light.normalize();
+  if (!scene.brdf) return {};
+  const SphereImage image = shade_by_cpp(scene, PictureSamples, stop);
+  if (image.side == 0) return {};
+  QImage picture(QSize(TileSide, TileSide) * ratio, QImage::Format_ARGB32_Premultiplied);
+  picture.setDevicePixelRatio(ratio);
+  picture.fill(Qt::transparent);
+  QImage sphere = displayed(image, PictureStops);
+  sphere.setDevicePixelRatio(ratio);
+  QPainter(&picture).drawImage(TileMargin, TileMargin, sphere);
+  return picture;
+}
+
+/// A picture, or an empty tile, which has the colours of its BRDF, selected or not.
+QIcon icon_of(QPixmap picture) {
+  if (picture.isNull()) {
+    picture = QPixmap(TileSide, TileSide);
+    picture.fill(Qt::transparent);
+  }
+  QIcon icon(picture);
+  icon.addPixmap(picture, QIcon::Selected);
+  return icon;
+}
+
+}  // namespace
+
+LibraryList::LibraryList(QWidget* parent) : QListWidget(parent) {
+  setViewMode(QListView::IconMode);
+  setIconSize({TileSide, TileSide});
+  setGridSize({TileSide + 2 * Grid, TileSide + 3 * Grid});
+  setItemDelegate(new PictureTiles(this));
+  setResizeMode(QListView::Adjust);
+  setMovement(QListView::Static);
+  setDragEnabled(true);
+  setDragDropMode(QAbstractItemView::DragOnly);
+  setUniformItemSizes(true);
+  setWordWrap(false);
+  setTextElideMode(Qt::ElideRight);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
+  setAccessibleName("BRDFs of the library");
+}
+
+void LibraryList::set_entries(std::vector<LibraryEntry> entries) {
+  entries_ = std::move(entries);
+  clear();
+  for (const LibraryEntry& entry : entries_) {
+    auto* item = new QListWidgetItem(icon_of({}), entry.name, this);
+    item->setToolTip(QString("<b>%1</b>, %2<br>%3")
+                         .arg(entry.name.toHtmlEscaped(), entry.group.toHtmlEscaped(),
+                              QString::fromStdString(grf::to_text(entry.brdf)).toHtmlEscaped()));
+    if (entry.source == LibraryEntry::Source::Folder) item->setFlags(item->flags() | Qt::ItemIsEditable);
+  }
+}
+
+const LibraryEntry* LibraryList::current_entry() const {
+  const QList<QListWidgetItem*> selected = selectedItems();
+  if (selected.empty()) return nullptr;
+  return &entries_[static_cast<std::size_t>(row(selected.front()))];
+}
+
+QMimeData* LibraryList::mimeData(const QList<QListWidgetItem*>& items) const {
+  if (items.empty()) return nullptr;
+  const LibraryEntry& entry = entries_[static_cast<std::size_t>(row(items.front()))];
+  return mime_of(entry.brdf, entry.source == LibraryEntry::Source::Scene ? entry.name : QString()).release();
+}
+
+QStringList LibraryList::mimeTypes() const { return {BrdfMimeType, "text/plain"}; }
+
+BrdfLibrary::BrdfLibrary(QWidget* parent) : QWidget(parent) {
+  build_controls();
+  connect(list_, &QListWidget::itemActivated, this, [this] {
+    const LibraryEntry* entry = list_->current_entry();
+    if (entry == nullptr) return;
+    emit chosen(entry->brdf, entry->source == LibraryEntry::Source::Scene ? entry->name : QString());
+  });
+  connect(list_, &QListWidget::itemSelectionChanged, this, &BrdfLibrary::show_state);
+  connect(list_, &QListWidget::itemChanged, this, &BrdfLibrary::rename);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &BrdfLibrary::reload);
+  reload();
+}
+
+void BrdfLibrary::build_controls() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(Grid / 2);
+  auto* top = new QHBoxLayout;
+  top->setSpacing(Grid / 2);
+  search_ = new QLineEdit(this);
+  search_->setPlaceholderText("Search");
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName("Search in the library");
+  search_->setToolTip("A part of a name, a model or a value");
+  group_ = new QComboBox(this);
+  group_->setAccessibleName("Part of the library");
+  group_->setToolTip("The part of the library that is shown");
+  group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  group_->setMinimumContentsLength(8);
+  top->addWidget(search_, 1);
+  top->addWidget(group_, 1);
+  column->addLayout(top);
+  list_ = new LibraryList(this);
+  column->addWidget(list_, 1);
+  message_ = new QLabel(this);
+  message_->setWordWrap(true);
+  column->addWidget(message_);
+  auto* bottom = new QHBoxLayout;
+  bottom->setSpacing(Grid / 2);
+  add_ = new_button("plus", "Keep the BRDF in the library", {});
+  rename_ = new_button("rename", "Rename", {});
+  remove_ = new_button("remove", "Remove", {});
+  auto* folder =
+      new_button("folder", "Choose the library's folder", "The folder where BRDFs are kept, one in a file");
+  for (QToolButton* button : {add_, rename_, remove_}) bottom->addWidget(button);
+  bottom->addStretch(1);
+  bottom->addWidget(folder);
+  column->addLayout(bottom);
+  connect(search_, &QLineEdit::textChanged, this, &BrdfLibrary::filter);
+  connect(group_, &QComboBox::currentIndexChanged, this, &BrdfLibrary::filter);
+  connect(add_, &QToolButton::clicked, this, &BrdfLibrary::add);
+  connect(rename_, &QToolButton::clicked, this, [this] { list_->editItem(list_->currentItem()); });
+  connect(remove_, &QToolButton::clicked, this, &BrdfLibrary::remove);
+  connect(folder, &QToolButton::clicked, this, &BrdfLibrary::choose_folder);
+}
+
+QToolButton* BrdfLibrary::new_button(const char* icon_name, const QString& name, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setIcon(icon(icon_name));
+  button->setAutoRaise(true);
+  button->setAccessibleName(name);
+  button->setToolTip(tip);
+  return button;
+}
+
+void BrdfLibrary::set_definitions(Definitions definitions) {
+  definitions_ = std::move(definitions);
+  reload();
+}
+
+void BrdfLibrary::set_folder(const QString& path) {
+  if (!watcher_.directories().empty()) watcher_.removePaths(watcher_.directories());
+  folder_ = LibraryFolder(path);
+  if (QFileInfo(path).isDir()) watcher_.addPath(path);
+  reload();
+}
+
+void BrdfLibrary::set_current(const std::optional<grf::BrdfModel>& brdf, const QString& name) {
+  current_ = brdf;
+  current_name_ = name;
+  show_state();
+}
+
+void BrdfLibrary::reload() {
+  const QScopedValueRollback filling(is_filling_, true);
+  std::vector<LibraryEntry> entries;
+  for (const grf::Definition& definition : definitions_) {
+    const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body);
+    if (brdf == nullptr) continue;
+    entries.push_back({LibraryEntry::Source::Scene, "Scene", QString::fromStdString(definition.name), *brdf});
+  }
+  problems_.clear();
+  for (const LibraryFile& file : folder_.files(problems_)) {
+    entries.push_back({LibraryEntry::Source::Folder, "My library", file.name, file.brdf});
+  }
+  add_presets(entries);
+  list_->set_entries(std::move(entries));
+  const QString shown = group_->currentText();
+  const QSignalBlocker silent(group_);
+  group_->clear();
+  group_->addItem("All");
+  for (const LibraryEntry& entry : list_->entries()) {
+    if (group_->findText(entry.group) < 0) group_->addItem(entry.group);
+  }
+  group_->setCurrentIndex(std::max(0, group_->findText(shown)));
+  pictures_job_.stop();
+  waiting_.clear();
+  for (std::size_t i = 0; i < list_->entries().size(); ++i) {
+    const auto known = pictures_.constFind(picture_key(list_->entries()[i]));
+    if (known != pictures_.constEnd()) {
+      list_->item(static_cast<int>(i))->setIcon(icon_of(*known));
+    } else {
+      waiting_.push_back(i);
+    }
+  }
+  picture_next();
+  filter();
+}
+
+void BrdfLibrary::picture_next() {
+  if (waiting_.empty()) return;
+  const std::size_t i = waiting_.front();
+  const LibraryEntry& entry = list_->entries()[i];
+  pictures_job_.start([brdf = entry.brdf, definitions = definitions_, ratio = devicePixelRatioF()](
+                          const StopFlag& stop) { return picture_of(brdf, definitions, ratio, stop); },
+                      [this, i, key = picture_key(entry)](const QImage& image) {
+                        const QScopedValueRollback filling(is_filling_, true);
+                        const QPixmap picture = QPixmap::fromImage(image);
+                        pictures_.insert(key, picture);
+                        list_->item(static_cast<int>(i))->setIcon(icon_of(picture));
+                        if (!waiting_.empty()) waiting_.pop_front();
+                        picture_next();
+                      });
+}
+
+void BrdfLibrary::filter() {
+  const QString word = search_->text().trimmed();
+  int shown = 0;
+  for (std::size_t i = 0; i < list_->entries().size(); ++i) {
+    const LibraryEntry& entry = list_->entries()[i];
+    const bool in_group = group_->currentIndex() <= 0 || entry.group == group_->currentText();
+    const bool is_found = word.isEmpty() || entry.name.contains(word, Qt::CaseInsensitive) ||
+                          picture_key(entry).contains(word, Qt::CaseInsensitive);
+    list_->item(static_cast<int>(i))->setHidden(!in_group || !is_found);
+    if (in_group && is_found) ++shown;
+  }
+  QString text;
+  if (shown == 0) text = word.isEmpty() ? "Nothing here yet." : QString("Nothing has '%1' in it.").arg(word);
+  for (const QString& problem : problems_) text += (text.isEmpty() ? "" : "\n") + problem;
+  report(text);
+  show_state();
+}
+
+void BrdfLibrary::show_state() {
+  const LibraryEntry* entry = list_->current_entry();
+  const bool is_own = entry != nullptr && entry->source == LibraryEntry::Source::Folder;
+  add_->setEnabled(current_.has_value() && !folder_.path().isEmpty());
+  add_->setToolTip(folder_.path().isEmpty() ? "Choose a folder for the library first"
+                   : !current_              ? "There is no BRDF to keep: select faces, or choose one"
+                                            : "Keep the BRDF that is edited in the library's folder");
+  const QString why = entry == nullptr ? "Choose an entry of your library first"
+                                       : "Only what is in your library's folder can be changed here";
+  rename_->setEnabled(is_own);
+  rename_->setToolTip(is_own ? "Rename the file (F2)" : why);
+  remove_->setEnabled(is_own);
+  remove_->setToolTip(is_own ? "Move the file to the trash" : why);
+}
+
+void BrdfLibrary::add() {
+  if (!current_) return;
+  const QString wanted = current_name_.isEmpty() ? QString::fromStdString(current_->keyword) : current_name_;
+  const QString name = folder_.free_name(wanted);
+  const QString problem = folder_.add(name, *current_);
+  if (!problem.isEmpty()) {
+    report(problem);
+    emit failed(problem);
+    return;
+  }
+  set_folder(folder_.path());
+  for (std::size_t i = 0; i < list_->entries().size(); ++i) {
+    const LibraryEntry& entry = list_->entries()[i];
+    if (entry.source != LibraryEntry::Source::Folder || entry.name != name) continue;
+    list_->setCurrentRow(static_cast<int>(i));
+    list_->scrollToItem(list_->item(static_cast<int>(i)));
+  }
+}
+
+void BrdfLibrary::rename(QListWidgetItem* item) {
+  if (is_filling_) return;
+  const LibraryEntry entry = list_->entries()[static_cast<std::size_t>(list_->row(item))];
+  if (entry.source != LibraryEntry::Source::Folder || item->text() == entry.name) return;
+  const QString problem = folder_.rename(entry.name, item->text());
+  // Not from inside of the item's own signal.
+  QMetaObject::invokeMethod(
+      this,
+      [this, problem] {
+        reload();
+        if (problem.isEmpty()) return;
+        report(problem);
+        emit failed(problem);
+      },
+      Qt::QueuedConnection);
+}
+
+void BrdfLibrary::remove() {
+  const LibraryEntry* entry = list_->current_entry();
+  if (entry == nullptr) return;
+  const QString problem = folder_.remove(entry->name);
+  reload();
+  if (problem.isEmpty()) return;
+  report(problem);
+  emit failed(problem);
+}
+
+void BrdfLibrary::choose_folder() {
+  auto* dialog = new QFileDialog(window(), "Folder of the library", folder_.path());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    set_folder(path);
+    emit folder_changed(path);
+  });
+  dialog->open();
+}
+
+void BrdfLibrary::report(const QString& message) {
+  message_->setText(message);
+  message_->setVisible(!message.isEmpty());
+  QPalette look = message_->palette();
+  look.setColor(QPalette::WindowText, colours_of(theme_of(palette())).faint_text);
+  message_->setPalette(look);
+}
+
+void BrdfLibrary::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) report(message_->text());
+  QWidget::changeEvent(event);
+}
+
+}  // namespace editor

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QHash>
+#include <QListWidget>
+#include <QPixmap>
+#include <QWidget>
+#include <deque>
+#include <optional>
+
+#include "editor/brdf/library_folder.h"
+#include "editor/brdf/made_brdf.h"
+#include "editor/brdf/sphere_shading.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace editor {
+
+/// What the library shows one of.
+struct LibraryEntry {
+  enum class Source { Preset, Scene, Folder };
+  Source source = Source::Preset;
+  QString group;
+  QString name;
+  grf::BrdfModel brdf;
+};
+
+/// The list of a library: entries are dragged from it as GRF text, see document/brdf_mime.h.
+class LibraryList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit LibraryList(QWidget* parent = nullptr);
+
+  void set_entries(std::vector<LibraryEntry> entries);
+  const std::vector<LibraryEntry>& entries() const { return entries_; }
+  /// The selected entry, or null.
+  const LibraryEntry* current_entry() const;
+
+  QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+  QStringList mimeTypes() const override;
+
+ private:
+  std::vector<LibraryEntry> entries_;
+};
+
+/// Presets, the definitions of the scene and a folder on disk, as spheres with names, which one can search,
+/// take and drag away; those of the folder are added, renamed and removed here.
+class BrdfLibrary : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BrdfLibrary(QWidget* parent = nullptr);
+
+  void set_definitions(Definitions definitions);
+  /// Changes of the folder by others are followed.
+  void set_folder(const QString& path);
+  /// What the button that adds would keep; none: it is disabled.
+  void set_current(const std::optional<grf::BrdfModel>& brdf, const QString& name = {});
+
+  LibraryList& list() { return *list_; }
+  bool is_busy() const { return pictures_job_.is_busy() || !waiting_.empty(); }
+
+ signals:
+  /// By a double click or Enter. The name is that of a definition, for entries of the scene.
+  void chosen(const grf::BrdfModel& brdf, const QString& definition_name);
+  void folder_changed(const QString& path);
+  void failed(const QString& message);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void build_controls();
+  QToolButton* new_button(const char* icon_name, const QString& name, const QString& tip);
+  void reload();
+  void filter();
+  void show_state();
+  void add();
+  void rename(QListWidgetItem* item);
+  void remove();
+  void choose_folder();
+  void report(const QString& message);
+  void picture_next();
+
+  Definitions definitions_;
+  LibraryFolder folder_;
+  std::optional<grf::BrdfModel> current_;
+  QString current_name_;
+  std::vector<QString> problems_;
+  bool is_filling_ = false;
+
+  QLineEdit* search_ = nullptr;
+  QComboBox* group_ = nullptr;
+  LibraryList* list_ = nullptr;
+  QLabel* message_ = nullptr;
+  QToolButton* add_ = nullptr;
+  QToolButton* rename_ = nullptr;
+  QToolButton* remove_ = nullptr;
+  QFileSystemWatcher watcher_;
+  QHash<QString, QPixmap> pictures_;  // by GRF text
+  std::deque<std::size_t> waiting_;   // entries without a picture
+  BackgroundJob<QImage> pictures_job_{this};
+};
+
+}  // namespace editor

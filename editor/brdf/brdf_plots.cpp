@@ -1,0 +1,343 @@
+#include "editor/brdf/brdf_plots.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QSvgGenerator>
+#include <QToolButton>
+
+#include <qcustomplot.h>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/controls/expression.h"
+#include "grf/keywords.h"
+
+namespace editor {
+namespace {
+
+constexpr int RoughSamples = 256;
+constexpr int FineSamples = 4096;
+
+QComboBox* new_combo(QWidget* parent, const QString& name, const QString& tip, const QStringList& items) {
+  auto* combo = new QComboBox(parent);
+  combo->addItems(items);
+  combo->setAccessibleName(name);
+  combo->setToolTip(tip);
+  combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  combo->setMinimumContentsLength(6);
+  return combo;
+}
+
+/// Angles in degrees, or nothing if one is none.
+std::optional<std::vector<double>> read_views(const QString& text) {
+  std::vector<double> views;
+  for (const QString& word : text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts)) {
+    const Typed typed = value_of(word, units_like("deg"));
+    if (!typed.value || *typed.value < 0 || *typed.value >= 90) return std::nullopt;
+    views.push_back(*typed.value);
+  }
+  if (views.empty()) return std::nullopt;
+  return views;
+}
+
+}  // namespace
+
+BrdfPlots::BrdfPlots(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(Grid / 2);
+  auto* kinds = new QHBoxLayout;
+  build_kinds(*kinds);
+  column->addLayout(kinds);
+  lobe_controls_ = new QWidget(this);
+  auto* controls = new QVBoxLayout(lobe_controls_);
+  controls->setContentsMargins(0, 0, 0, 0);
+  controls->setSpacing(Grid / 2);
+  auto* choices = new QHBoxLayout;
+  build_choices(*choices);
+  controls->addLayout(choices);
+  auto* views = new QHBoxLayout;
+  build_views(*views);
+  controls->addLayout(views);
+  column->addWidget(lobe_controls_);
+  plot_ = new QCustomPlot(this);
+  plot_->setMinimumSize(25 * Grid, 22 * Grid);
+  plot_->setAccessibleName("Plot of the BRDF");
+  plot_->plotLayout()->addElement(1, 0, new QCPLayoutGrid);
+  auto* below = static_cast<QCPLayoutGrid*>(plot_->plotLayout()->element(1, 0));
+  below->addElement(0, 0, plot_->legend);
+  below->setMargins({0, 0, 0, Grid / 2});
+  plot_->plotLayout()->setRowStretchFactor(1, 0.001);
+  column->addWidget(plot_, 1);
+  words_ = new QLabel(this);
+  words_->setWordWrap(true);
+  column->addWidget(words_);
+  set_kind(Kind::Polar);
+}
+
+void BrdfPlots::build_kinds(QHBoxLayout& row) {
+  row.setSpacing(Grid / 2);
+  kinds_ = new QButtonGroup(this);
+  const auto add = [&](Kind kind, const QString& text, const QString& tip) {
+    auto* button = new QToolButton(this);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setAccessibleName(text + " plot");
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    kinds_->addButton(button, static_cast<int>(kind));
+    row.addWidget(button);
+  };
+  add(Kind::Polar, "Polar", "The lobe in the plane of incidence, its length the value in 1/sr");
+  add(Kind::Cartesian, "Angle", "The value in 1/sr over the light's angle in degrees");
+  add(Kind::Albedo, "Albedo", "The share of light that is reflected, over the view's angle in degrees");
+  connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { set_kind(static_cast<Kind>(id)); });
+  auto* button = new QToolButton(this);
+  button->setIcon(icon("export"));
+  button->setAutoRaise(true);
+  button->setToolTip("Save the plot as SVG, PNG or PDF, or its values as CSV");
+  button->setAccessibleName("Save the plot");
+  connect(button, &QToolButton::clicked, this, &BrdfPlots::choose_export);
+  row.addWidget(button);
+}
+
+void BrdfPlots::build_choices(QHBoxLayout& row) {
+  row.setSpacing(Grid / 2);
+  quantity_ = new_combo(this, "What is plotted",
+                        "The BRDF f itself, or f times the cosine of the light's angle: both in 1/sr",
+                        {"f", "f cos"});
+  channel_ = new_combo(this, "Channel", "The channel of the value, or its luminance",
+                       {"Luminance", "Red", "Green", "Blue"});
+  logarithmic_ = new QCheckBox("Log", this);
+  logarithmic_->setToolTip("A logarithmic scale, of five powers of ten under the peak");
+  logarithmic_->setAccessibleName("Logarithmic scale");
+  row.addWidget(quantity_, 1);
+  row.addWidget(channel_, 2);
+  row.addWidget(logarithmic_);
+  connect(quantity_, &QComboBox::currentIndexChanged, this, &BrdfPlots::draw);
+  connect(channel_, &QComboBox::currentIndexChanged, this, &BrdfPlots::draw);
+  connect(logarithmic_, &QCheckBox::toggled, this, &BrdfPlots::draw);
+}
+
+void BrdfPlots::build_views(QHBoxLayout& row) {
+  row.setSpacing(Grid / 2);
+  auto* label = new QLabel("Views", this);
+  view_line_ = new QLineEdit("0, 30, 60, 80", this);
+  view_line_->setAccessibleName("Angles of view");
+  view_line_->setToolTip(
+      "Angles of view in degrees from the normal, from 0 to under 90, with commas between");
+  label->setBuddy(view_line_);
+  connect(view_line_, &QLineEdit::editingFinished, this, &BrdfPlots::take_views);
+  scheme_ = new_combo(this, "Sampling scheme", "A sampling scheme whose density in 1/sr is drawn, dashed",
+                      {"No density"});
+  for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
+    const auto keyword = QString::fromUtf8(info.keyword.data(), static_cast<qsizetype>(info.keyword.size()));
+    scheme_->addItem(keyword, keyword);
+  }
+  connect(scheme_, &QComboBox::currentIndexChanged, this, [this] {
+    curves_are_old_ = true;
+    compute();
+  });
+  row.addWidget(label);
+  row.addWidget(view_line_, 1);
+  row.addWidget(scheme_, 1);
+}
+
+void BrdfPlots::set_brdf(SharedBrdf brdf) {
+  brdf_ = std::move(brdf);
+  curves_are_old_ = albedo_is_old_ = true;
+  compute();
+}
+
+void BrdfPlots::set_scheme(const std::optional<grf::PdfModel>& scheme) {
+  own_scheme_ = scheme;
+  const QSignalBlocker silent(scheme_);
+  scheme_->setCurrentIndex(
+      scheme ? scheme_->findText(QString::fromStdString(scheme->keyword), Qt::MatchFixedString) : 0);
+  curves_are_old_ = true;
+  compute();
+}
+
+void BrdfPlots::set_kind(Kind kind) {
+  kind_ = kind;
+  kinds_->button(static_cast<int>(kind))->setChecked(true);
+  lobe_controls_->setVisible(kind != Kind::Albedo);
+  compute();
+  draw();
+}
+
+void BrdfPlots::set_views(const std::vector<double>& views) {
+  views_ = views;
+  QStringList words;
+  for (const double view : views) words << number_text(view);
+  view_line_->setText(words.join(", "));
+  curves_are_old_ = true;
+  compute();
+}
+
+void BrdfPlots::take_views() {
+  const auto views = read_views(view_line_->text());
+  QPalette look = palette();
+  if (!views) look.setColor(QPalette::Text, colours_of(theme_of(palette())).error);
+  view_line_->setPalette(look);
+  if (!views) return show_words("Views are angles from 0 to under 90 degrees, such as 0, 30, 60.", true);
+  if (*views == views_) return draw();
+  views_ = *views;
+  curves_are_old_ = true;
+  compute();
+}
+
+void BrdfPlots::compute() {
+  if (!brdf_) {
+    curves_job_.stop();
+    albedo_job_.stop();
+    curves_ = {};
+    albedo_ = {};
+    return draw();
+  }
+  // What is not looked at waits.
+  if (!isVisible()) return;
+  if (kind_ == Kind::Albedo) {
+    if (albedo_is_old_) compute_albedo(RoughSamples);
+    return;
+  }
+  if (!curves_are_old_) return;
+  curves_are_old_ = false;
+  std::optional<grf::PdfModel> scheme;
+  if (scheme_->currentIndex() > 0) {
+    scheme.emplace();
+    scheme->keyword = scheme_->currentText().toStdString();
+    if (own_scheme_ && grf::same_keyword(own_scheme_->keyword, scheme->keyword)) scheme = own_scheme_;
+  }
+  curves_job_.start([brdf = brdf_, views = views_,
+                     scheme](const StopFlag& stop) { return lobe_curves(*brdf, views, scheme, stop); },
+                    [this](LobeCurves curves) {
+                      curves_ = std::move(curves);
+                      draw();
+                      emit updated();
+                    });
+}
+
+void BrdfPlots::compute_albedo(int samples) {
+  albedo_is_old_ = false;
+  albedo_job_.start(
+      [brdf = brdf_, samples](const StopFlag& stop) { return albedo_curve(*brdf, samples, stop); },
+      [this, samples](AlbedoCurve curve) {
+        albedo_ = std::move(curve);
+        if (samples < FineSamples) compute_albedo(FineSamples);
+        draw();
+        emit updated();
+      });
+}
+
+ChartStyle BrdfPlots::style() const {
+  return {static_cast<Channel>(channel_->currentIndex()), quantity_->currentIndex() == 1,
+          logarithmic_->isChecked()};
+}
+
+void BrdfPlots::draw() {
+  const bool is_albedo = kind_ == Kind::Albedo;
+  const bool is_empty = is_albedo ? albedo_.degrees.empty() : curves_.curves.empty();
+  plot_->setVisible(!is_empty);
+  lobe_controls_->setVisible(!is_albedo && !is_empty);
+  layout()->activate();  // a polar plot follows the shape of its place
+  if (is_empty) {
+    show_words(brdf_ ? "" : "Choose a BRDF, and its plots appear here.", false);
+    return;
+  }
+  if (is_albedo) {
+    draw_albedo(*plot_, albedo_);
+    const EnergyWords words = energy_words(*brdf_, albedo_.largest);
+    show_words(words.text, words.is_warning);
+  } else {
+    const bool is_polar = kind_ == Kind::Polar;
+    (is_polar ? draw_polar : draw_cartesian)(*plot_, curves_, style());
+    const bool has_mirror =
+        std::any_of(curves_.curves.begin(), curves_.curves.end(),
+                    [](const LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
+    QStringList words;
+    if (!curves_.scheme_mistake.isEmpty()) words << "No density: " + curves_.scheme_mistake + ".";
+    if (has_mirror) words << "Dotted: the mirror part, as long as the share of light it carries.";
+    show_words(words.join('\n'), !curves_.scheme_mistake.isEmpty());
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BrdfPlots::show_words(const QString& text, bool is_warning) {
+  const ThemeColours colours = colours_of(theme_of(palette()));
+  QPalette look = words_->palette();
+  look.setColor(QPalette::WindowText, is_warning ? colours.warning : colours.faint_text);
+  words_->setPalette(look);
+  words_->setText(text);
+  words_->setVisible(!text.isEmpty());
+}
+
+QString BrdfPlots::export_to(const QString& path) {
+  const auto has_ending = [&](const char* ending) { return path.endsWith(ending, Qt::CaseInsensitive); };
+  const int width = std::max(plot_->width(), 80 * Grid);
+  const int height = std::max(plot_->height(), 60 * Grid);
+  bool is_written = false;
+  if (has_ending(".csv")) {
+    QSaveFile file(path);
+    const QString text = kind_ == Kind::Albedo ? albedo_csv(albedo_) : curves_csv(curves_);
+    is_written = file.open(QIODevice::WriteOnly) && file.write(text.toUtf8()) >= 0 && file.commit();
+  } else if (has_ending(".svg")) {
+    QSvgGenerator generator;
+    generator.setFileName(path);
+    generator.setSize({width, height});
+    generator.setViewBox(QRect(0, 0, width, height));
+    QCPPainter painter;
+    is_written = painter.begin(&generator);
+    if (is_written) {
+      painter.setMode(QCPPainter::pmVectorized);
+      plot_->toPainter(&painter, width, height);
+      painter.end();
+    }
+  } else if (has_ending(".pdf")) {
+    is_written = plot_->savePdf(path, width, height);
+  } else if (has_ending(".png")) {
+    is_written = plot_->savePng(path, width, height, 2);
+  } else {
+    return "The name of a plot's file ends in .svg, .png, .pdf or .csv.";
+  }
+  return is_written ? QString() : QString("'%1' cannot be written.").arg(path);
+}
+
+void BrdfPlots::choose_export() {
+  auto* dialog = new QFileDialog(window(), "Save the plot", "brdf.svg",
+                                 "SVG (*.svg);;PNG (*.png);;PDF (*.pdf);;Values as CSV (*.csv)");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const QString message = export_to(path);
+    if (message.isEmpty()) return;
+    show_words(message, true);
+    emit failed(message);
+  });
+  dialog->open();
+}
+
+void BrdfPlots::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) draw();
+  QWidget::changeEvent(event);
+}
+
+void BrdfPlots::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  draw();
+}
+
+void BrdfPlots::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  compute();
+}
+
+}  // namespace editor

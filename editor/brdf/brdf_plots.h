@@ -1,0 +1,106 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "editor/brdf/background_job.h"
+#include "editor/brdf/lobe_curves.h"
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QCustomPlot;
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace editor {
+
+/// How a plot is drawn, from data: see brdf_charts.cpp.
+struct ChartStyle {
+  Channel channel = Channel::Luminance;
+  bool with_cosine = false;
+  bool is_logarithmic = false;
+};
+
+/// Each clears the plot and draws it anew, in the colours of the plot's palette.
+void draw_polar(QCustomPlot& plot, const LobeCurves& curves, const ChartStyle& style);
+void draw_cartesian(QCustomPlot& plot, const LobeCurves& curves, const ChartStyle& style);
+void draw_albedo(QCustomPlot& plot, const AlbedoCurve& curve);
+
+/// Plots of a BRDF in the plane of incidence, polar and over the angle, with the density of a sampling
+/// scheme, and its albedo over the angle of view. All is computed in threads, and stopped when the BRDF
+/// changes.
+class BrdfPlots : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Kind { Polar, Cartesian, Albedo };
+
+  explicit BrdfPlots(QWidget* parent = nullptr);
+
+  /// Null: none, and the plot says so.
+  void set_brdf(SharedBrdf brdf);
+  /// The scheme whose density is drawn, none for none. The person may choose another one.
+  void set_scheme(const std::optional<grf::PdfModel>& scheme);
+  void set_kind(Kind kind);
+  Kind kind() const { return kind_; }
+  /// Degrees from the normal, from 0 to under 90.
+  void set_views(const std::vector<double>& views);
+  const std::vector<double>& views() const { return views_; }
+
+  /// What is drawn now.
+  const LobeCurves& curves() const { return curves_; }
+  const AlbedoCurve& albedo() const { return albedo_; }
+  bool is_busy() const { return curves_job_.is_busy() || albedo_job_.is_busy(); }
+
+  /// Writes the plot as .svg, .png or .pdf, or its values as .csv; what failed is in the answer, empty if
+  /// nothing.
+  QString export_to(const QString& path);
+
+ signals:
+  void updated();                       ///< a plot with new values is there
+  void failed(const QString& message);  ///< an export
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void build_kinds(QHBoxLayout& row);
+  void build_choices(QHBoxLayout& row);
+  void build_views(QHBoxLayout& row);
+  void take_views();
+  void compute();
+  void compute_albedo(int samples);
+  void draw();
+  void show_words(const QString& text, bool is_warning);
+  void choose_export();
+  ChartStyle style() const;
+
+  SharedBrdf brdf_;
+  std::vector<double> views_ = {0, 30, 60, 80};
+  Kind kind_ = Kind::Polar;
+  LobeCurves curves_;
+  AlbedoCurve albedo_;
+  bool curves_are_old_ = true;
+  bool albedo_is_old_ = true;
+
+  QButtonGroup* kinds_ = nullptr;
+  QComboBox* quantity_ = nullptr;
+  QComboBox* channel_ = nullptr;
+  QCheckBox* logarithmic_ = nullptr;
+  QLineEdit* view_line_ = nullptr;
+  QComboBox* scheme_ = nullptr;
+  std::optional<grf::PdfModel> own_scheme_;  ///< with parameters, as the caller set it
+  QCustomPlot* plot_ = nullptr;
+  QLabel* words_ = nullptr;
+  QWidget* lobe_controls_ = nullptr;
+  BackgroundJob<LobeCurves> curves_job_{this};
+  BackgroundJob<AlbedoCurve> albedo_job_{this};
+};
+
+}  // namespace editor

@@ -1,0 +1,55 @@
+#include "editor/brdf/data_file_row.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+
+namespace editor {
+
+DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(Grid / 2);
+  auto* name = new QLabel("Data", this);
+  line_ = new QLineEdit(this);
+  line_->setAccessibleName("File of measured data");
+  line_->setToolTip("A .binary file of the MERL data base, by its path or its place beside the scene");
+  name->setBuddy(line_);
+  auto* button = new QToolButton(this);
+  button->setIcon(icon("open"));
+  button->setToolTip("Choose the file of measured data");
+  button->setAccessibleName("Choose the file of measured data");
+  row->addWidget(name);
+  row->addWidget(line_, 1);
+  row->addWidget(button);
+  connect(line_, &QLineEdit::editingFinished, this, [this] { take(line_->text()); });
+  connect(button, &QToolButton::clicked, this, &DataFileRow::choose);
+}
+
+void DataFileRow::set_file(const QString& file, bool is_mixed) {
+  file_ = file;
+  if (line_->text() != file) line_->setText(file);
+  line_->setPlaceholderText(is_mixed ? "mixed" : "choose a file of measurements");
+}
+
+void DataFileRow::choose() {
+  auto* dialog = new QFileDialog(window(), "Measured data", file_, "Measured data (*.binary);;All files (*)");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &DataFileRow::take);
+  dialog->open();
+}
+
+void DataFileRow::take(const QString& file) {
+  if (file == file_) return;
+  file_ = file;
+  line_->setText(file);
+  emit edited(file);
+}
+
+}  // namespace editor

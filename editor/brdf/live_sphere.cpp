@@ -1,0 +1,144 @@
+#include "editor/brdf/live_sphere.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "editor/appearance/theme.h"
+
+namespace editor {
+namespace {
+
+using reflectance::Vec3f;
+
+constexpr int LargestSide = 640;  // in pixels; larger ones are scaled
+
+}  // namespace
+
+LiveSphere::LiveSphere(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(16 * Grid, 16 * Grid);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName("Sphere with the BRDF");
+  setToolTip("Drag the highlight to move the light, or use the arrow keys; + and - change the exposure");
+  scene_.light.normalize();
+  connect(&renderer_, &SphereRenderer::shaded, this, [this](const SphereImage& image) {
+    image_ = image;
+    show_image();
+    emit shaded();
+  });
+}
+
+QSize LiveSphere::sizeHint() const { return {25 * Grid, 25 * Grid}; }
+
+void LiveSphere::set_brdf(SharedBrdf brdf) {
+  scene_.brdf = std::move(brdf);
+  request();
+}
+
+void LiveSphere::set_exposure(double stops) {
+  exposure_ = stops;
+  show_image();
+}
+
+void LiveSphere::set_light(const Vec3f& light) {
+  scene_.light = light.normalized();
+  request();
+}
+
+void LiveSphere::request() {
+  if (!scene_.brdf) {
+    renderer_.stop();
+    image_ = {};
+    picture_ = {};
+    return update();
+  }
+  if (!isVisible()) return;
+  scene_.side = std::clamp(static_cast<int>(picture_place().width() * devicePixelRatioF()), 32, LargestSide);
+  renderer_.request(scene_);
+}
+
+void LiveSphere::show_image() {
+  if (image_.side > 0) picture_ = displayed(image_, exposure_);
+  update();
+}
+
+QRectF LiveSphere::picture_place() const {
+  const double side = std::min(width(), height());
+  return {0.5 * (width() - side), 0.5 * (height() - side), side, side};
+}
+
+void LiveSphere::paintEvent(QPaintEvent*) {
+  const ThemeColours colours = colours_of(theme_of(palette()));
+  QPainter painter(this);
+  painter.fillRect(rect(), colours.base);
+  if (picture_.isNull()) {
+    painter.setPen(colours.faint_text);
+    const QString text = scene_.brdf ? "" : "Choose a BRDF to see it on a sphere.";
+    painter.drawText(rect().adjusted(Grid, Grid, -Grid, -Grid), Qt::AlignCenter | Qt::TextWordWrap, text);
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(picture_place(), picture_);
+  if (hasFocus()) {
+    painter.setPen(QPen(colours.accent, 1));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+void LiveSphere::resizeEvent(QResizeEvent*) { request(); }
+void LiveSphere::showEvent(QShowEvent*) { request(); }
+
+void LiveSphere::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) move_highlight(event->position());
+}
+
+void LiveSphere::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() & Qt::LeftButton) move_highlight(event->position());
+}
+
+void LiveSphere::move_highlight(const QPointF& pointer) {
+  const QRectF place = picture_place();
+  const int side = static_cast<int>(place.width());
+  Vec3f n = sphere_normal(side, pointer.x() - place.x(), pointer.y() - place.y());
+  if (n.z < 0) {
+    n.z = 0;
+    n.normalize();
+  }
+  // The direction whose mirror image is seen there.
+  set_light(reflectance::reflected(Vec3f(0, 0, 1), n));
+}
+
+void LiveSphere::keyPressEvent(QKeyEvent* event) {
+  constexpr float Step = 5 * reflectance::Pi / 180;
+  const auto turned = [&](float across, float up) {
+    const Vec3f& l = scene_.light;
+    const float azimuth = std::atan2(l.x, l.z) + across;
+    const float height = std::clamp(std::asin(std::clamp(l.y, -1.0F, 1.0F)) + up, -1.55F, 1.55F);
+    set_light({std::cos(height) * std::sin(azimuth), std::sin(height), std::cos(height) * std::cos(azimuth)});
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return turned(-Step, 0);
+    case Qt::Key_Right:
+      return turned(Step, 0);
+    case Qt::Key_Up:
+      return turned(0, Step);
+    case Qt::Key_Down:
+      return turned(0, -Step);
+    case Qt::Key_Plus:
+      return set_exposure(exposure_ + 0.5);
+    case Qt::Key_Minus:
+      return set_exposure(exposure_ - 0.5);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void LiveSphere::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) update();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace editor

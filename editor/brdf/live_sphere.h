@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+#include "editor/brdf/sphere_renderer.h"
+
+namespace editor {
+
+/// A sphere with a BRDF under a light that the pointer or the arrow keys move, and a sky. It is shaded while
+/// one looks, first roughly, and encoded for the screen with an exposure.
+class LiveSphere : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LiveSphere(QWidget* parent = nullptr);
+
+  /// Null: none, and the widget says what to do.
+  void set_brdf(SharedBrdf brdf);
+  /// In powers of two.
+  void set_exposure(double stops);
+  double exposure() const { return exposure_; }
+
+  /// Towards the light: x to the right, y up, z to the eye.
+  const reflectance::Vec3f& light() const { return scene_.light; }
+  void set_light(const reflectance::Vec3f& light);
+
+  const SphereImage& image() const { return image_; }
+  bool is_busy() const { return renderer_.is_busy(); }
+
+  QSize sizeHint() const override;
+
+ signals:
+  void shaded();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void request();
+  void show_image();
+  QRectF picture_place() const;
+  void move_highlight(const QPointF& pointer);
+
+  SphereScene scene_;
+  SphereImage image_;
+  QImage picture_;
+  double exposure_ = 0;
+  SphereRenderer renderer_;
+};
+
+}  // namespace editor

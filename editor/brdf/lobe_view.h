@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QOpenGLBuffer>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <QOpenGLWidget>
+
+#include <QMatrix4x4>
+
+#include "editor/brdf/background_job.h"
+#include "editor/brdf/lobe_mesh.h"
+
+namespace editor {
+
+/// The lobe of a BRDF in three dimensions, over the disc of the surface, with the directions of view, mirror
+/// and half vector. Orbited by the pointer and the arrow keys.
+class LobeView : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit LobeView(QWidget* parent = nullptr);
+  ~LobeView() override;
+
+  /// Null: none, and the widget says what to do.
+  void set_brdf(SharedBrdf brdf);
+  /// Degrees from the normal, from 0 to under 90.
+  void set_view(double degrees);
+  double view() const { return view_; }
+  void set_with_cosine(bool with_cosine);
+  void set_logarithmic(bool is_logarithmic);
+
+  const LobeMesh& mesh() const { return mesh_; }
+  bool is_busy() const { return job_.is_busy(); }
+  /// Degrees about the normal, and over the surface.
+  double azimuth() const { return azimuth_; }
+  double elevation() const { return elevation_; }
+
+  QSize sizeHint() const override;
+
+ signals:
+  void updated();
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void compute();
+  void upload();
+  void release();
+  void draw_lobe(const QMatrix4x4& matrix);
+  void paint_over(QPainter& painter) const;
+  void turn(double azimuth, double elevation);
+  void show_again();
+  QMatrix4x4 to_clip() const;
+  QPointF place_of(const reflectance::Vec3f& point, const QMatrix4x4& matrix) const;
+
+  SharedBrdf brdf_;
+  LobeMesh mesh_;
+  double view_ = 45;
+  bool with_cosine_ = true;
+  bool is_logarithmic_ = false;
+  double azimuth_ = 60;
+  double elevation_ = 25;
+  double zoom_ = 1;
+  QPointF grabbed_at_;
+  bool is_old_ = true;
+  bool needs_upload_ = false;
+  BackgroundJob<LobeMesh> job_{this};
+
+  class Overlay;
+  Overlay* overlay_;
+  QMetaObject::Connection context_end_;
+  QOpenGLVertexArrayObject layout_;
+  QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer};
+  QOpenGLBuffer indices_{QOpenGLBuffer::IndexBuffer};
+  std::unique_ptr<QOpenGLShaderProgram> program_;
+};
+
+}  // namespace editor

@@ -1,0 +1,86 @@
+#include "editor/brdf/model_values.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "editor/controls/expression.h"
+
+namespace editor {
+namespace {
+
+grf::Value default_of(const grf::ParameterInfo& parameter) {
+  switch (parameter.kind) {
+    case grf::ParameterKind::Boolean:
+      return parameter.default_value != 0;
+    case grf::ParameterKind::Word:
+      return grf::Word{std::string(parameter.choices[static_cast<std::size_t>(parameter.default_value)])};
+    case grf::ParameterKind::Number:
+    case grf::ParameterKind::Reflectance:
+      break;
+  }
+  if (parameter.default_rgb) return *parameter.default_rgb;
+  return parameter.default_value;
+}
+
+QString to_qt(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}  // namespace
+
+grf::Value value_of(const grf::Model& model, const grf::ModelInfo& info,
+                    const grf::ParameterInfo& parameter) {
+  const grf::Argument* argument = grf::find_argument(model, parameter);
+  if (argument == nullptr && !parameter.default_from.empty()) {
+    if (const auto* source = info.find(parameter.default_from)) argument = grf::find_argument(model, *source);
+  }
+  if (argument == nullptr) return default_of(parameter);
+  const auto* number = std::get_if<float>(&argument->value);
+  if (number != nullptr && parameter.kind == grf::ParameterKind::Boolean) return *number != 0;
+  return argument->value;
+}
+
+bool is_default(const grf::Model& model, const grf::ParameterInfo& parameter) {
+  return grf::find_argument(model, parameter) == nullptr;
+}
+
+void set_value(grf::Model& model, const grf::ParameterInfo& parameter, const grf::Value& value) {
+  for (grf::Argument& argument : model.arguments) {
+    if (!parameter.is_called(argument.name)) continue;
+    argument.value = value;
+    return;
+  }
+  model.arguments.push_back({std::string(parameter.name), value, model.location});
+}
+
+void reset_value(grf::Model& model, const grf::ParameterInfo& parameter) {
+  std::erase_if(model.arguments,
+                [&](const grf::Argument& argument) { return parameter.is_called(argument.name); });
+}
+
+QString text_of(const grf::Value& value) {
+  if (const auto* number = std::get_if<float>(&value)) return number_text(*number);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* word = std::get_if<grf::Word>(&value)) return QString::fromStdString(word->text);
+  const auto& rgb = std::get<grf::Colour>(value);
+  return QString("(%1, %2, %3)").arg(number_text(rgb.x), number_text(rgb.y), number_text(rgb.z));
+}
+
+QString help_of(const grf::ParameterInfo& parameter) {
+  QStringList lines = {
+      QString("<b>%1</b>: %2").arg(to_qt(parameter.name), to_qt(parameter.help).toHtmlEscaped())};
+  if (parameter.kind == grf::ParameterKind::Number || parameter.kind == grf::ParameterKind::Reflectance) {
+    const bool has_maximum = parameter.maximum < 1e30F;
+    lines
+        << (has_maximum
+                ? QString("From %1 to %2").arg(number_text(parameter.minimum), number_text(parameter.maximum))
+                : QString("%1 or more").arg(number_text(parameter.minimum))) +
+               (parameter.unit.empty() ? QString() : " " + to_qt(parameter.unit)) +
+               (parameter.kind == grf::ParameterKind::Reflectance ? ", a number or RGB (linear)" : "");
+  }
+  lines << "Default: " + (parameter.default_from.empty() ? text_of(default_of(parameter))
+                                                         : "that of " + to_qt(parameter.default_from));
+  return lines.join("<br>");
+}
+
+}  // namespace editor

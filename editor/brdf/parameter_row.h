@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "editor/brdf/model_values.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace editor {
+
+class ColourButton;
+class NumberBox;
+class ScaledSlider;
+
+/// The controls of one parameter, as its descriptor has it: a slider and a box for a number, three boxes for
+/// RGB, a check box or a choice of words, and a button that brings the default back.
+class ParameterRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent = nullptr);
+
+  const grf::ParameterInfo& parameter() const { return parameter_; }
+
+  /// The values of the models that are edited: where they differ, the row shows `mixed`.
+  void show_values(const std::vector<grf::Value>& values, bool is_default);
+  /// What is wrong with the value; empty: nothing.
+  void set_message(const QString& message);
+  /// Of the column of names, the same for all rows.
+  void set_name_width(int width);
+  int name_width() const;
+
+ signals:
+  void changing(const grf::Value& value);
+  void edited(const grf::Value& value);
+  void reset();
+
+ private:
+  void add_number();
+  void add_colour();
+  void add_choice();
+  void add_reset();
+  void show_number(const std::vector<grf::Value>& values);
+  void show_colour(const std::vector<grf::Value>& values);
+  void show_channels(bool are_shown);
+  void split_channels(bool into_three);
+  void report_channel(std::size_t channel, double number, bool is_done);
+  NumberBox* new_box(const QString& name);
+
+  grf::ParameterInfo parameter_;
+  bool is_told_ = false;
+  grf::Colour rgb_ = grf::Colour(0);
+  QLabel* name_ = nullptr;
+  QToolButton* reset_ = nullptr;
+  ScaledSlider* slider_ = nullptr;
+  NumberBox* box_ = nullptr;
+  std::array<NumberBox*, 3> channels_ = {};
+  QToolButton* split_ = nullptr;
+  ColourButton* colour_ = nullptr;
+  QCheckBox* check_ = nullptr;
+  QComboBox* words_ = nullptr;
+};
+
+}  // namespace editor

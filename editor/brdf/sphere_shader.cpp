@@ -1,0 +1,157 @@
+// The sphere by GLSL: a triangle over the picture, whose fragments find what is seen at their place.
+#include <QFile>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <map>
+
+#include "editor/brdf/sphere_shading.h"
+#include "renderer/reflectance/shader.h"
+
+/// The macro has to be in no namespace.
+static void need_resources() { Q_INIT_RESOURCE(shaders); }
+
+namespace editor {
+namespace {
+
+constexpr std::size_t MostPrograms = 24;
+
+const char* const VertexText = R"(#version 330 core
+void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }
+)";
+
+const char* const MirrorText = R"(
+uniform vec3 mirror_weights[64];
+vec3 brdf_mirror(vec3 u) {
+  float place = acos(clamp(u.z, 0.0, 1.0)) / (PI / 2) * 63;
+  int below = min(int(place), 62);
+  return mix(mirror_weights[below], mirror_weights[below + 1], place - below);
+}
+)";
+
+const char* const MainText = R"(
+uniform float side;
+uniform float radius;
+uniform vec3 light;
+uniform float light_strength;
+uniform int samples;
+out vec4 result;
+void main() {
+  vec2 place = (gl_FragCoord.xy - vec2(side / 2)) / radius;
+  float z2 = 1 - place.x * place.x - place.y * place.y;
+  result = vec4(0, 0, 0, 1);
+  if (z2 <= 0) return;
+  vec3 n = vec3(place, sqrt(z2));
+  result.rgb = direct_radiance(n, light, light_strength) + sky_sum(n, 0, samples) / float(samples);
+}
+)";
+
+QByteArray sphere_text() {
+  need_resources();
+  QFile file(":/shaders/sphere.glsl");
+  const bool is_there = file.open(QIODevice::ReadOnly);
+  Q_ASSERT(is_there);
+  return is_there ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+struct SphereShader::Parts {
+  QOffscreenSurface& surface;
+  QOpenGLContext context;
+  std::unique_ptr<QOpenGLVertexArrayObject> no_vertices;
+  std::unique_ptr<QOpenGLFramebufferObject> target;
+  std::map<std::string, std::unique_ptr<QOpenGLShaderProgram>> programs;
+
+  explicit Parts(QOffscreenSurface& own_surface) : surface(own_surface) {}
+
+  ~Parts() {
+    if (context.isValid() && context.makeCurrent(&surface)) {
+      programs.clear();
+      target.reset();
+      no_vertices.reset();
+      context.doneCurrent();
+    }
+  }
+
+  /// Null if the driver refuses the text. Compiling takes long, so programs are kept.
+  QOpenGLShaderProgram* program_of(const std::string& brdf_text) {
+    if (programs.size() > MostPrograms) programs.clear();
+    auto& program = programs[brdf_text];
+    if (program) return program->isLinked() ? program.get() : nullptr;
+    program = std::make_unique<QOpenGLShaderProgram>();
+    const QByteArray text = QByteArray("#version 330 core\n") + QByteArray::fromStdString(brdf_text) +
+                            MirrorText + sphere_text() + MainText;
+    program->addShaderFromSourceCode(QOpenGLShader::Vertex, VertexText);
+    program->addShaderFromSourceCode(QOpenGLShader::Fragment, text);
+    return program->link() ? program.get() : nullptr;
+  }
+
+  void draw(QOpenGLShaderProgram& program, const SphereScene& scene, const reflectance::Shader& shader,
+            int samples) {
+    auto* gl = context.extraFunctions();
+    target->bind();
+    gl->glViewport(0, 0, scene.side, scene.side);
+    no_vertices->bind();
+    program.bind();
+    program.setUniformValue("side", static_cast<float>(scene.side));
+    program.setUniformValue("radius", radius_of(scene.side));
+    program.setUniformValue("light", scene.light.x, scene.light.y, scene.light.z);
+    program.setUniformValue("light_strength", scene.light_strength);
+    program.setUniformValue("samples", samples);
+    const MirrorTable mirror = mirror_table(*scene.brdf);
+    program.setUniformValueArray("mirror_weights", &mirror[0].x, static_cast<int>(mirror.size()), 3);
+    program.setUniformValueArray("brdf_parameters", &shader.parameters[0].x,
+                                 static_cast<int>(shader.parameters.size()), 3);
+    gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+    program.release();
+  }
+
+  SphereImage read(int side) {
+    std::vector<float> values(static_cast<std::size_t>(side * side) * 4);
+    context.extraFunctions()->glReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, values.data());
+    SphereImage image;
+    image.side = side;
+    image.is_by_glsl = true;
+    for (int row = side - 1; row >= 0; --row) {  // OpenGL's are from the bottom
+      for (int column = 0; column < side; ++column) {
+        const float* c = &values[static_cast<std::size_t>(row * side + column) * 4];
+        image.radiance.emplace_back(c[0], c[1], c[2]);
+      }
+    }
+    return image;
+  }
+};
+
+SphereShader::SphereShader(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+SphereShader::~SphereShader() = default;
+
+std::unique_ptr<SphereShader> SphereShader::create(QOffscreenSurface& surface) {
+  auto parts = std::make_unique<Parts>(surface);
+  parts->context.setFormat(surface.format());
+  if (!parts->context.create() || !parts->context.makeCurrent(&surface)) return nullptr;
+  if (parts->context.format().version() < qMakePair(3, 3)) return nullptr;
+  parts->no_vertices = std::make_unique<QOpenGLVertexArrayObject>();
+  if (!parts->no_vertices->create()) return nullptr;
+  return std::unique_ptr<SphereShader>(new SphereShader(std::move(parts)));
+}
+
+std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples) {
+  const auto shader = reflectance::shader_of(*scene.brdf);
+  if (!shader || !parts_->context.makeCurrent(&parts_->surface)) return std::nullopt;
+  QOpenGLShaderProgram* program = parts_->program_of(shader->text);
+  if (program == nullptr) return std::nullopt;
+  if (!parts_->target || parts_->target->width() != scene.side) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setInternalTextureFormat(GL_RGBA32F);
+    parts_->target = std::make_unique<QOpenGLFramebufferObject>(scene.side, scene.side, format);
+    if (!parts_->target->isValid()) return std::nullopt;
+  }
+  parts_->draw(*program, scene, *shader, samples);
+  return parts_->read(scene.side);
+}
+
+}  // namespace editor

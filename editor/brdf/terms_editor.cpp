@@ -1,0 +1,134 @@
+#include "editor/brdf/terms_editor.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/controls/number_box.h"
+
+namespace editor {
+
+TermsEditor::TermsEditor(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(Grid / 2);
+  holder_ = new QWidget(this);
+  rows_ = new QVBoxLayout(holder_);
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(Grid / 2);
+  column->addWidget(holder_);
+  hint_ = new QLabel(this);
+  hint_->setWordWrap(true);
+  column->addWidget(hint_);
+  add_ = new QToolButton(this);
+  add_->setText("Add a BRDF");
+  add_->setIcon(icon("plus"));
+  add_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  add_->setAccessibleName("Add a BRDF to the sum");
+  column->addWidget(add_);
+  connect(add_, &QToolButton::clicked, this, &TermsEditor::add_term);
+  rebuild();
+}
+
+void TermsEditor::set_names(const std::vector<QString>& names) {
+  if (names == names_) return;
+  names_ = names;
+  rebuild();
+}
+
+void TermsEditor::set_terms(const std::vector<grf::CombineTerm>& terms, bool are_mixed) {
+  if (terms == terms_ && are_mixed == are_mixed_) return;
+  terms_ = terms;
+  are_mixed_ = are_mixed;
+  rebuild();
+}
+
+void TermsEditor::rebuild() {
+  for (QObject* old : holder_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+    static_cast<QWidget*>(old)->hide();
+    old->deleteLater();
+  }
+  for (std::size_t i = 0; i < terms_.size(); ++i) add_row(i);
+  if (names_.empty()) {
+    hint_->setText("Define BRDFs by name in the scene first: a sum is made of those.");
+  } else if (are_mixed_) {
+    hint_->setText("The sums differ. What is added here replaces them.");
+  } else {
+    hint_->setText("Add the BRDFs that the sum is made of.");
+  }
+  hint_->setVisible(terms_.empty());
+  add_->setEnabled(!names_.empty());
+  add_->setToolTip(names_.empty() ? "The scene has no BRDFs with a name"
+                                  : "One more BRDF of the scene, with its weight");
+}
+
+void TermsEditor::add_row(std::size_t index) {
+  auto* row = new QWidget(holder_);
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(Grid / 2);
+  const QString name = QString::fromStdString(terms_[index].brdf.name);
+  auto* weight = new NumberBox(row);
+  weight->set_range(0, 10);
+  weight->set_help("The weight of this BRDF in the sum");
+  weight->setAccessibleName("weight of " + name);
+  weight->setFixedWidth(10 * Grid);
+  weight->set_value(terms_[index].weight);
+  line->addWidget(weight);
+  auto* choice = new QComboBox(row);
+  for (const QString& one : names_) choice->addItem(one);
+  if (choice->findText(name, Qt::MatchFixedString) < 0) choice->addItem(name);
+  choice->setCurrentIndex(choice->findText(name, Qt::MatchFixedString));
+  choice->setAccessibleName("BRDF of the term");
+  choice->setToolTip("A BRDF that the scene defines");
+  choice->setMinimumContentsLength(6);
+  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  line->addWidget(choice, 1);
+  auto* away = new QToolButton(row);
+  away->setIcon(icon("remove"));
+  away->setAutoRaise(true);
+  away->setToolTip("Take this BRDF out of the sum");
+  away->setAccessibleName("take out " + name);
+  line->addWidget(away);
+  rows_->addWidget(row);
+  row->show();
+  connect(weight, &NumberBox::changing, this, [this, index](double value) {
+    terms_[index].weight = static_cast<float>(value);
+    emit changing(terms_);
+  });
+  connect(weight, &NumberBox::edited, this, [this, index](double value) {
+    terms_[index].weight = static_cast<float>(value);
+    emit edited(terms_);
+  });
+  connect(choice, &QComboBox::activated, this, [this, index, choice] {
+    terms_[index].brdf.name = choice->currentText().toStdString();
+    emit edited(terms_);
+  });
+  connect(away, &QToolButton::clicked, this, [this, index] {
+    terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(index));
+    rebuild();
+    emit edited(terms_);
+  });
+}
+
+void TermsEditor::add_term() {
+  // One that is not there yet, if there is one.
+  const auto is_new = [this](const QString& name) {
+    return std::none_of(terms_.begin(), terms_.end(), [&](const grf::CombineTerm& term) {
+      return QString::fromStdString(term.brdf.name) == name;
+    });
+  };
+  const auto found = std::find_if(names_.begin(), names_.end(), is_new);
+  const QString name = found == names_.end() ? names_.front() : *found;
+  terms_.push_back({terms_.empty() ? 1.0F : 0.5F, {name.toStdString(), {}}});
+  are_mixed_ = false;
+  rebuild();
+  emit edited(terms_);
+}
+
+}  // namespace editor

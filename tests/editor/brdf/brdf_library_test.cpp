@@ -1,0 +1,153 @@
+#include "editor/brdf/brdf_library.h"
+
+#include <QFile>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <gmock/gmock.h>
+
+#include "editor/appearance/theme.h"
+#include "editor/brdf/picture_tiles.h"
+#include "editor/document/brdf_mime.h"
+#include "grf/read.h"
+#include "renderer/reflectance/presets.h"
+
+namespace editor {
+namespace {
+
+grf::BrdfModel brdf(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  return *grf::read_brdf(text, "test", diagnostics);
+}
+
+QToolButton* button_of(const QWidget& widget, const QString& name) {
+  for (QToolButton* button : widget.findChildren<QToolButton*>()) {
+    if (button->accessibleName() == name) return button;
+  }
+  return nullptr;
+}
+
+int row_of(const LibraryList& list, const QString& name) {
+  for (std::size_t i = 0; i < list.entries().size(); ++i) {
+    if (list.entries()[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+TEST(LibraryFolder, KeepsBrdfsAsGrfText) {
+  const QTemporaryDir home;
+  const LibraryFolder folder(home.filePath("brdfs"));
+  const grf::BrdfModel ward = brdf("ward sx=0.1 kd=(0.1, 0.2, 0.3)");
+  EXPECT_EQ(folder.add("red", ward), "");
+  EXPECT_EQ(folder.free_name("red"), "red 2");
+  EXPECT_EQ(folder.free_name("a/b"), "a-b");
+  std::vector<QString> problems;
+  ASSERT_EQ(folder.files(problems).size(), 1U);
+  EXPECT_EQ(folder.files(problems)[0].brdf, ward);
+  EXPECT_EQ(folder.rename("red", "blue"), "");
+  EXPECT_EQ(folder.files(problems)[0].name, "blue");
+  EXPECT_NE(folder.rename("none", "other"), "");
+  QFile bad(home.filePath("brdfs/bad.brdf"));
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("ward sx=");
+  bad.close();
+  EXPECT_EQ(folder.files(problems).size(), 1U);
+  EXPECT_EQ(problems.size(), 1U);
+  grf::BrdfModel sum;
+  sum.keyword = "combine";
+  sum.terms = {{1, {"clay", {}}}};
+  EXPECT_NE(folder.add("sum", sum), "");
+}
+
+TEST(BrdfLibrary, ShowsPresetsWithPictures) {
+  BrdfLibrary library;
+  library.resize(360, 400);
+  library.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
+  std::size_t presets = 0;
+  for (const auto& table : reflectance::preset_tables()) presets += table.presets.size();
+  EXPECT_GE(library.list().entries().size(), presets);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !library.is_busy(); }, 60000));
+  const int ward = row_of(library.list(), "ward");
+  ASSERT_GE(ward, 0);
+  const QImage picture = library.list().item(ward)->icon().pixmap(64).toImage();
+  EXPECT_GT(qAlpha(picture.pixel(picture.width() / 2, picture.height() / 2)), 0);
+}
+
+TEST(BrdfLibrary, PicturesStandOutFromTheirTiles) {
+  BrdfLibrary library;
+  library.set_definitions({{"white", brdf("diffuse kd=1"), {}, {}}});
+  library.resize(360, 400);
+  library.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
+  LibraryList& list = library.list();
+  const int row = row_of(list, "white");
+  list.setCurrentRow(row);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !library.is_busy(); }, 60000));
+  const QIcon icon = list.item(row)->icon();
+  EXPECT_EQ(icon.pixmap(64, QIcon::Selected).toImage(), icon.pixmap(64).toImage()) << "no colour of others";
+  for (const Theme theme : {Theme::Light, Theme::Dark}) {
+    apply(theme, *qApp);
+    const QColor tile = tile_colour(library.palette());
+    EXPECT_GT(std::abs(tile.lightness() - library.palette().color(QPalette::Base).lightness()), 20);
+    const auto at = [&](int x, int y) {
+      const QImage shown = list.viewport()->grab().toImage();
+      const QRect item = list.visualItemRect(list.item(row));
+      return shown.pixelColor(item.center().x() + x, item.top() + 34 + y);
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return at(-28, -28) == tile; }));
+    EXPECT_GT(at(0, -10).lightness(), tile.lightness() + 20);
+    EXPECT_LT(at(0, -10).lightness(), 250) << "no more than white";
+  }
+}
+
+TEST(BrdfLibrary, IsSearched) {
+  BrdfLibrary library;
+  auto* search = library.findChild<QLineEdit*>();
+  library.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
+  QTest::keyClicks(search, "copp");
+  int shown = 0;
+  for (int i = 0; i < library.list().count(); ++i) shown += library.list().item(i)->isHidden() ? 0 : 1;
+  EXPECT_EQ(shown, 1);
+  EXPECT_FALSE(library.list().item(row_of(library.list(), "copper"))->isHidden());
+}
+
+TEST(BrdfLibrary, KeepsRenamesAndRemoves) {
+  const QTemporaryDir home;
+  BrdfLibrary library;
+  library.set_folder(home.filePath("mine"));
+  library.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
+  auto* add = button_of(library, "Keep the BRDF in the library");
+  EXPECT_FALSE(add->isEnabled());
+  EXPECT_FALSE(add->toolTip().isEmpty());
+  library.set_current(brdf("oren s=0.4"), "clay");
+  QTest::mouseClick(add, Qt::LeftButton);
+  EXPECT_TRUE(QFile::exists(home.filePath("mine/clay.brdf")));
+  ASSERT_EQ(library.list().current_entry()->name, "clay");
+  library.list().currentItem()->setText("terracotta");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return row_of(library.list(), "terracotta") >= 0; }));
+  EXPECT_TRUE(QFile::exists(home.filePath("mine/terracotta.brdf")));
+  library.list().setCurrentRow(row_of(library.list(), "terracotta"));
+  QTest::mouseClick(button_of(library, "Remove"), Qt::LeftButton);
+  EXPECT_EQ(row_of(library.list(), "terracotta"), -1);
+  EXPECT_FALSE(QFile::exists(home.filePath("mine/terracotta.brdf")));
+}
+
+TEST(BrdfLibrary, SharesDefinitionsByName) {
+  BrdfLibrary library;
+  library.set_definitions({{"red-paint", brdf("ward kd=(0.8, 0.1, 0.1)"), {}, {}}});
+  const int row = row_of(library.list(), "red-paint");
+  ASSERT_GE(row, 0);
+  const std::unique_ptr<QMimeData> mime(library.list().mimeData({library.list().item(row)}));
+  EXPECT_EQ(mime->data(BrdfNameMimeType), "red-paint");
+  grf::Diagnostics diagnostics;
+  EXPECT_EQ(brdf_of(*mime, reflectance::brdf_infos(), diagnostics), brdf("ward kd=(0.8, 0.1, 0.1)"));
+}
+
+}  // namespace
+}  // namespace editor

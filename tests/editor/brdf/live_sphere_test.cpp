@@ -1,0 +1,128 @@
+#include "editor/brdf/live_sphere.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "editor/brdf/made_brdf.h"
+#include "grf/read.h"
+#include "renderer/reflectance/presets.h"
+
+namespace editor {
+namespace {
+
+using reflectance::Vec3f;
+
+SharedBrdf brdf(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  return made_brdf(*grf::read_brdf(text, "test", diagnostics), {}).brdf;
+}
+
+/// Pixels that differ by more than a hundredth, of the two ways to shade.
+int differing(SphereShader& shader, const std::string& text) {
+  SphereScene scene;
+  scene.brdf = brdf(text);
+  scene.side = 48;
+  scene.light.normalize();
+  const auto by_glsl = shader.shade(scene, 16);
+  EXPECT_TRUE(by_glsl) << text;
+  if (!by_glsl) return 0;
+  EXPECT_TRUE(by_glsl->is_by_glsl);
+  const SphereImage by_cpp = shade_by_cpp(scene, 16, {});
+  int count = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < by_cpp.radiance.size(); ++i) {
+    const reflectance::Rgb& expected = by_cpp.radiance[i];
+    for (int k = 0; k < 3; ++k) sum += expected[k];
+    const reflectance::Rgb difference = by_glsl->radiance[i] - expected;
+    if (difference.length() > 0.01F * expected.length() + 1e-4F) ++count;
+  }
+  EXPECT_GT(sum, 0) << text;
+  return count;
+}
+
+TEST(SphereShader, IsWhatCppIs) {
+  QOffscreenSurface surface;
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  surface.setFormat(format);
+  surface.create();
+  const auto shader = SphereShader::create(surface);
+  ASSERT_TRUE(shader);
+  for (const reflectance::Preset& preset : reflectance::thesis_models().presets) {
+    // A narrow lobe's rim may fall between the two.
+    EXPECT_LE(differing(*shader, std::string(preset.brdf)), 20) << preset.brdf;
+  }
+  for (const char* text :
+       {"specular ks=0.8", "ward sx=0.05 sy=0.4 kd=(0.1, 0.2, 0.9)", "neumann", "granier"}) {
+    EXPECT_LE(differing(*shader, text), 20) << text;
+  }
+}
+
+TEST(SphereShader, LeavesMeasurementsToCpp) {
+  QOffscreenSurface surface;
+  surface.create();
+  const auto shader = SphereShader::create(surface);
+  SphereScene scene;
+  scene.brdf = std::make_shared<const reflectance::Brdf>(reflectance::Measured());
+  scene.side = 32;
+  ASSERT_TRUE(shader);
+  EXPECT_FALSE(shader->shade(scene, 16));
+  EXPECT_EQ(shade_by_cpp(scene, 16, {}).radiance.size(), 32U * 32U);
+}
+
+TEST(Displayed, IsEncodedAsSrgbWithExposure) {
+  SphereImage image;
+  image.side = 9;
+  image.radiance.assign(81, reflectance::Rgb(0.18F, 0.5F, 2));
+  const QColor middle = displayed(image, 0).pixelColor(4, 4);
+  EXPECT_EQ(middle.red(), 118);
+  EXPECT_EQ(middle.green(), 188);
+  EXPECT_EQ(middle.blue(), 255);
+  EXPECT_EQ(displayed(image, 1).pixelColor(4, 4).green(), 255);
+  EXPECT_EQ(displayed(image, 0).pixelColor(0, 0).alpha(), 0);
+}
+
+TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
+  SphereScene scene;
+  scene.brdf = brdf("diffuse kd=1");
+  scene.side = 65;
+  scene.light = Vec3f(0, 0, 1);
+  const SphereImage with_light = shade_by_cpp(scene, 64, {});
+  scene.light_strength = 0;
+  const SphereImage without = shade_by_cpp(scene, 64, {});
+  const std::size_t middle = 32 * 65 + 32;
+  EXPECT_NEAR(with_light.radiance[middle].x - without.radiance[middle].x, 1, 1e-4);
+}
+
+TEST(LiveSphere, FollowsThePointerAndTheKeys) {
+  LiveSphere sphere;
+  sphere.resize(200, 200);
+  sphere.set_brdf(brdf("ward sx=0.1"));
+  sphere.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&sphere));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sphere.image().side > 0 && !sphere.is_busy(); }, 20000));
+  EXPECT_TRUE(sphere.image().is_by_glsl);
+  QSignalSpy shaded(&sphere, &LiveSphere::shaded);
+  QTest::mousePress(&sphere, Qt::LeftButton, {}, {140, 70});
+  QTest::mouseMove(&sphere, {60, 100});
+  QTest::mouseRelease(&sphere, Qt::LeftButton, {}, {60, 100});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shaded.count() > 0 && !sphere.is_busy(); }, 20000));
+  // The brightest pixel is under the pointer.
+  const auto& radiance = sphere.image().radiance;
+  const auto brightest = std::max_element(radiance.begin(), radiance.end(), [](const auto& a, const auto& b) {
+    return a.length2() < b.length2();
+  });
+  const auto place = static_cast<int>(brightest - radiance.begin());
+  EXPECT_NEAR(place % sphere.image().side, 60, 6);
+  EXPECT_NEAR(place / sphere.image().side, 100, 6);
+  const Vec3f before = sphere.light();
+  QTest::keyClick(&sphere, Qt::Key_Right);
+  EXPECT_GT(sphere.light().x, before.x);
+}
+
+}  // namespace
+}  // namespace editor

@@ -1,0 +1,77 @@
+#include "editor/brdf/lobe_view.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "editor/appearance/theme.h"
+#include "editor/brdf/made_brdf.h"
+#include "grf/read.h"
+
+namespace editor {
+namespace {
+
+SharedBrdf brdf(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  return made_brdf(*grf::read_brdf(text, "test", diagnostics), {}).brdf;
+}
+
+TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
+  const SharedBrdf ward = brdf("ward sx=0.2 sy=0.4");
+  for (const double view : {0.0, 45.0, 85.0}) {
+    const LobeMesh mesh = lobe_mesh(*ward, view, false, false, {});
+    ASSERT_EQ(mesh.values.size(), mesh.directions.size());
+    for (std::size_t i = 0; i < mesh.directions.size(); i += 31) {
+      const double expected = channel_of(
+          reflectance::evaluate(*ward, direction_at(-view), mesh.directions[i]), Channel::Luminance);
+      EXPECT_NEAR(mesh.values[i], expected, 1e-5 * expected);
+      EXPECT_NEAR(mesh.positions[i].length(), expected / mesh.peak, 1e-4);
+      EXPECT_GT(mesh.directions[i].z, 0);
+    }
+  }
+}
+
+TEST(LobeMesh, CoversTheHemisphere) {
+  // Of diffuse it is half a sphere: its volume says whether all of it is there, and the right way out.
+  const LobeMesh mesh = lobe_mesh(*brdf("diffuse"), 60, false, false, {});
+  double volume = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const auto& a = mesh.positions[mesh.triangles[i]];
+    const auto& b = mesh.positions[mesh.triangles[i + 1]];
+    const auto& c = mesh.positions[mesh.triangles[i + 2]];
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  EXPECT_NEAR(volume, 2.0 / 3 * std::numbers::pi, 0.02);
+}
+
+TEST(LobeView, DrawsTheLobeAndIsOrbited) {
+  LobeView view;
+  view.resize(320, 240);
+  view.set_brdf(brdf("phong n=20 ks=0.5"));
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_busy() && view.mesh().peak > 0; }));
+  const QImage picture = view.grabFramebuffer();
+  const QColor colour = series_colour(theme_of(view.palette()), 1);
+  int lobe_pixels = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor pixel = picture.pixelColor(x, y);
+      if (pixel.saturation() > 80 && std::abs(pixel.hue() - colour.hue()) < 12) ++lobe_pixels;
+    }
+  }
+  EXPECT_GT(lobe_pixels, 1000);
+  const double before = view.azimuth();
+  QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
+  QTest::mouseMove(&view, {140, 110});
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, {140, 110});
+  EXPECT_NE(view.azimuth(), before);
+  QTest::keyClick(&view, Qt::Key_PageUp);
+  EXPECT_EQ(view.view(), 50);
+}
+
+}  // namespace
+}  // namespace editor
