@@ -1,0 +1,288 @@
+#include "editor/panels/model_rows.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <variant>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/document/definitions.h"
+#include "editor/panels/parts.h"
+#include "grf/keywords.h"
+#include "grf/read.h"
+#include "grf/write.h"
+
+namespace editor {
+namespace {
+
+/// What an entry of a list stands for.
+enum class Choice { None, OnTheSpot, Named, Model };
+
+constexpr int KindRole = Qt::UserRole;
+constexpr int NameRole = Qt::UserRole + 1;
+
+void add_choice(QComboBox* list, Choice choice, const QString& text, const QString& name, const QString& help,
+                const QIcon& icon = {}) {
+  list->addItem(icon, text);
+  const int index = list->count() - 1;
+  list->setItemData(index, static_cast<int>(choice), KindRole);
+  list->setItemData(index, name, NameRole);
+  list->setItemData(index, help, Qt::ToolTipRole);
+}
+
+void select_choice(QComboBox* list, Choice choice, const QString& name) {
+  for (int i = 0; i < list->count(); ++i) {
+    const QVariant kind = list->itemData(i, KindRole);
+    const bool is_it = kind.isValid() && kind.toInt() == static_cast<int>(choice);
+    if (is_it && list->itemData(i, NameRole).toString() == name) return list->setCurrentIndex(i);
+  }
+  list->setCurrentIndex(-1);
+}
+
+void add_models(QComboBox* list, const std::vector<grf::ModelInfo>& models) {
+  list->insertSeparator(list->count());
+  for (const grf::ModelInfo& info : models) {
+    // The others need more than a click: names, or a file.
+    if (info.takes != grf::ModelInfo::Takes::Parameters) continue;
+    const auto text = [](std::string_view words) {
+      return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+    };
+    add_choice(list, Choice::Model, QComboBox::tr("new %1").arg(text(info.keyword)), text(info.keyword),
+               QString("%1\n%2").arg(text(info.title), text(info.about)), icon("add"));
+  }
+}
+
+QComboBox* choice_list(const QString& name, QWidget* parent) {
+  auto* list = new QComboBox(parent);
+  list->setAccessibleName(name);
+  list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  list->setMinimumContentsLength(6);
+  list->setMaxVisibleItems(24);
+  list->setFocusPolicy(Qt::StrongFocus);
+  list->setIconSize({2 * Grid, 2 * Grid});
+  return list;
+}
+
+}  // namespace
+
+BrdfRow::BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent)
+    : QWidget(parent), document_(document), catalogue_(catalogue), choice_(choice_list(tr("BRDF"), this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(Grid / 4);
+  layout->addWidget(choice_, 1);
+  edit_ = tool_button(
+      "edit", tr("Edit the BRDF"), {}, [this] { emit edit_requested(); }, this);
+  define_ = tool_button(
+      "define", tr("Define the BRDF"), {}, [this] { define_common(); }, this);
+  pick_ = tool_button(
+      "pick", tr("Pick the BRDF from a face"),
+      tr("Pick: give these faces the BRDF of a face that is clicked in the view"),
+      [this] { emit pick_requested(); }, this);
+  reset_ = tool_button(
+      "reset", tr("Reset the BRDF"), {},
+      [this] { assign(tr("Reset BRDF"), AttributeEdit<grf::BrdfAttribute>::remove()); }, this);
+  for (QToolButton* button : {edit_, define_, pick_, reset_}) layout->addWidget(button);
+  setFocusProxy(choice_);
+  connect(choice_, &QComboBox::activated, this, &BrdfRow::choose);
+}
+
+void BrdfRow::show_facts(const SurfaceFacts& facts) {
+  common_ = facts.surface.brdf;
+  fill(facts);
+  const QString lit = why_not_reflecting(facts);
+  enable(choice_, tr("How the faces reflect light: a BRDF of the scene by its name, or a new one"), lit);
+  const bool has_one = !common_.is_mixed && common_.value.has_value();
+  const bool is_named = has_one && std::holds_alternative<grf::Reference>(*common_.value);
+  const QString none = common_.is_mixed ? tr("The faces have several BRDFs.") : tr("The faces have no BRDF.");
+  enable(edit_, tr("Edit the BRDF: its lobe and its parameters"), has_one ? QString() : none);
+  enable(define_, tr("Define: give the BRDF a name, so that other faces can share it"),
+         is_named  ? tr("The BRDF has a name.")
+         : has_one ? QString()
+                   : none);
+  pick_->setEnabled(lit.isEmpty());
+  enable(reset_, tr("Reset: the faces have no BRDF of their own, and are diffuse with kd = 0.5"),
+         has_one || common_.is_mixed ? QString() : none);
+}
+
+void BrdfRow::fill(const SurfaceFacts& facts) {
+  const QSignalBlocker blocker(choice_);
+  choice_->clear();
+  add_choice(choice_, Choice::None, tr("none"), {}, tr("Diffuse with kd = 0.5"));
+  const grf::BrdfModel* model = nullptr;
+  if (common_.value && !common_.is_mixed) model = std::get_if<grf::BrdfModel>(&*common_.value);
+  if (model != nullptr) {
+    const QString text = QString::fromStdString(grf::to_text(*model));
+    add_choice(choice_, Choice::OnTheSpot, text, {}, tr("Of these faces alone: %1").arg(text), icon("brdf"));
+  }
+  for (const QString& name : facts.brdfs) {
+    add_choice(choice_, Choice::Named, name, name, tr("The BRDF '%1' of the scene").arg(name), icon("brdf"));
+  }
+  add_models(choice_, catalogue_.brdfs);
+  choice_->setPlaceholderText(mixed_text());
+  if (common_.is_mixed) {
+    choice_->setCurrentIndex(-1);
+  } else if (model != nullptr) {
+    select_choice(choice_, Choice::OnTheSpot, {});
+  } else if (common_.value) {
+    const std::string& name = std::get<grf::Reference>(*common_.value).name;
+    select_choice(choice_, Choice::Named, QString::fromStdString(name));
+  } else {
+    select_choice(choice_, Choice::None, {});
+  }
+}
+
+void BrdfRow::choose(int index) {
+  const auto choice = static_cast<Choice>(choice_->itemData(index, KindRole).toInt());
+  const QString name = choice_->itemData(index, NameRole).toString();
+  if (choice == Choice::None) {
+    assign(tr("Reset BRDF"), AttributeEdit<grf::BrdfAttribute>::remove());
+  } else if (choice == Choice::Named) {
+    assign(tr("Assign %1").arg(name),
+           AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{name.toStdString(), {}}));
+  } else if (choice == Choice::Model) {
+    grf::BrdfModel model;
+    model.keyword = name.toStdString();
+    assign(tr("Assign %1").arg(name), AttributeEdit<grf::BrdfAttribute>::set(model));
+  }
+}
+
+void BrdfRow::assign(const QString& text, const AttributeEdit<grf::BrdfAttribute>& brdf) {
+  SurfaceEdit edit;
+  edit.brdf = brdf;
+  document_.edit_surfaces(text, edit);
+}
+
+void BrdfRow::define_common() {
+  const auto& model = std::get<grf::BrdfModel>(*common_.value);
+  grf::Diagnostics diagnostics;
+  auto defined = define(document_.scene(), "my_" + grf::lower_case(model.keyword), model, diagnostics);
+  if (!defined) {
+    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
+    return;
+  }
+  // Meshes are in the same order as before, so the selection is that of the new scene too.
+  SurfaceEdit edit;
+  edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{defined->name, {}});
+  const SceneObjects objects = objects_of(defined->scene, document_.path().toStdString());
+  for (const MeshSurfaces& surfaces : edited(objects, document_.selection(), edit)) {
+    put(surfaces, grf::find_mesh(defined->scene, surfaces.path)->edit());
+  }
+  document_.replace(tr("Define %1").arg(QString::fromStdString(defined->name)), std::move(defined->scene));
+}
+
+PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      catalogue_(catalogue),
+      choice_(choice_list(tr("Sampling scheme"), this)),
+      parameters_(new QLineEdit(this)),
+      problem_(problem_label(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(Grid / 2);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(Grid / 4);
+  line->addWidget(choice_, 1);
+  reset_ = tool_button(
+      "reset", tr("Reset the sampling scheme"), {},
+      [this] { assign(tr("Reset PDF"), AttributeEdit<grf::PdfAttribute>::remove()); }, this);
+  line->addWidget(reset_);
+  layout->addLayout(line);
+  parameters_->setAccessibleName(tr("Parameters of the sampling scheme"));
+  parameters_->setPlaceholderText(tr("parameters, such as exp=20"));
+  auto* below = new QHBoxLayout;
+  below->setContentsMargins(0, 0, reset_->sizeHint().width() + Grid / 4, 0);
+  below->addWidget(parameters_);
+  layout->addLayout(below);
+  layout->addWidget(problem_);
+  setFocusProxy(choice_);
+  connect(choice_, &QComboBox::activated, this, &PdfRow::choose);
+  connect(parameters_, &QLineEdit::editingFinished, this, &PdfRow::take_parameters);
+}
+
+void PdfRow::show_facts(const SurfaceFacts& facts) {
+  fill(facts);
+  const QString lit = why_not_reflecting(facts);
+  enable(choice_, tr("How directions of reflected light are drawn; none: in the BRDF's own way"), lit);
+  const auto& common = facts.surface.pdf;
+  const grf::PdfModel* model = nullptr;
+  if (common.value && !common.is_mixed) model = std::get_if<grf::PdfModel>(&*common.value);
+  keyword_ = model == nullptr ? std::string() : model->keyword;
+  const QString text = model == nullptr ? QString() : QString::fromStdString(grf::to_text(*model));
+  parameters_->setText(text.section(' ', 1));
+  parameters_->setVisible(model != nullptr);
+  parameters_->setToolTip(
+      tr("Parameters of %1: name=value, with spaces between them").arg(QString::fromStdString(keyword_)));
+  show_problem(problem_, {});
+  enable(reset_, tr("Reset: each BRDF has its own scheme"),
+         common.is_mixed || common.value ? QString() : tr("The faces have no sampling scheme of their own."));
+}
+
+void PdfRow::fill(const SurfaceFacts& facts) {
+  const QSignalBlocker blocker(choice_);
+  const auto& common = facts.surface.pdf;
+  choice_->clear();
+  add_choice(choice_, Choice::None, tr("the BRDF's own"), {}, tr("Each BRDF is sampled in its own way"));
+  for (const QString& name : facts.pdfs) {
+    add_choice(choice_, Choice::Named, name, name, tr("The scheme '%1' of the scene").arg(name), icon("pdf"));
+  }
+  add_models(choice_, catalogue_.pdfs);
+  choice_->setPlaceholderText(mixed_text());
+  if (common.is_mixed) {
+    choice_->setCurrentIndex(-1);
+  } else if (!common.value) {
+    select_choice(choice_, Choice::None, {});
+  } else if (const auto* reference = std::get_if<grf::Reference>(&*common.value)) {
+    select_choice(choice_, Choice::Named, QString::fromStdString(reference->name));
+  } else {
+    const grf::ModelInfo* info =
+        grf::find_model(catalogue_.pdfs, std::get<grf::PdfModel>(*common.value).keyword);
+    const std::string keyword(info == nullptr ? std::string_view() : info->keyword);
+    select_choice(choice_, Choice::Model, QString::fromStdString(keyword));
+    const int index = choice_->currentIndex();
+    if (index < 0) return;
+    choice_->setItemText(index, QString::fromStdString(keyword));
+    choice_->setItemIcon(index, icon("pdf"));
+  }
+}
+
+void PdfRow::choose(int index) {
+  const auto choice = static_cast<Choice>(choice_->itemData(index, KindRole).toInt());
+  const QString name = choice_->itemData(index, NameRole).toString();
+  if (choice == Choice::None) {
+    assign(tr("Reset PDF"), AttributeEdit<grf::PdfAttribute>::remove());
+  } else if (choice == Choice::Named) {
+    assign(tr("Sample by %1").arg(name),
+           AttributeEdit<grf::PdfAttribute>::set(grf::Reference{name.toStdString(), {}}));
+  } else {
+    grf::PdfModel model;
+    model.keyword = name.toStdString();
+    assign(tr("Sample by %1").arg(name), AttributeEdit<grf::PdfAttribute>::set(model));
+  }
+}
+
+void PdfRow::assign(const QString& text, const AttributeEdit<grf::PdfAttribute>& pdf) {
+  SurfaceEdit edit;
+  edit.pdf = pdf;
+  document_.edit_surfaces(text, edit);
+}
+
+void PdfRow::take_parameters() {
+  if (keyword_.empty() || !parameters_->isModified()) return;
+  grf::Diagnostics diagnostics;
+  const auto pdf = grf::read_pdf(keyword_ + " " + parameters_->text().toStdString(), "PDF", diagnostics);
+  if (!pdf || !grf::check(*pdf, catalogue_.pdfs, "PDF", diagnostics)) {
+    show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
+    return;
+  }
+  parameters_->setModified(false);
+  assign(tr("Parameters of %1").arg(QString::fromStdString(keyword_)),
+         AttributeEdit<grf::PdfAttribute>::set(*pdf));
+}
+
+}  // namespace editor

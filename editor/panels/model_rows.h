@@ -1,0 +1,69 @@
+// The rows of the surface panel that choose a model: a BRDF, or a sampling scheme.
+#pragma once
+
+#include <QWidget>
+#include <string>
+
+#include "editor/panels/surface_facts.h"
+#include "grf/catalogue.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace editor {
+
+/// A BRDF of the scene by its name, or a new one of a model.
+class BrdfRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
+  void show_facts(const SurfaceFacts& facts);
+
+ signals:
+  void edit_requested();
+  void pick_requested();
+  void problem_found(const QString& problem);
+
+ private:
+  void fill(const SurfaceFacts& facts);
+  void choose(int index);
+  void assign(const QString& text, const AttributeEdit<grf::BrdfAttribute>& brdf);
+  void define_common();
+
+  Document& document_;
+  const grf::Catalogue& catalogue_;
+  CommonValue<grf::BrdfAttribute> common_;
+  QComboBox* choice_;
+  QToolButton* edit_;
+  QToolButton* define_;
+  QToolButton* pick_;
+  QToolButton* reset_;
+};
+
+/// A sampling scheme by its name, or on the spot with parameters that are typed.
+class PdfRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
+  void show_facts(const SurfaceFacts& facts);
+
+ private:
+  void fill(const SurfaceFacts& facts);
+  void choose(int index);
+  void assign(const QString& text, const AttributeEdit<grf::PdfAttribute>& pdf);
+  void take_parameters();
+
+  Document& document_;
+  const grf::Catalogue& catalogue_;
+  std::string keyword_;  // of a scheme on the spot; else empty
+  QComboBox* choice_;
+  QLineEdit* parameters_;
+  QLabel* problem_;
+  QToolButton* reset_;
+};
+
+}  // namespace editor

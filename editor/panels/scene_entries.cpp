@@ -1,0 +1,242 @@
+#include "editor/panels/scene_entries.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <array>
+#include <map>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+#include "editor/document/definitions.h"
+#include "grf/write.h"
+
+namespace editor {
+namespace {
+
+using Kind = SceneEntry::Kind;
+
+QString tr(const char* text) { return QCoreApplication::translate("SceneTree", text); }
+
+QString counted(std::size_t number, const char* one, const char* many) {
+  return number == 1 ? tr(one) : tr(many).arg(number);
+}
+
+QString text_of(const grf::Vec3f& v, int digits = 4) {
+  const auto number = [digits](float value) {
+    return QString::number(static_cast<double>(value), 'g', digits);
+  };
+  return QString("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
+}
+
+QString text_of(const std::vector<grf::TransformStep>& steps) {
+  QStringList words;
+  for (const grf::TransformStep& step : steps) {
+    const bool is_turn = step.kind == grf::TransformStep::Kind::Rotation;
+    const auto degrees = static_cast<float>(180 / std::numbers::pi);
+    const QString word = is_turn                                        ? tr("turned by %1°")
+                         : step.kind == grf::TransformStep::Kind::Scale ? tr("scaled by %1")
+                                                                        : tr("moved by %1");
+    words << word.arg(text_of(is_turn ? step.value * degrees : step.value));
+  }
+  return words.join(", ");
+}
+
+class Builder {
+ public:
+  explicit Builder(const Document& document) : document_(document), uses_(count_uses(document.scene())) {
+    const SceneObjects& objects = document.objects();
+    for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) meshes_.emplace(objects.meshes[i].path, i);
+    for (const MeshInstance& instance : objects.instances) {
+      meshes_.emplace(instance.path, instance.mesh);
+      places_.emplace(instance.path, grf::Vec3f(grf::Vec3d(0) * instance.to_world));
+    }
+  }
+
+  std::unique_ptr<SceneEntry> build() {
+    auto root = std::make_unique<SceneEntry>();
+    SceneEntry* objects =
+        root->add(group(tr("Objects"), tr("What stands in the scene, as it is nested there")));
+    path_.clear();
+    add_blocks(document_.scene().contents, 0, *objects);
+    objects->detail = objects->children.empty() ? tr("none") : QString::number(objects->children.size());
+    const std::vector<std::pair<QString, Kind>> kinds = {{tr("BRDFs"), Kind::Brdf},
+                                                         {tr("Sampling schemes"), Kind::Pdf},
+                                                         {tr("Colours"), Kind::Colour},
+                                                         {tr("Textures"), Kind::Texture},
+                                                         {tr("Meshes to use"), Kind::DefinedMesh}};
+    for (const auto& [name, kind] : kinds) {
+      auto& found = definitions_[kind];
+      if (found.empty()) continue;
+      SceneEntry* of_kind = root->add(group(name, tr("Definitions of the scene, by their names")));
+      of_kind->detail = QString::number(found.size());
+      for (auto& each : found) of_kind->add(std::move(each));
+    }
+    return root;
+  }
+
+ private:
+  static std::unique_ptr<SceneEntry> group(const QString& name, const QString& help) {
+    auto entry = std::make_unique<SceneEntry>();
+    entry->name = name;
+    entry->help = help;
+    return entry;
+  }
+
+  std::unique_ptr<SceneEntry> entry(Kind kind, const QString& name, const QString& detail,
+                                    const QString& help) {
+    auto made = std::make_unique<SceneEntry>();
+    made->kind = kind;
+    made->name = name;
+    made->detail = detail;
+    made->help = help;
+    made->path = path_;
+    const auto mesh = meshes_.find(path_);
+    if (mesh != meshes_.end()) made->mesh = mesh->second;
+    return made;
+  }
+
+  void add_blocks(const grf::BlockList& list, std::size_t before, SceneEntry& parent) {
+    path_.push_back(static_cast<std::uint32_t>(before));
+    for (const grf::Block& block : list.blocks) {
+      std::visit([&](const auto& content) { add(content, parent); }, block.content);
+      ++path_.back();
+    }
+    path_.pop_back();
+  }
+
+  void add(const grf::Shared<grf::Mesh>& mesh, SceneEntry& parent) {
+    const QString name = mesh->name.empty() ? tr("mesh") : QString::fromStdString(mesh->name);
+    parent.add(entry(Kind::Mesh, name, counted(mesh->face_count(), "1 face", "%1 faces"), tr("A mesh")));
+  }
+  void add(const grf::MeshLight& light, SceneEntry& parent) {
+    parent.add(entry(Kind::MeshLight, tr("mesh light"),
+                     counted(light.mesh->face_count(), "1 face", "%1 faces"), tr("Faces that emit light")));
+  }
+  void add(const grf::AreaLight&, SceneEntry& parent) {
+    parent.add(entry(Kind::AreaLight, tr("light"), {}, tr("A parallelogram that emits light")));
+  }
+  void add(const grf::Include& include, SceneEntry& parent) {
+    const QString file = QString::fromStdString(include.file);
+    SceneEntry* made =
+        parent.add(entry(Kind::Include, file, tr("file"), tr("The blocks of the file %1").arg(file)));
+    add_blocks(*include.contents, 0, *made);
+  }
+  void add(const grf::Transform& transform, SceneEntry& parent) {
+    const QString text = text_of(transform.steps);
+    auto made = entry(Kind::Transform, tr("transform"), {}, text);
+    add_blocks(transform.body, 0, *made);
+    const bool is_of_one = made->children.size() == 1 && made->children.front()->children.empty() &&
+                           made->children.front()->kind != Kind::Include;
+    if (is_of_one) made = std::move(made->children.front());
+    if (is_of_one) made->help += ", " + text;
+    if (!is_of_one) made->detail = counted(made->children.size(), "1 object", "%1 objects");
+    parent.add(std::move(made));
+  }
+  void add(const grf::DefinitionScope& scope, SceneEntry& parent) {
+    path_.push_back(0);
+    for (const grf::Definition& definition : scope.definitions) {
+      add_definition(definition);
+      ++path_.back();
+    }
+    path_.pop_back();
+    add_blocks(scope.body, scope.definitions.size(), parent);
+  }
+  void add(const grf::Params& params, SceneEntry& parent) {
+    for (std::size_t i = 0; i < params.views.size(); ++i) {
+      SceneEntry* made = parent.add(entry(Kind::Observer, tr("observer"), text_of(params.views[i]),
+                                          tr("For whom irradiance that depends on the view is computed")));
+      made->observer = i;
+    }
+  }
+  void add(const grf::Use& use, SceneEntry& parent) {
+    const QString name = QString::fromStdString(use.mesh.name);
+    const auto place = places_.find(path_);
+    const QString detail = place == places_.end() ? tr("use") : text_of(place->second, 3);
+    parent.add(entry(Kind::Instance, name, detail, tr("The mesh '%1' once more").arg(name)));
+  }
+
+  void add_definition(const grf::Definition& definition) {
+    const auto found = uses_.find(&definition);
+    const std::size_t uses = found == uses_.end() ? 0 : found->second;
+    const QString detail = uses == 0 ? tr("unused") : counted(uses, "1 use", "%1 uses");
+    const QString name = QString::fromStdString(definition.name);
+    static constexpr std::array Kinds = {Kind::Colour, Kind::Brdf, Kind::Pdf, Kind::Texture,
+                                         Kind::DefinedMesh};
+    const Kind kind = Kinds[definition.body.index()];
+    definitions_[kind].push_back(
+        entry(kind, name, detail, std::visit([](const auto& body) { return about(body); }, definition.body)));
+  }
+  static QString about(const grf::Colour& colour) { return tr("Colour %1").arg(text_of(colour)); }
+  static QString about(const grf::BrdfModel& brdf) { return QString::fromStdString(grf::to_text(brdf)); }
+  static QString about(const grf::PdfModel& pdf) { return QString::fromStdString(grf::to_text(pdf)); }
+  static QString about(const grf::Texture& texture) { return QString::fromStdString(texture.file); }
+  static QString about(const grf::Shared<grf::Mesh>& mesh) {
+    return counted(mesh->face_count(), "1 face", "%1 faces");
+  }
+
+  const Document& document_;
+  std::unordered_map<const grf::Definition*, std::size_t> uses_;
+  std::map<grf::ScenePath, std::uint32_t> meshes_;
+  std::map<grf::ScenePath, grf::Vec3f> places_;  // of instances, in the world
+  std::map<Kind, std::vector<std::unique_ptr<SceneEntry>>> definitions_;
+  grf::ScenePath path_;
+};
+
+}  // namespace
+
+bool SceneEntry::is_definition() const {
+  return kind == Kind::Brdf || kind == Kind::Pdf || kind == Kind::Colour || kind == Kind::Texture ||
+         kind == Kind::DefinedMesh;
+}
+
+bool SceneEntry::can_be_renamed() const { return is_definition() || kind == Kind::Mesh; }
+
+SceneEntry* SceneEntry::add(std::unique_ptr<SceneEntry> child) {
+  child->parent = this;
+  child->row = static_cast<int>(children.size());
+  children.push_back(std::move(child));
+  return children.back().get();
+}
+
+void SceneEntry::number_children() {
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    children[i]->parent = this;
+    children[i]->row = static_cast<int>(i);
+  }
+}
+
+std::unique_ptr<SceneEntry> entries_of(const Document& document) { return Builder(document).build(); }
+
+QString icon_of(SceneEntry::Kind kind) {
+  switch (kind) {
+    case Kind::Group:
+      return "objects";
+    case Kind::Mesh:
+    case Kind::DefinedMesh:
+      return "mesh";
+    case Kind::MeshLight:
+    case Kind::AreaLight:
+      return "light";
+    case Kind::Instance:
+      return "instance";
+    case Kind::Transform:
+      return "transform";
+    case Kind::Include:
+      return "include";
+    case Kind::Observer:
+      return "observer";
+    case Kind::Brdf:
+      return "brdf";
+    case Kind::Pdf:
+      return "pdf";
+    case Kind::Colour:
+      return "colour";
+    case Kind::Texture:
+      return "texture";
+  }
+  return "objects";
+}
+
+}  // namespace editor

@@ -1,0 +1,239 @@
+#include "editor/panels/scene_tree.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/document/definitions.h"
+#include "editor/document/light_edits.h"
+#include "editor/document/object_edits.h"
+#include "editor/panels/parts.h"
+#include "editor/panels/scene_model.h"
+
+namespace editor {
+namespace {
+
+/// All faces of an entry's meshes and of those inside of it.
+void add_faces(const SceneEntry& entry, FaceSelection& selection) {
+  if (entry.mesh) selection.set_mesh(*entry.mesh);
+  for (const auto& child : entry.children) add_faces(*child, selection);
+}
+
+}  // namespace
+
+SceneTree::SceneTree(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new SceneModel(document, this)),
+      filter_(new QSortFilterProxyModel(this)),
+      search_(new QLineEdit(this)),
+      pages_(new QStackedWidget(this)),
+      view_(new QTreeView(pages_)),
+      problem_(problem_label(this)) {
+  setAccessibleName(tr("Scene"));
+  search_->setPlaceholderText(tr("Search"));
+  search_->setAccessibleName(tr("Search in the scene"));
+  search_->setToolTip(tr("Shows the lines alone whose names have these letters"));
+  search_->setClearButtonEnabled(true);
+  filter_->setSourceModel(model_);
+  filter_->setRecursiveFilteringEnabled(true);
+  filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  make_view();
+  pages_->addWidget(
+      hint_label(tr("The scene is empty.\n\nOpen or import a file, or drop one on the window."), pages_));
+  pages_->addWidget(view_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(Grid, Grid, Grid, Grid);
+  layout->setSpacing(Grid);
+  layout->addWidget(search_);
+  layout->addWidget(pages_, 1);
+  layout->addWidget(problem_);
+  make_actions();
+  connect(search_, &QLineEdit::textChanged, this, &SceneTree::show_search);
+  connect(model_, &SceneModel::problem_found, this,
+          [this](const QString& text) { show_problem(problem_, text); });
+  connect(&document_, &Document::selection_changed, this, &SceneTree::show_selection);
+  connect(&document_, &Document::scene_changed, this, &SceneTree::show_selection);
+  show_selection();
+}
+
+void SceneTree::make_view() {
+  view_->setModel(filter_);
+  view_->setAccessibleName(tr("Lines of the scene"));
+  view_->setToolTip(tr("Objects, lights and definitions: a line that is chosen selects its faces"));
+  view_->setHeaderHidden(true);
+  view_->header()->setStretchLastSection(false);
+  view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  view_->setUniformRowHeights(true);
+  view_->setIndentation(2 * Grid);
+  view_->setIconSize({2 * Grid, 2 * Grid});
+  view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  view_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  view_->setDragEnabled(true);
+  view_->setDragDropMode(QAbstractItemView::DragOnly);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  view_->expandToDepth(0);
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &SceneTree::select_faces_of_chosen);
+}
+
+QAction* SceneTree::add_action(const QString& icon_name, const QString& text, const QKeySequence& shortcut,
+                               const QString& tool_tip, void (SceneTree::*triggered)()) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setShortcut(shortcut);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  action->setToolTip(tool_tip);
+  connect(action, &QAction::triggered, this, triggered);
+  view_->addAction(action);
+  return action;
+}
+
+void SceneTree::make_actions() {
+  rename_ = add_action("edit", tr("Rename"), Qt::Key_F2, tr("Gives the line another name"),
+                       &SceneTree::rename_chosen);
+  duplicate_ = add_action("duplicate", tr("Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D),
+                          tr("Puts the object there once more, beside itself; both share one mesh"),
+                          &SceneTree::duplicate_chosen);
+  remove_ = add_action("delete", tr("Delete"), QKeySequence::Delete, tr("Takes the lines away"),
+                       &SceneTree::remove_chosen);
+  remove_unused_ =
+      add_action("reset", tr("Delete unused definitions"), QKeySequence("Ctrl+Del"),
+                 tr("Takes all definitions away that nothing refers to"), &SceneTree::remove_unused);
+  update_actions();
+}
+
+void SceneTree::update_actions() {
+  const std::vector<const SceneEntry*> entries = chosen_entries();
+  const auto stands = [](const SceneEntry* entry) {
+    return entry->kind != SceneEntry::Kind::Group && !entry->is_definition();
+  };
+  rename_->setEnabled(entries.size() == 1 && entries.front()->can_be_renamed());
+  duplicate_->setEnabled(entries.size() == 1 && stands(entries.front()) &&
+                         entries.front()->kind != SceneEntry::Kind::Observer);
+  remove_->setEnabled(std::any_of(entries.begin(), entries.end(), [](const SceneEntry* entry) {
+    return entry->kind != SceneEntry::Kind::Group;
+  }));
+}
+
+QSize SceneTree::sizeHint() const { return {280, 640}; }
+
+void SceneTree::choose(grf::ScenePathView path) {
+  const QModelIndex index = filter_->mapFromSource(model_->index_at(path));
+  if (!index.isValid()) return;
+  view_->scrollTo(index);
+  view_->setCurrentIndex(index);
+}
+
+std::vector<const SceneEntry*> SceneTree::chosen_entries() const {
+  std::vector<const SceneEntry*> entries;
+  for (const QModelIndex& index : view_->selectionModel()->selectedRows()) {
+    entries.push_back(model_->entry(filter_->mapToSource(index)));
+  }
+  return entries;
+}
+
+void SceneTree::select_faces_of_chosen() {
+  update_actions();
+  if (is_selecting_) return;
+  const QScopedValueRollback guard(is_selecting_, true);
+  const std::vector<const SceneEntry*> entries = chosen_entries();
+  FaceSelection selection(document_.objects());
+  for (const SceneEntry* entry : entries) {
+    add_faces(*entry, selection);
+    if (entry->is_definition())
+      selection.add(faces_with(document_.scene(), document_.objects(), entry->path));
+  }
+  const grf::ScenePath path = entries.size() == 1 ? entries.front()->path : grf::ScenePath();
+  document_.select(std::move(selection));
+  show_problem(problem_, {});
+  emit chosen(path);
+}
+
+// Faces that were selected elsewhere: the line of the first of them becomes the current one.
+void SceneTree::show_selection() {
+  pages_->setCurrentIndex(document_.scene().contents.blocks.empty() ? 0 : 1);
+  if (is_selecting_) return;
+  const QScopedValueRollback guard(is_selecting_, true);
+  const auto entries = chosen_entries();
+  const bool is_shown = std::any_of(entries.begin(), entries.end(),
+                                    [](const SceneEntry* entry) { return entry->has_selection; });
+  if (is_shown) return;
+  const QModelIndex first = filter_->mapFromSource(model_->first_with_selection());
+  if (!first.isValid()) {
+    const bool are_chosen_without_faces = document_.selection().empty() && !entries.empty();
+    if (!are_chosen_without_faces) view_->selectionModel()->clearSelection();
+    return;
+  }
+  view_->scrollTo(first);
+  view_->selectionModel()->setCurrentIndex(first,
+                                           QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+}
+
+void SceneTree::show_search() {
+  filter_->setFilterFixedString(search_->text());
+  if (!search_->text().isEmpty()) {
+    view_->expandAll();
+  } else if (view_->currentIndex().isValid()) {
+    view_->scrollTo(view_->currentIndex());
+  }
+}
+
+void SceneTree::rename_chosen() { view_->edit(view_->currentIndex().siblingAtColumn(0)); }
+
+void SceneTree::duplicate_chosen() {
+  // Beside itself by a part of the scene, so that it is seen.
+  constexpr double Part = 0.1;
+  const grf::Box3d& bounds = document_.objects().bounds;
+  const double offset = bounds.isEmpty() ? 1 : Part * bounds.size().length();
+  const SceneEntry& entry = *chosen_entries().front();
+  grf::Diagnostics diagnostics;
+  auto scene = duplicate_object(document_.scene(), entry.path, grf::Vec3d(offset, 0, 0), diagnostics);
+  put(tr("Duplicate %1").arg(entry.name), std::move(scene), diagnostics);
+}
+
+void SceneTree::remove_chosen() {
+  grf::Diagnostics diagnostics;
+  const std::vector<const SceneEntry*> entries = chosen_entries();
+  if (entries.size() == 1 && entries.front()->kind == SceneEntry::Kind::Observer) {
+    const ObserverObject observer = {entries.front()->path, entries.front()->observer, grf::Vec3d(0)};
+    return put(tr("Delete observer"), remove_observer(document_.scene(), observer, diagnostics), diagnostics);
+  }
+  std::vector<grf::ScenePath> paths;
+  for (const SceneEntry* entry : entries) {
+    if (entry->kind != SceneEntry::Kind::Group) paths.push_back(entry->path);
+  }
+  if (paths.empty()) return;
+  const QString text = paths.size() == 1 ? tr("Delete %1").arg(entries.front()->name)
+                                         : tr("Delete %1 objects").arg(paths.size());
+  put(text, remove_objects(document_.scene(), paths, diagnostics), diagnostics);
+}
+
+void SceneTree::remove_unused() {
+  grf::Diagnostics diagnostics;
+  auto scene = remove_unused_definitions(document_.scene(), diagnostics);
+  if (scene && *scene == document_.scene()) {
+    show_problem(problem_, tr("All definitions are used."));
+    return;
+  }
+  put(tr("Delete unused definitions"), std::move(scene), diagnostics);
+}
+
+void SceneTree::put(const QString& text, std::optional<grf::Scene> scene,
+                    const grf::Diagnostics& diagnostics) {
+  show_problem(problem_, scene ? QString() : QString::fromStdString(diagnostics.entries().front().message));
+  if (scene) document_.replace(text, std::move(*scene));
+}
+
+}  // namespace editor

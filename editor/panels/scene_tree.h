@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QSortFilterProxyModel>
+#include <QWidget>
+#include <vector>
+
+#include "editor/document/document.h"
+#include "grf/scene_path.h"
+
+class QAction;
+class QLabel;
+class QLineEdit;
+class QStackedWidget;
+class QTreeView;
+
+namespace editor {
+
+class SceneModel;
+struct SceneEntry;
+
+/// All that a scene holds, as a list that can be searched. A line that is chosen selects its faces; lines
+/// with selected faces are bold. BRDFs can be dragged from it.
+class SceneTree : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The document outlives the tree.
+  explicit SceneTree(Document& document, QWidget* parent = nullptr);
+
+  /// Makes the line of what stands at a place the current one, and selects its faces.
+  void choose(grf::ScenePathView path);
+
+  QTreeView* view() const { return view_; }
+  QSize sizeHint() const override;
+
+ signals:
+  /// What stands there was chosen; empty: nothing, or a headline.
+  void chosen(const grf::ScenePath& path);
+
+ private:
+  void make_view();
+  void make_actions();
+  QAction* add_action(const QString& icon, const QString& text, const QKeySequence& shortcut,
+                      const QString& tool_tip, void (SceneTree::*triggered)());
+  void update_actions();
+  void select_faces_of_chosen();
+  void show_selection();
+  void show_search();
+  void rename_chosen();
+  void duplicate_chosen();
+  void remove_chosen();
+  void remove_unused();
+  std::vector<const SceneEntry*> chosen_entries() const;
+  void put(const QString& text, std::optional<grf::Scene> scene, const grf::Diagnostics& diagnostics);
+
+  Document& document_;
+  SceneModel* model_;
+  QSortFilterProxyModel* filter_;
+  QLineEdit* search_;
+  QStackedWidget* pages_;
+  QTreeView* view_;
+  QLabel* problem_;
+  QAction* rename_ = nullptr;
+  QAction* duplicate_ = nullptr;
+  QAction* remove_ = nullptr;
+  QAction* remove_unused_ = nullptr;
+  bool is_selecting_ = false;  // of this tree's own accord
+};
+
+}  // namespace editor

@@ -1,0 +1,45 @@
+#include "editor/panels/surface_facts.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <variant>
+
+#include "editor/document/scene_places.h"
+
+namespace editor {
+
+SurfaceFacts facts_of(const Document& document) {
+  const SceneObjects& objects = document.objects();
+  const FaceSelection& selection = document.selection();
+  SurfaceFacts facts;
+  facts.faces = selection.count();
+  if (facts.faces == 0) return facts;
+  facts.are_all_of_mesh_lights = true;
+  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
+    const std::vector<bool>& faces = selection.of_mesh(i);
+    if (std::find(faces.begin(), faces.end(), true) == faces.end()) continue;
+    facts.meshes.push_back(objects.meshes[i].path);
+    facts.are_all_of_mesh_lights = facts.are_all_of_mesh_lights && objects.meshes[i].is_light;
+  }
+  facts.area = selected_area(objects, selection);
+  facts.surface = common_surface(objects, selection);
+  facts.vertices = common_vertices(objects, selection);
+  for (const PlacedDefinition& each : common_definitions(document.scene(), facts.meshes)) {
+    const QString name = QString::fromStdString(each.definition->name);
+    const grf::Definition::Body& body = each.definition->body;
+    if (std::holds_alternative<grf::BrdfModel>(body)) facts.brdfs << name;
+    if (std::holds_alternative<grf::PdfModel>(body)) facts.pdfs << name;
+    if (std::holds_alternative<grf::Colour>(body)) facts.colours << name;
+    if (std::holds_alternative<grf::Texture>(body)) facts.textures << name;
+  }
+  return facts;
+}
+
+QString why_not_reflecting(const SurfaceFacts& facts) {
+  if (!facts.are_all_of_mesh_lights) return {};
+  return QCoreApplication::translate("editor",
+                                     "The faces are of a mesh light: it has a radiance, and reflects "
+                                     "nothing.");
+}
+
+}  // namespace editor

@@ -1,0 +1,194 @@
+#include "editor/panels/surface_panel.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <variant>
+
+#include "editor/appearance/theme.h"
+#include "editor/document/brdf_mime.h"
+#include "editor/document/scene_places.h"
+#include "editor/panels/brdf_assignment.h"
+#include "editor/panels/model_rows.h"
+#include "editor/panels/parts.h"
+#include "editor/panels/texture_row.h"
+#include "editor/panels/value_rows.h"
+
+namespace editor {
+namespace {
+
+/// An attribute with a name replaced by what it means, where the name does not mean that for all.
+template <class Body>
+void write_out(std::optional<std::variant<Body, grf::Reference>>& attribute,
+               const std::vector<PlacedDefinition>& there, const std::vector<PlacedDefinition>& here) {
+  const auto* reference = attribute ? std::get_if<grf::Reference>(&*attribute) : nullptr;
+  if (reference == nullptr) return;
+  const auto is_it = [reference](const PlacedDefinition& each) {
+    return each.definition->name == reference->name;
+  };
+  const auto meant = std::find_if(there.begin(), there.end(), is_it);
+  if (meant == there.end()) return attribute.reset();
+  const auto same = std::find_if(here.begin(), here.end(), is_it);
+  if (same != here.end() && same->definition == meant->definition) return;
+  const auto* body = std::get_if<Body>(&meant->definition->body);
+  attribute = body == nullptr ? std::nullopt : std::optional<std::variant<Body, grf::Reference>>(*body);
+}
+
+QString area_text(double area) { return SurfacePanel::tr("%1 m²").arg(QLocale::c().toString(area, 'g', 4)); }
+
+}  // namespace
+
+SurfacePanel::SurfacePanel(Document& document, const grf::Catalogue& catalogue, QWidget* parent)
+    : QWidget(parent), document_(document), catalogue_(catalogue), pages_(new QStackedWidget(this)) {
+  setAccessibleName(tr("Surface"));
+  setAcceptDrops(true);
+  auto* scroll = new QScrollArea(pages_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(make_rows());
+  pages_->addWidget(
+      hint_label(tr("No face is selected.\n\nClick a face in the view, drag a box around several, "
+                    "or choose an object in the scene's list."),
+                 pages_));
+  pages_->addWidget(scroll);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(pages_);
+  connect_rows();
+  connect(&document_, &Document::selection_changed, this, &SurfacePanel::show_selection);
+  connect(&document_, &Document::scene_changed, this, &SurfacePanel::show_selection);
+  show_selection();
+}
+
+QWidget* SurfacePanel::make_header() {
+  auto* header = new QWidget(this);
+  count_ = new QLabel(header);
+  QFont bold = count_->font();
+  bold.setBold(true);
+  count_->setFont(bold);
+  area_ = new QLabel(header);
+  area_->setToolTip(tr("Area of the selected faces in the world, all places at which they stand together"));
+  auto* layout = new QHBoxLayout(header);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(count_, 1);
+  layout->addWidget(area_);
+  layout->addWidget(tool_button(
+      "pick", tr("Copy from a face"),
+      tr("Copy: give these faces all that a face has which is clicked in the view"),
+      [this] {
+        picks_ = Picks::All;
+        emit pick_requested();
+      },
+      header));
+  return header;
+}
+
+QWidget* SurfacePanel::make_rows() {
+  auto* rows = new QWidget(this);
+  auto* layout = new QGridLayout(rows);
+  layout->setContentsMargins(2 * Grid, Grid, Grid, Grid);
+  layout->setHorizontalSpacing(Grid);
+  layout->setVerticalSpacing(Grid + Grid / 2);
+  layout->setColumnStretch(1, 1);
+  layout->addWidget(make_header(), 0, 0, 1, 2);
+  const auto add = [rows, layout](const QString& name, auto* row) {
+    auto* label = new QLabel(name, rows);
+    label->setBuddy(row);
+    label->setMinimumHeight(3 * Grid);
+    const int line = layout->rowCount();
+    layout->addWidget(label, line, 0, Qt::AlignTop);
+    layout->addWidget(row, line, 1, Qt::AlignTop);
+    return row;
+  };
+  brdf_ = add(tr("&BRDF"), new BrdfRow(document_, catalogue_, rows));
+  pdf_ = add(tr("&Sampling"), new PdfRow(document_, catalogue_, rows));
+  colour_ = add(tr("&Colour"), new ColourRow(document_, rows));
+  texture_ = add(tr("&Texture"), new TextureRow(document_, rows));
+  emission_ = add(tr("&Light"), new EmissionRow(document_, rows));
+  normals_ = add(tr("&Normals"), new NormalsRow(document_, rows));
+  vertex_colours_ = add(tr("&Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));
+  irradiance_ = add(tr("&Irradiance"), new VertexRow(document_, VertexRow::Kind::Irradiance, rows));
+  problem_ = problem_label(rows);
+  layout->addWidget(problem_, layout->rowCount(), 0, 1, 2);
+  layout->setRowStretch(layout->rowCount(), 1);
+  return rows;
+}
+
+void SurfacePanel::connect_rows() {
+  connect(brdf_, &BrdfRow::edit_requested, this, &SurfacePanel::brdf_edit_requested);
+  connect(brdf_, &BrdfRow::pick_requested, this, [this] {
+    picks_ = Picks::Brdf;
+    emit pick_requested();
+  });
+  connect(irradiance_, &VertexRow::bake_requested, this, &SurfacePanel::bake_requested);
+  connect(brdf_, &BrdfRow::problem_found, this, &SurfacePanel::report);
+  connect(normals_, &NormalsRow::problem_found, this, &SurfacePanel::report);
+  connect(irradiance_, &VertexRow::problem_found, this, &SurfacePanel::report);
+  connect(vertex_colours_, &VertexRow::problem_found, this, &SurfacePanel::report);
+}
+
+void SurfacePanel::show_selection() {
+  const SurfaceFacts facts = facts_of(document_);
+  pages_->setCurrentIndex(facts.faces == 0 ? 0 : 1);
+  report({});
+  if (facts.faces == 0) return;
+  count_->setText(tr("%n face(s) selected", nullptr, static_cast<int>(facts.faces))
+                      .replace("face(s)", facts.faces == 1 ? "face" : "faces"));
+  area_->setText(area_text(facts.area));
+  brdf_->show_facts(facts);
+  pdf_->show_facts(facts);
+  colour_->show_facts(facts);
+  texture_->show_facts(facts);
+  emission_->show_facts(facts);
+  irradiance_->show_facts(facts);
+  normals_->show_facts(facts);
+  vertex_colours_->show_facts(facts);
+}
+
+void SurfacePanel::report(const QString& problem) { show_problem(problem_, problem); }
+
+void SurfacePanel::take_from(FaceId face) {
+  const MeshObject& from = document_.objects().meshes[face.mesh];
+  const auto there = definitions_at(document_.scene(), from.path);
+  const auto here = common_definitions(document_.scene(), facts_of(document_).meshes);
+  grf::Surface surface = from.mesh->surface(face.face);
+  if (from.is_light) {
+    surface = {};
+    surface.emission = from.looks[from.mesh->surface_of_face[face.face]].colour;
+  }
+  write_out(surface.colour, there, here);
+  write_out(surface.brdf, there, here);
+  write_out(surface.pdf, there, here);
+  write_out(surface.texture, there, here);
+  const SurfaceEdit all = edit_to(surface);
+  SurfaceEdit brdf;
+  brdf.brdf = all.brdf;
+  document_.edit_surfaces(picks_ == Picks::All ? tr("Copy from a face") : tr("Pick BRDF"),
+                          picks_ == Picks::All ? all : brdf);
+}
+
+QSize SurfacePanel::sizeHint() const { return {360, 640}; }
+
+void SurfacePanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasFormat(BrdfMimeType) && !document_.selection().empty())
+    event->acceptProposedAction();
+}
+
+void SurfacePanel::dropEvent(QDropEvent* event) {
+  grf::Diagnostics diagnostics;
+  event->acceptProposedAction();
+  if (assign_brdf(document_, catalogue_, *event->mimeData(), diagnostics)) return;
+  report(QString::fromStdString(diagnostics.entries().front().message));
+}
+
+}  // namespace editor

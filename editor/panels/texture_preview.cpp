@@ -1,0 +1,110 @@
+#include "editor/panels/texture_preview.h"
+
+#include <QFileInfo>
+#include <QImageReader>
+#include <QPainter>
+#include <QPainterPath>
+#include <QtConcurrentRun>
+#include <algorithm>
+
+#include "editor/appearance/theme.h"
+
+namespace editor {
+namespace {
+
+QImage read_small(const QString& path) {
+  constexpr int Largest = 512;
+  QImageReader reader(path);
+  reader.setAutoTransform(false);  // textures are looked up as they are stored
+  const QSize size = reader.size();
+  if (size.width() > Largest || size.height() > Largest) {
+    reader.setScaledSize(size.scaled(Largest, Largest, Qt::KeepAspectRatio));
+  }
+  return reader.read();
+}
+
+}  // namespace
+
+TexturePreview::TexturePreview(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Texture"));
+  setToolTip(tr("The image, and where on it the selected faces are by their texture coordinates"));
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  connect(&reading_, &QFutureWatcher<QImage>::finished, this, [this] {
+    image_ = reading_.result();
+    update();
+  });
+}
+
+void TexturePreview::show_image(const QString& path) {
+  if (path == path_) return;
+  path_ = path;
+  image_ = {};
+  if (!path.isEmpty()) reading_.setFuture(QtConcurrent::run(read_small, path));
+  update();
+}
+
+void TexturePreview::show_outlines(QVector<QPolygonF> outlines) {
+  outlines_ = std::move(outlines);
+  update();
+}
+
+QSize TexturePreview::sizeHint() const {
+  constexpr int Height = 18 * Grid;
+  return {Height, Height};
+}
+
+void TexturePreview::paintEvent(QPaintEvent*) {
+  const ThemeColours colours = colours_of(theme_of(palette()));
+  QPainter painter(this);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  painter.setPen(colours.line);
+  painter.setBrush(colours.base);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+  const QRectF inside = QRectF(rect()).adjusted(2, 2, -2, -2);
+  if (image_.isNull()) {
+    painter.setPen(colours.faint_text);
+    const QString name = QFileInfo(path_).fileName();
+    const QString text = reading_.isRunning()        ? tr("reading %1 …").arg(name)
+                         : !QFileInfo::exists(path_) ? tr("there is no image %1").arg(name)
+                                                     : tr("%1 has no preview").arg(name);
+    painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
+    return;
+  }
+  const QSizeF size = QSizeF(image_.size()).scaled(inside.size(), Qt::KeepAspectRatio);
+  const QRectF place(inside.center() - QPointF(size.width(), size.height()) / 2, size);
+  painter.drawImage(place, image_);
+  painter.setClipRect(place);
+  painter.setBrush(Qt::NoBrush);
+  // Dark under the accent, so that the lines are seen on any image.
+  for (const QPen& pen : {QPen(QColor(0, 0, 0, 160), 3), QPen(colours.accent, 1.25)}) {
+    painter.setPen(pen);
+    for (const QPolygonF& outline : outlines_) {
+      QPolygonF placed;
+      for (const QPointF& uv : outline) {
+        placed << QPointF(place.left() + uv.x() * place.width(), place.bottom() - uv.y() * place.height());
+      }
+      painter.drawPolygon(placed);
+    }
+  }
+}
+
+QVector<QPolygonF> uv_outlines(const SceneObjects& objects, const FaceSelection& selection) {
+  constexpr qsizetype Most = 4000;
+  QVector<QPolygonF> outlines;
+  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
+    const std::vector<bool>& faces = selection.of_mesh(i);
+    if (mesh.uvs.empty()) continue;
+    for (std::size_t face = 0; face < faces.size() && outlines.size() < Most; ++face) {
+      if (!faces[face]) continue;
+      QPolygonF outline;
+      for (const std::uint32_t corner : mesh.face(face)) {
+        if (mesh.uvs.has(corner)) outline << QPointF(mesh.uvs[corner].x, mesh.uvs[corner].y);
+      }
+      if (outline.size() == static_cast<qsizetype>(mesh.face(face).size())) outlines << outline;
+    }
+  }
+  return outlines;
+}
+
+}  // namespace editor

@@ -1,0 +1,150 @@
+#include "editor/panels/texture_row.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <variant>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/panels/parts.h"
+#include "editor/panels/texture_preview.h"
+
+namespace editor {
+namespace {
+
+/// The image of the first selected face; empty: it has none.
+QString first_image(const Document& document) {
+  const FaceSelection& selection = document.selection();
+  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
+    const std::vector<bool>& faces = selection.of_mesh(i);
+    const auto face = std::find(faces.begin(), faces.end(), true);
+    if (face == faces.end()) continue;
+    const MeshObject& object = document.objects().meshes[i];
+    const auto number = static_cast<std::size_t>(face - faces.begin());
+    return QString::fromStdString(object.looks[object.mesh->surface_of_face[number]].texture);
+  }
+  return {};
+}
+
+}  // namespace
+
+TextureRow::TextureRow(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      choice_(new QComboBox(this)),
+      preview_(new TexturePreview(this)),
+      hint_(problem_label(this)) {
+  choice_->setEditable(true);
+  choice_->setInsertPolicy(QComboBox::NoInsert);
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice_->setMinimumContentsLength(6);
+  choice_->setAccessibleName(tr("Texture"));
+  choice_->lineEdit()->setPlaceholderText(tr("none"));
+  choice_->setFocusPolicy(Qt::StrongFocus);
+  browse_ = tool_button(
+      "browse", tr("Browse for an image"), tr("Browse: choose the file of an image"), [this] { browse(); },
+      this);
+  reset_ = tool_button(
+      "reset", tr("Take the texture away"), {},
+      [this] { assign(AttributeEdit<grf::TextureAttribute>::remove()); }, this);
+  auto* lines = new QVBoxLayout(this);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(Grid / 2);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(Grid / 4);
+  line->addWidget(choice_, 1);
+  line->addWidget(browse_);
+  line->addWidget(reset_);
+  lines->addLayout(line);
+  lines->addWidget(preview_);
+  lines->addWidget(hint_);
+  setFocusProxy(choice_);
+  connect(choice_, &QComboBox::activated, this, [this] { take_text(); });
+  connect(choice_->lineEdit(), &QLineEdit::editingFinished, this, &TextureRow::take_text);
+}
+
+void TextureRow::show_facts(const SurfaceFacts& facts) {
+  const auto& common = facts.surface.texture;
+  const QSignalBlocker blocker(choice_);
+  names_ = facts.textures;
+  choice_->clear();
+  for (const QString& name : names_) choice_->addItem(icon("texture"), name);
+  choice_->setCurrentIndex(-1);
+  shown_.clear();
+  if (common.is_mixed) {
+    shown_ = mixed_text();
+  } else if (common.value) {
+    const auto* reference = std::get_if<grf::Reference>(&*common.value);
+    shown_ = QString::fromStdString(reference != nullptr ? reference->name
+                                                         : std::get<grf::Texture>(*common.value).file);
+  }
+  choice_->setEditText(shown_);
+  const bool has_image = !common.is_mixed && common.value.has_value();
+  const QString image = has_image ? first_image(document_) : QString();
+  preview_->setVisible(!image.isEmpty());
+  preview_->show_image(image);
+  QVector<QPolygonF> outlines;
+  if (has_image) outlines = uv_outlines(document_.objects(), document_.selection());
+  show_problem(hint_,
+               has_image && outlines.isEmpty()
+                   ? tr("The faces have no texture coordinates: all of them show one point of the image.")
+                   : QString());
+  preview_->show_outlines(std::move(outlines));
+  const QString lit = why_not_reflecting(facts);
+  enable(choice_,
+         tr("The image that multiplies the faces' colour: a texture of the scene, or the name of a file"),
+         lit);
+  browse_->setEnabled(lit.isEmpty());
+  enable(reset_, tr("The faces have no texture"),
+         common.is_mixed || common.value ? QString() : tr("The faces have no texture."));
+}
+
+void TextureRow::assign_file(const QString& path) {
+  // Named from the scene's own file, so that both can be moved together.
+  const QString scene = document_.path();
+  const QString name = scene.isEmpty() || QFileInfo(path).isRelative()
+                           ? path
+                           : QFileInfo(scene).absoluteDir().relativeFilePath(path);
+  grf::Texture texture;
+  texture.file = name.toStdString();
+  if (!scene.isEmpty()) texture.location = grf::whole_file(scene.toStdString());
+  assign(AttributeEdit<grf::TextureAttribute>::set(texture));
+}
+
+void TextureRow::take_text() {
+  const QString text = choice_->currentText().trimmed();
+  if (text == shown_) return;
+  shown_ = text;
+  if (text.isEmpty()) {
+    assign(AttributeEdit<grf::TextureAttribute>::remove());
+  } else if (names_.contains(text)) {
+    assign(AttributeEdit<grf::TextureAttribute>::set(grf::Reference{text.toStdString(), {}}));
+  } else {
+    assign_file(text);
+  }
+}
+
+void TextureRow::browse() {
+  auto* dialog = new QFileDialog(this, tr("Texture"), QFileInfo(document_.path()).absolutePath(),
+                                 tr("Images (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &TextureRow::assign_file);
+  dialog->open();
+}
+
+void TextureRow::assign(const AttributeEdit<grf::TextureAttribute>& texture) {
+  SurfaceEdit edit;
+  edit.texture = texture;
+  document_.edit_surfaces(texture.value() ? tr("Texture") : tr("Remove texture"), edit);
+}
+
+}  // namespace editor

@@ -1,0 +1,278 @@
+#include "editor/panels/value_rows.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/controls/number_box.h"
+#include "editor/document/light_edits.h"
+#include "editor/panels/colour_fields.h"
+#include "editor/panels/parts.h"
+
+namespace editor {
+namespace {
+
+constexpr double Largest = std::numeric_limits<float>::max();
+
+QHBoxLayout* line_of(QWidget* row) {
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(Grid / 4);
+  return layout;
+}
+
+QVBoxLayout* lines_of(QWidget* row) {
+  auto* layout = new QVBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(Grid / 2);
+  return layout;
+}
+
+/// Shows a value that faces have in common.
+void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::Colour>& value) {
+  if (is_mixed) {
+    fields->show_blank(mixed_text());
+  } else if (value) {
+    fields->show_colour(*value);
+  } else {
+    fields->show_blank({});
+  }
+}
+
+}  // namespace
+
+ColourRow::ColourRow(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), choice_(new QComboBox(this)) {
+  fields_ = new ColourFields(tr("Colour"), tr("multiplies what the BRDF reflects, linear"), 1, this);
+  choice_->setAccessibleName(tr("Name of the colour"));
+  choice_->setToolTip(tr("A colour of the scene by its name, or numbers of these faces alone"));
+  choice_->setFocusPolicy(Qt::StrongFocus);
+  reset_ = tool_button(
+      "reset", tr("Reset the colour"), {},
+      [this] { assign(AttributeEdit<grf::ColourAttribute>::remove(), {}); }, this);
+  auto* lines = lines_of(this);
+  lines->addWidget(choice_);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(Grid / 4);
+  line->addWidget(fields_, 1);
+  line->addWidget(reset_);
+  lines->addLayout(line);
+  setFocusProxy(fields_);
+  connect(choice_, &QComboBox::activated, this, &ColourRow::choose);
+  connect(fields_, &ColourFields::edited, this, [this](const grf::Colour& colour) {
+    assign(AttributeEdit<grf::ColourAttribute>::set(colour), "colour");
+  });
+  connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
+}
+
+void ColourRow::show_facts(const SurfaceFacts& facts) {
+  const auto& common = facts.surface.colour;
+  const QSignalBlocker blocker(choice_);
+  choice_->clear();
+  choice_->addItem(tr("numbers"));
+  for (const QString& name : facts.colours) choice_->addItem(icon("colour"), name, name);
+  choice_->setVisible(!facts.colours.isEmpty());
+  const auto* reference =
+      common.value && !common.is_mixed ? std::get_if<grf::Reference>(&*common.value) : nullptr;
+  if (reference != nullptr)
+    choice_->setCurrentIndex(choice_->findData(QString::fromStdString(reference->name)));
+  std::optional<grf::Colour> colour;
+  if (reference != nullptr) {
+    const auto& objects = document_.objects();
+    const auto mesh = objects.mesh_at(facts.meshes.front());
+    const auto& faces = document_.selection().of_mesh(*mesh);
+    const auto face = static_cast<std::size_t>(std::find(faces.begin(), faces.end(), true) - faces.begin());
+    colour = objects.meshes[*mesh].looks[objects.meshes[*mesh].mesh->surface_of_face[face]].colour;
+  } else if (common.value) {
+    colour = std::get<grf::Colour>(*common.value);
+  }
+  show_common(fields_, common.is_mixed, colour);
+  const QString lit = why_not_reflecting(facts);
+  fields_->setEnabled(lit.isEmpty());
+  choice_->setEnabled(lit.isEmpty());
+  enable(reset_, tr("Reset: the faces have no colour of their own, which is as white"),
+         common.is_mixed || common.value ? QString() : tr("The faces have no colour of their own."));
+}
+
+void ColourRow::choose(int index) {
+  const QString name = choice_->itemData(index).toString();
+  if (!name.isEmpty()) {
+    assign(AttributeEdit<grf::ColourAttribute>::set(grf::Reference{name.toStdString(), {}}), {});
+  } else if (fields_->colour()) {
+    assign(AttributeEdit<grf::ColourAttribute>::set(*fields_->colour()), {});
+  }
+}
+
+void ColourRow::assign(const AttributeEdit<grf::ColourAttribute>& colour, const QString& key) {
+  SurfaceEdit edit;
+  edit.colour = colour;
+  document_.edit_surfaces(colour.value() ? tr("Colour") : tr("Reset colour"), edit, key);
+}
+
+EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+  radiance_ =
+      new ColourFields(tr("Radiance"), tr("what the fronts of the faces emit, W/(sr m²)"), Largest, this);
+  power_ = number_box({tr("Power"),
+                       tr("What all selected faces emit together: π times their area times the mean "
+                          "of the radiance's three numbers"),
+                       0, Largest, 10, tr("W")},
+                      this);
+  reset_ = tool_button(
+      "reset", tr("Take the light away"), {},
+      [this] {
+        SurfaceEdit edit;
+        edit.emission = AttributeEdit<grf::Colour>::remove();
+        document_.edit_surfaces(tr("Emit nothing"), edit);
+      },
+      this);
+  auto* lines = lines_of(this);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(Grid / 4);
+  line->addWidget(power_, 1);
+  line->addWidget(reset_);
+  lines->addLayout(line);
+  radiance_->setContentsMargins(0, 0, reset_->sizeHint().width() + Grid / 4, 0);
+  lines->addWidget(radiance_);
+  setFocusProxy(power_);
+  connect(radiance_, &ColourFields::edited, this, [this](const grf::Colour& radiance) {
+    SurfaceEdit edit;
+    edit.emission = AttributeEdit<grf::Colour>::set(radiance);
+    document_.edit_surfaces(tr("Emit light"), edit, "radiance");
+  });
+  const auto take_power = [this](double power) {
+    const grf::Colour colour = radiance_->colour().value_or(grf::Colour(1));
+    document_.edit_surfaces(tr("Emit %1 W").arg(power),
+                            emission_of_power(document_.objects(), document_.selection(), power, colour),
+                            "power");
+  };
+  const auto finish = [this] { document_.finish_gesture(); };
+  connect_number(power_, this, take_power, finish);
+  connect(radiance_, &ColourFields::finished, this, finish);
+}
+
+void EmissionRow::show_facts(const SurfaceFacts& facts) {
+  const auto& common = facts.surface.emission;
+  show_common(radiance_, common.is_mixed, common.value);
+  if (common.is_mixed) {
+    power_->set_mixed();
+  } else if (common.value) {
+    power_->set_value(power_of(*common.value, facts.area));
+  } else {
+    power_->set_blank(tr("none"));
+  }
+  power_->setEnabled(facts.area > 0);
+  enable(reset_, tr("The faces emit nothing"),
+         common.is_mixed || common.value ? QString() : tr("The faces emit nothing already."));
+}
+
+VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
+    : QWidget(parent), document_(document), kind_(kind) {
+  const bool is_colour = kind == Kind::Colour;
+  fields_ = is_colour
+                ? new ColourFields(tr("Vertex colour"),
+                                   tr("at the faces' vertices, in place of their colour, linear"), 1, this)
+                : new ColourFields(tr("Irradiance"),
+                                   tr("what arrives at the faces' vertices from all directions, W/m²"),
+                                   Largest, this);
+  clear_ = tool_button(
+      "reset", is_colour ? tr("Clear the vertex colours") : tr("Clear the irradiance"), {},
+      [this] { put(std::nullopt); }, this);
+  auto* line = line_of(this);
+  line->addWidget(fields_, 1);
+  if (!is_colour) {
+    bake_ = tool_button(
+        "bake", tr("Bake the irradiance"), tr("Bake: compute what arrives at all vertices of the scene"),
+        [this] { emit bake_requested(); }, this);
+    line->addWidget(bake_);
+  }
+  line->addWidget(clear_);
+  setFocusProxy(fields_);
+  connect(fields_, &ColourFields::edited, this, [this](const grf::Colour& colour) { put(colour); });
+  connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
+}
+
+void VertexRow::show_facts(const SurfaceFacts& facts) {
+  const bool is_colour = kind_ == Kind::Colour;
+  const bool is_mixed = is_colour ? facts.vertices.are_colours_mixed : facts.vertices.are_irradiances_mixed;
+  const auto& value = is_colour ? facts.vertices.colour : facts.vertices.irradiance;
+  show_common(fields_, is_mixed, value);
+  const QString none =
+      is_colour ? tr("The vertices have no colours.") : tr("The vertices have no irradiance.");
+  enable(clear_,
+         is_colour ? tr("Clear: the vertices have no colours") : tr("Clear: the vertices have no irradiance"),
+         is_mixed || value ? QString() : none);
+}
+
+void VertexRow::put(const std::optional<grf::Colour>& value) {
+  const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
+  grf::Diagnostics diagnostics;
+  const bool is_colour = kind_ == Kind::Colour;
+  auto scene =
+      is_colour ? with_vertex_colours(faces, value, diagnostics) : with_irradiance(faces, value, diagnostics);
+  if (!scene) {
+    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
+    return;
+  }
+  const QString key = !value ? QString() : is_colour ? "vertex colours" : "irradiance";
+  document_.replace(is_colour ? tr("Vertex colours") : tr("Irradiance"), std::move(*scene), key);
+}
+
+NormalsRow::NormalsRow(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), state_(new QLabel(this)) {
+  constexpr double CommonCrease = 30;
+  angle_ = number_box(
+      {tr("Crease angle"), tr("Faces that are turned against each other by more keep an edge between them"),
+       0, 180, 5, "deg"},
+      this);
+  angle_->set_value(CommonCrease);
+  auto* line = line_of(this);
+  line->addWidget(state_, 1);
+  line->addWidget(angle_, 1);
+  line->addWidget(tool_button(
+      "smooth", tr("Smooth normals"), tr("Smooth: normals that go over edges up to that angle"),
+      [this] { apply(Change::Smooth); }, this));
+  line->addWidget(tool_button(
+      "flat", tr("Flat faces"), tr("Flat: no normals, so that each face is even"),
+      [this] { apply(Change::Flat); }, this));
+  line->addWidget(tool_button(
+      "flip", tr("Flip the faces"), tr("Flip: fronts become backs, and normals point to the other side"),
+      [this] { apply(Change::Flip); }, this));
+  setFocusProxy(angle_);
+}
+
+void NormalsRow::show_facts(const SurfaceFacts& facts) {
+  state_->setText(facts.vertices.have_normals ? tr("smooth") : tr("flat"));
+  state_->setToolTip(facts.vertices.have_normals ? tr("Vertices of the faces have normals")
+                                                 : tr("No vertex of the faces has a normal"));
+}
+
+void NormalsRow::apply(Change change) {
+  const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
+  grf::Diagnostics diagnostics;
+  std::optional<grf::Scene> scene;
+  QString text;
+  if (change == Change::Smooth) {
+    text = tr("Smooth normals");
+    scene = with_smooth_normals(faces, angle_->value() * std::numbers::pi / 180, diagnostics);
+  } else if (change == Change::Flat) {
+    text = tr("Flat faces");
+    scene = with_flat_faces(faces, diagnostics);
+  } else {
+    text = tr("Flip faces");
+    scene = flipped(faces, diagnostics);
+  }
+  if (scene) {
+    document_.replace(text, std::move(*scene));
+  } else {
+    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,94 @@
+// The rows of the surface panel for colours, emission, irradiance and vertices.
+#pragma once
+
+#include <QWidget>
+
+#include "editor/panels/surface_facts.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace editor {
+
+class ColourFields;
+class NumberBox;
+
+/// What multiplies the BRDF: a colour by its name, or numbers.
+class ColourRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ColourRow(Document& document, QWidget* parent = nullptr);
+  void show_facts(const SurfaceFacts& facts);
+
+ private:
+  void choose(int index);
+  void assign(const AttributeEdit<grf::ColourAttribute>& colour, const QString& key);
+
+  Document& document_;
+  QComboBox* choice_;
+  ColourFields* fields_;
+  QToolButton* reset_;
+};
+
+/// What makes the faces an area light: a radiance, or the power of all of them together.
+class EmissionRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EmissionRow(Document& document, QWidget* parent = nullptr);
+  void show_facts(const SurfaceFacts& facts);
+
+ private:
+  Document& document_;
+  ColourFields* radiance_;
+  NumberBox* power_;
+  QToolButton* reset_;
+};
+
+/// A value of the faces' vertices: their colour or their irradiance.
+class VertexRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Kind { Colour, Irradiance };
+
+  VertexRow(Document& document, Kind kind, QWidget* parent = nullptr);
+  void show_facts(const SurfaceFacts& facts);
+
+ signals:
+  void bake_requested();
+  void problem_found(const QString& problem);
+
+ private:
+  void put(const std::optional<grf::Colour>& value);
+
+  Document& document_;
+  Kind kind_;
+  ColourFields* fields_;
+  QToolButton* clear_;
+  QToolButton* bake_ = nullptr;
+};
+
+/// Making normals anew.
+class NormalsRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit NormalsRow(Document& document, QWidget* parent = nullptr);
+  void show_facts(const SurfaceFacts& facts);
+
+ signals:
+  void problem_found(const QString& problem);
+
+ private:
+  enum class Change { Smooth, Flat, Flip };
+  void apply(Change change);
+
+  Document& document_;
+  NumberBox* angle_;
+  QLabel* state_;
+};
+
+}  // namespace editor
