@@ -1,0 +1,40 @@
+#include "editor/image/image_entry.h"
+
+#include "renderer/transport/image/image_file.h"
+
+namespace editor {
+
+LoadedImage load_image(const QString& path) {
+  LoadedImage loaded;
+  loaded.path = path;
+  auto image = transport::read_image(path.toStdString(), loaded.diagnostics);
+  if (image) loaded.image = std::make_shared<const transport::Image>(std::move(*image));
+  return loaded;
+}
+
+SavedImage save_image(const SharedImage& image, float exposure, const QString& path) {
+  SavedImage saved;
+  saved.path = path;
+  transport::ImageFile file{*image};
+  file.exposure = exposure;
+  saved.is_written = transport::write_image(file, path.toStdString(), saved.diagnostics);
+  return saved;
+}
+
+ImageAnalysis analysis_of(const SharedImage& image, const SharedImage& reference,
+                          std::optional<Difference> kind) {
+  ImageAnalysis analysis;
+  analysis.image = image;
+  analysis.reference = reference;
+  analysis.kind = kind;
+  if (!image) return analysis;
+  analysis.figures = figures_of(*image);
+  if (!reference || reference->width != image->width || reference->height != image->height) return analysis;
+  analysis.error = transport::error_of(*image, *reference);
+  if (!kind) return analysis;
+  analysis.difference = std::make_shared<const transport::Image>(difference_of(*image, *reference, *kind));
+  analysis.difference_figures = figures_of(*analysis.difference);
+  return analysis;
+}
+
+}  // namespace editor

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <QImage>
+#include <QPoint>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "editor/image/image_entry.h"
+#include "editor/image/screen_colours.h"
+
+namespace editor {
+
+/// How an image and its reference share the view.
+enum class Arrangement {
+  Alone,       ///< the image
+  Reference,   ///< the reference
+  Wipe,        ///< the image left of a line that can be dragged, the reference right of it
+  SideBySide,  ///< both, each in a half of the view and at the same place
+};
+
+/// Shows an image of linear radiance. Drag or arrow keys move it, the wheel zooms about the pointer, a double
+/// click changes between the whole image and its own pixels; [ and ] move the line of a wipe.
+class ImagePane : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImagePane(QWidget* parent = nullptr);
+
+  /// Null shows none. An image of the same size as the one before is shown in the same place.
+  void set_image(SharedImage image, const QString& name = {});
+  void set_reference(SharedImage reference, const QString& name = {});
+  void set_settings(const ScreenSettings& settings);
+  void set_arrangement(Arrangement arrangement);
+  /// What an empty pane says.
+  void set_hint(const QString& hint);
+
+  const ScreenSettings& settings() const { return settings_; }
+  Arrangement arrangement() const { return arrangement_; }
+
+  /// Device pixels for each pixel of the image.
+  double zoom() const { return zoom_; }
+  static constexpr double LeastZoom = 1.0 / 64;
+  static constexpr double LargestZoom = 256;
+
+  /// Shows all of the image, also after the pane's size has changed, until it is zoomed or moved.
+  void fit();
+  /// One pixel of the image on one of the screen.
+  void show_actual_size();
+  /// Keeps what is at this place of the pane.
+  void zoom_by(double factor, const QPointF& about);
+  void zoom_by(double factor);
+  void move_by(const QPointF& offset);
+  /// Of the line between image and reference: 0 is the left edge, 1 the right one.
+  double wipe() const { return wipe_; }
+  void set_wipe(double share);
+
+  /// The pixel at a place of the pane, if it lies in the image.
+  std::optional<QPoint> pixel_at(const QPointF& place) const;
+  /// Where the middle of a pixel is in the pane, in the image's own part.
+  QPointF place_of(const QPoint& pixel) const;
+
+  QSize sizeHint() const override { return {640, 400}; }
+
+ signals:
+  /// What is under the pointer; nothing: no pixel.
+  void hovered(const std::optional<QPoint>& pixel);
+  void zoomed(double zoom);
+  void wiped(double share);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  /// What was drawn the last time: colours of a part of an image.
+  struct Converted {
+    SharedImage image;
+    ScreenSettings settings;
+    QRect part;
+    int block = 0;
+    QImage colours;
+  };
+
+  double scale() const;
+  QSizeF image_size() const;
+  QRectF left_view() const;
+  QRectF right_view() const;
+  bool is_near_wipe(const QPointF& place) const;
+  bool shows_two() const;
+  void set_zoom(double zoom);
+  void keep_in_sight();
+  void tell_pixel();
+  void update_cursor();
+  void draw(QPainter& painter, const SharedImage& image, const QRectF& view, const QRectF& clip,
+            Converted& cache);
+  void draw_name(QPainter& painter, const QString& name, const QRectF& view, Qt::Alignment side);
+  void draw_hint(QPainter& painter);
+  void draw_wipe(QPainter& painter);
+
+  SharedImage image_;
+  SharedImage reference_;
+  QString image_name_;
+  QString reference_name_;
+  QString hint_;
+  ScreenSettings settings_;
+  Arrangement arrangement_ = Arrangement::Alone;
+  QPointF origin_;  ///< of the image's upper left corner, in a view
+  double zoom_ = 1;
+  double wipe_ = 0.5;
+  bool fits_ = true;
+  bool drags_wipe_ = false;
+  std::optional<QPointF> drag_from_;
+  std::optional<QPointF> pointer_;
+  std::array<Converted, 2> converted_;
+};
+
+}  // namespace editor

@@ -1,0 +1,121 @@
+#include "editor/image/image_server.h"
+
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTimer>
+
+namespace editor {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Between two states that are shown.
+constexpr milliseconds Pause(100);
+/// Of one packet, and so of a whole image of 40 million pixels.
+constexpr qint64 LargestPacket = qint64(1) << 29;
+/// What waits to be read: a sender that is faster than this program has to wait.
+constexpr qint64 BufferSize = qint64(1) << 23;
+/// Of packets that are taken before the window gets its turn.
+constexpr qint64 BytesPerTurn = qint64(1) << 22;
+
+QString text_of(const std::string& name) { return QString::fromStdString(name); }
+
+}  // namespace
+
+ImageServer::ImageServer(QObject* parent) : QObject(parent), server_(new QTcpServer(this)) {
+  announcing_.setSingleShot(true);
+  announcing_.setInterval(Pause);
+  connect(server_, &QTcpServer::newConnection, this, &ImageServer::accept);
+  connect(&announcing_, &QTimer::timeout, this, &ImageServer::announce);
+}
+
+bool ImageServer::listen(quint16 port) { return server_->listen(QHostAddress::LocalHost, port); }
+
+quint16 ImageServer::port() const { return server_->serverPort(); }
+
+QString ImageServer::problem() const { return server_->errorString(); }
+
+void ImageServer::accept() {
+  while (QTcpSocket* socket = server_->nextPendingConnection()) {
+    socket->setReadBufferSize(BufferSize);
+    connect(socket, &QTcpSocket::readyRead, this, [this, socket] { read(socket); });
+    connect(socket, &QTcpSocket::disconnected, socket, &QObject::deleteLater);
+    read(socket);
+  }
+}
+
+void ImageServer::read(QTcpSocket* socket) {
+  for (qint64 taken = 0; socket->bytesAvailable() >= qint64(transport::DisplayLengthBytes);) {
+    const QByteArray head = socket->peek(transport::DisplayLengthBytes);
+    const auto size =
+        static_cast<qint64>(transport::display_packet_size({head.data(), std::size_t(head.size())}));
+    if (size <= qint64(transport::DisplayLengthBytes) || size > LargestPacket) {
+      emit failed(tr("A program sent what is no packet of tev's protocol: it is no longer listened to."));
+      return socket->abort();
+    }
+    // A packet that is larger than the buffer would never be there as a whole.
+    socket->setReadBufferSize(std::max(BufferSize, size));
+    if (socket->bytesAvailable() < size) return;
+    if (!apply(socket->read(size))) {
+      emit failed(tr("A program sent a damaged packet of tev's protocol: it is no longer listened to."));
+      return socket->abort();
+    }
+    taken += size;
+    if (taken < BytesPerTurn) continue;
+    QTimer::singleShot(0, socket, [this, socket] { read(socket); });
+    return;
+  }
+}
+
+bool ImageServer::apply(const QByteArray& bytes) {
+  const auto packet = transport::read_display_packet({bytes.data(), std::size_t(bytes.size())});
+  if (!packet) return false;
+  std::visit([this](const auto& kind) { apply(kind); }, *packet);
+  if (!changed_.isEmpty() && !announcing_.isActive()) announcing_.start();
+  return true;
+}
+
+void ImageServer::apply(const transport::CloseImagePacket& packet) {
+  announce();
+  if (images_.erase(text_of(packet.name)) > 0) emit closed(text_of(packet.name));
+}
+
+void ImageServer::apply(const transport::CreateImagePacket& packet) {
+  const auto pixels = static_cast<std::size_t>(packet.width) * static_cast<std::size_t>(packet.height);
+  images_[text_of(packet.name)] = std::make_shared<transport::Image>(
+      transport::Image{packet.width, packet.height, std::vector<transport::Rgb>(pixels, transport::Rgb(0))});
+  changed_.insert(text_of(packet.name));
+}
+
+void ImageServer::apply(const transport::UpdateImagePacket& packet) {
+  const auto found = images_.find(text_of(packet.name));
+  if (found == images_.end()) return;
+  std::shared_ptr<transport::Image>& image = found->second;
+  const transport::TileBounds& bounds = packet.bounds;
+  if (bounds.x > image->width - bounds.width || bounds.y > image->height - bounds.height) return;
+  // What was given away is shown, and looked at by threads: it stays as it is.
+  if (image.use_count() > 1) image = std::make_shared<transport::Image>(*image);
+  const bool has_all = packet.has_channel == std::array{true, true, true};
+  for (int y = 0; y < bounds.height; ++y) {
+    const auto* from = &packet.pixels[std::size_t(y) * std::size_t(bounds.width)];
+    const std::size_t start = std::size_t(bounds.y + y) * std::size_t(image->width) + std::size_t(bounds.x);
+    auto* to = &image->pixels[start];
+    if (has_all) {
+      std::copy_n(from, bounds.width, to);
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      for (int x = 0; x < bounds.width && packet.has_channel[std::size_t(k)]; ++x) to[x][k] = from[x][k];
+    }
+  }
+  changed_.insert(found->first);
+}
+
+void ImageServer::announce() {
+  const QSet<QString> changed = std::exchange(changed_, {});
+  for (const QString& name : changed) {
+    if (const auto found = images_.find(name); found != images_.end()) emit received(name, found->second);
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,76 @@
+#include "editor/image/image_texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "editor/image/screen_colours.h"
+#include "renderer/transport/image/image_file.h"
+
+namespace editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ImageBrowser", text); }
+
+QString number(double value) { return QString::number(value, 'g', 4); }
+
+QString values_text(const reflectance::Rgb& pixel) {
+  return tr("R %1  G %2  B %3").arg(number(pixel.x), number(pixel.y), number(pixel.z));
+}
+
+bool is_inside(const QPoint& pixel, const SharedImage& image) {
+  return image && pixel.x() < image->width && pixel.y() < image->height;
+}
+
+QString error_text(const transport::ImageError& error) {
+  QStringList parts = {tr("RMSE %1").arg(number(error.rmse)), tr("relMSE %1").arg(number(error.relmse))};
+  if (error.average_relative_error) {
+    parts << tr("average relative error %1 %").arg(number(100 * *error.average_relative_error));
+  }
+  parts << (error.psnr ? tr("PSNR %1 dB").arg(*error.psnr, 0, 'f', 1) : tr("PSNR infinite"));
+  return parts.join(QStringLiteral("   "));
+}
+
+}  // namespace
+
+QString figures_text(const ImageAnalysis& analysis) {
+  if (!analysis.image) return {};
+  const ImageFigures& figures = analysis.figures;
+  QStringList parts = {tr("%1 x %2").arg(analysis.image->width).arg(analysis.image->height)};
+  if (figures.nan_pixels > 0) parts << tr("%1 NaN (magenta)").arg(figures.nan_pixels);
+  if (figures.infinite_pixels > 0) parts << tr("%1 infinite (cyan)").arg(figures.infinite_pixels);
+  if (figures.negative_pixels > 0) parts << tr("%1 negative").arg(figures.negative_pixels);
+  if (analysis.error) {
+    parts << error_text(*analysis.error);
+  } else if (analysis.reference) {
+    parts << tr("B is %1 x %2: differences need one size")
+                 .arg(analysis.reference->width)
+                 .arg(analysis.reference->height);
+  }
+  return parts.join(QStringLiteral("   "));
+}
+
+QString pixel_text(const QPoint& pixel, const SharedImage& image, const SharedImage& reference) {
+  if (!is_inside(pixel, image)) return {};
+  const reflectance::Rgb& value = image->at(pixel.x(), pixel.y());
+  QString text = tr("x %1  y %2   %3").arg(pixel.x()).arg(pixel.y()).arg(values_text(value));
+  if (is_inside(pixel, reference)) {
+    return text + tr("   B: %1").arg(values_text(reference->at(pixel.x(), pixel.y())));
+  }
+  return text + tr("   luminance %1 cd/m2").arg(number(CandelasPerWatt * luminance_of(value)));
+}
+
+QString image_read_filter() {
+  return tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)");
+}
+
+QString image_write_filter() {
+  QStringList filters;
+  for (const transport::ImageFormat& format : transport::image_formats()) {
+    filters << QStringLiteral("%1 (*.%2)")
+                   .arg(QString::fromUtf8(format.title.data(), qsizetype(format.title.size())),
+                        QString::fromUtf8(format.extension.data(), qsizetype(format.extension.size())));
+  }
+  return filters.join(QStringLiteral(";;"));
+}
+
+}  // namespace editor

@@ -1,0 +1,50 @@
+#include "editor/image/image_window.h"
+
+#include <QAction>
+#include <QMenuBar>
+#include <QStatusBar>
+
+#include "editor/appearance/theme.h"
+
+namespace editor {
+
+ImageWindow::ImageWindow(QWidget* parent)
+    : QMainWindow(parent), browser_(new ImageBrowser(this)), server_(new ImageServer(this)) {
+  setWindowTitle(tr("Images - wannabe"));
+  setCentralWidget(browser_);
+  resize(130 * Grid, 90 * Grid);
+  make_menus();
+  connect(server_, &ImageServer::received, browser_, &ImageBrowser::show_image);
+  connect(server_, &ImageServer::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
+}
+
+void ImageWindow::listen(quint16 port) {
+  const bool listens = server_->listen(port);
+  statusBar()->showMessage(
+      listens
+          ? tr("Renders with BPT_DisplayWindow are shown here: 127.0.0.1:%1.").arg(server_->port())
+          : tr("Renders are not shown here, port %1 cannot be used: %2.").arg(port).arg(server_->problem()));
+}
+
+void ImageWindow::make_menus() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  // Here the window is the image's alone, and its keys work everywhere.
+  const auto add = [&](QAction* action, const QKeySequence& key) {
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WindowShortcut);
+    file->addAction(action);
+  };
+  add(browser_->open_action(), QKeySequence::Open);
+  add(browser_->save_action(), QKeySequence::SaveAs);
+  add(browser_->copy_action(), QKeySequence::Copy);
+  file->addSeparator();
+  QAction* close = file->addAction(tr("&Close"), this, &QWidget::close);
+  close->setShortcut(QKeySequence::Close);
+  close->setToolTip(tr("Closes this window"));
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  for (QAction* action : browser_->view_actions()) view->addAction(action);
+  view->addSeparator();
+  for (QAction* action : browser_->comparison_actions()) view->addAction(action);
+}
+
+}  // namespace editor

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "editor/image/image_browser.h"
+#include "editor/image/image_server.h"
+
+namespace editor {
+
+/// The image view as a window of its own, which also shows what `bpt` sends with BPT_DisplayWindow.
+class ImageWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit ImageWindow(QWidget* parent = nullptr);
+
+  ImageBrowser& browser() { return *browser_; }
+  /// Listens for renders; the status bar says where, or why not.
+  void listen(quint16 port = ImageServer::UsualPort);
+  const ImageServer& server() const { return *server_; }
+
+ private:
+  void make_menus();
+
+  ImageBrowser* browser_;
+  ImageServer* server_;
+};
+
+}  // namespace editor

@@ -1,0 +1,84 @@
+#include "editor/image/scale_bar.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <cmath>
+
+namespace editor {
+namespace {
+
+QString text_of(double value) { return QString::number(value, 'g', 5); }
+
+}  // namespace
+
+ScaleBar::ScaleBar(QWidget* parent) : QWidget(parent), colours_(settings_) {
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  setAccessibleName(tr("Colour scale"));
+}
+
+void ScaleBar::set_settings(const ScreenSettings& settings) {
+  settings_ = settings;
+  colours_ = ScreenColours(settings);
+  setToolTip(settings.colouring == Colouring::Signed
+                 ? tr("Luminance of the image less that of the reference, W/(sr m2).")
+                 : tr("Luminance in cd/m2: that of the radiance, times %1 lm/W.").arg(CandelasPerWatt));
+  update();
+}
+
+std::vector<ScaleBar::Tick> ScaleBar::ticks() const {
+  if (settings_.colouring == Colouring::Signed) {
+    const double largest = colours_.scale().highest();
+    return {{0, text_of(-largest)}, {0.5, "0"}, {1, "+" + text_of(largest)}};
+  }
+  const double low = colours_.scale().lowest() * CandelasPerWatt;
+  const double high = colours_.scale().highest() * CandelasPerWatt;
+  const double range = std::log10(high / low);
+  std::vector<Tick> ticks;
+  for (double power = std::floor(std::log10(low)); std::pow(10, power) <= high; ++power) {
+    for (const int factor : {1, 2, 5}) {
+      const double value = factor * std::pow(10, power);
+      if (value < low || value > high || (factor > 1 && range > 2)) continue;
+      ticks.push_back({std::log10(value / low) / range, text_of(value)});
+    }
+  }
+  return ticks;
+}
+
+QColor ScaleBar::colour_at(double share) const {
+  if (settings_.colouring == Colouring::Signed) {
+    const auto value = static_cast<float>((2 * share - 1) * colours_.scale().highest());
+    return colours_(reflectance::Rgb(value));
+  }
+  const plot::ColourScale& scale = colours_.scale();
+  return colours_.false_colour(scale.lowest() * std::pow(scale.highest() / scale.lowest(), share));
+}
+
+void ScaleBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const ThemeColours colours = colours_of(theme_of(palette()));
+  const int text = fontMetrics().height();
+  painter.setPen(colours.faint_text);
+  const QString unit = settings_.colouring == Colouring::Signed ? tr("A - B") : tr("cd/m2");
+  painter.drawText(QRect(0, 0, width(), text), Qt::AlignHCenter, unit);
+  const QRectF bar(Grid, 2.0 * text, 2.0 * Grid, height() - 3.0 * text);
+  constexpr int Strips = 128;
+  for (int i = 0; i < Strips; ++i) {
+    const double top = bar.bottom() - bar.height() * (i + 1) / Strips;
+    painter.fillRect(QRectF(bar.left(), top, bar.width(), bar.height() / Strips + 1),
+                     colour_at((i + 0.5) / Strips));
+  }
+  painter.setPen(colours.text);
+  for (const Tick& tick : ticks()) {
+    const double y = bar.bottom() - bar.height() * tick.share;
+    painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4, y));
+    painter.drawText(QRectF(bar.right() + 6, y - text / 2.0, width() - bar.right() - 6, text),
+                     Qt::AlignVCenter | Qt::AlignLeft, tick.label);
+  }
+}
+
+void ScaleBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) update();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace editor

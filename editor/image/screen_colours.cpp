@@ -1,0 +1,190 @@
+#include "editor/image/screen_colours.h"
+
+#include <QtConcurrent>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace editor {
+namespace {
+
+using reflectance::Rgb;
+
+/// Floats whose upper half is the same differ by less than 1 %.
+constexpr unsigned TableShift = 16;
+
+double encoded(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double mapped(ToneCurve curve, double x) {
+  switch (curve) {
+    case ToneCurve::Srgb:
+      break;
+    case ToneCurve::Filmic:
+      x = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+      break;
+    case ToneCurve::Reinhard:
+      x = x / (1 + x);
+      break;
+  }
+  return encoded(std::min(x, 1.0));
+}
+
+const ByteCurve& byte_curve(ToneCurve curve) {
+  static const std::array curves = {ByteCurve(ToneCurve::Srgb), ByteCurve(ToneCurve::Filmic),
+                                    ByteCurve(ToneCurve::Reinhard)};
+  return curves[static_cast<std::size_t>(curve)];
+}
+
+int byte_of(float encoded_value) {
+  return static_cast<int>(std::lround(255 * std::clamp(encoded_value, 0.0F, 1.0F)));
+}
+
+Rgb mean_of(const transport::Image& image, const QRect& block) {
+  Rgb sum(0);
+  for (int y = block.top(); y <= block.bottom(); ++y) {
+    const Rgb* row = &image.at(block.left(), y);
+    for (int x = 0; x < block.width(); ++x) sum += row[x];
+  }
+  return sum / static_cast<float>(block.width() * block.height());
+}
+
+}  // namespace
+
+double luminance_of(const Rgb& pixel) { return 0.2126 * pixel.x + 0.7152 * pixel.y + 0.0722 * pixel.z; }
+
+ByteCurve::ByteCurve(ToneCurve curve) {
+  // Positive floats are in the order of their bits: the first one that has a byte is found by bisection.
+  const auto reaches = [curve](std::uint32_t bits, int byte) {
+    return 255 * mapped(curve, std::bit_cast<float>(bits)) >= byte - 0.5;
+  };
+  std::uint32_t low = 0;
+  for (int byte = 1; byte < 256; ++byte) {
+    std::uint32_t high = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::max());
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (reaches(middle, byte) ? high : low) = middle;
+    }
+    thresholds_[static_cast<std::size_t>(byte)] = std::bit_cast<float>(high);
+  }
+  thresholds_[256] = std::numeric_limits<float>::infinity();
+  first_ = std::bit_cast<std::uint32_t>(thresholds_[1]) >> TableShift;
+  const std::uint32_t last = std::bit_cast<std::uint32_t>(thresholds_[255]) >> TableShift;
+  for (std::uint32_t upper = first_; upper <= last; ++upper) {
+    const auto value = std::bit_cast<float>(upper << TableShift);
+    const auto above = std::upper_bound(thresholds_.begin() + 1, thresholds_.end(), value);
+    starts_.push_back(static_cast<std::uint8_t>(above - thresholds_.begin() - 1));
+  }
+}
+
+std::uint8_t ByteCurve::operator()(float linear) const {
+  if (!(linear >= thresholds_[1])) return 0;
+  const std::uint32_t index = (std::bit_cast<std::uint32_t>(linear) >> TableShift) - first_;
+  if (index >= starts_.size()) return 255;
+  std::size_t byte = starts_[index];
+  while (linear >= thresholds_[byte + 1]) ++byte;
+  return static_cast<std::uint8_t>(byte);
+}
+
+ScreenColours::ScreenColours(const ScreenSettings& settings)
+    : settings_(settings),
+      factor_(std::exp2(settings.exposure)),
+      curve_(&byte_curve(settings.curve)),
+      scale_(settings.least / std::exp2(settings.exposure), settings.largest / std::exp2(settings.exposure)) {
+  if (settings.colouring == Colouring::FalseColour) make_false_colours();
+}
+
+void ScreenColours::make_false_colours() {
+  const auto upper_bits = [](double value) {
+    return std::bit_cast<std::uint32_t>(static_cast<float>(value)) >> TableShift;
+  };
+  first_false_colour_ = upper_bits(scale_.lowest());
+  for (std::uint32_t upper = first_false_colour_; upper <= upper_bits(scale_.highest()); ++upper) {
+    // The middle of the run.
+    const std::uint32_t bits = (upper << TableShift) + (1U << (TableShift - 1));
+    false_colours_.push_back(false_colour(std::bit_cast<float>(bits)));
+  }
+}
+
+QRgb ScreenColours::false_colour(double luminance) const {
+  // The scale runs from light to dark, as on paper; here more light is lighter.
+  const double mirrored = scale_.lowest() * scale_.highest() / std::max(luminance, scale_.lowest());
+  const grf::Colour colour = scale_.colour(mirrored);
+  return qRgb(byte_of(colour.x), byte_of(colour.y), byte_of(colour.z));
+}
+
+QRgb ScreenColours::false_colour_by_table(float luminance) const {
+  const std::uint32_t upper = std::bit_cast<std::uint32_t>(std::max(luminance, 0.0F)) >> TableShift;
+  if (upper <= first_false_colour_) return false_colours_.front();
+  return false_colours_[std::min<std::size_t>(upper - first_false_colour_, false_colours_.size() - 1)];
+}
+
+QRgb ScreenColours::signed_colour(double value) const {
+  // Orange and sky blue of Okabe and Ito, in linear light, so that the curve is that of the other views.
+  static const std::array poles = {Rgb(0.79F, 0.35F, 0.0F), Rgb(0.093F, 0.456F, 0.815F)};
+  const Rgb colour = poles[value < 0 ? 1 : 0] * std::min(static_cast<float>(std::abs(value)), 1.0F);
+  return qRgb((*curve_)(colour.x), (*curve_)(colour.y), (*curve_)(colour.z));
+}
+
+QRgb ScreenColours::natural(const Rgb& pixel) const {
+  const auto grey = [this](float value) {
+    const int byte = (*curve_)(value * factor_);
+    return qRgb(byte, byte, byte);
+  };
+  switch (settings_.channel) {
+    case ImageChannel::Colour:
+      break;
+    case ImageChannel::Red:
+      return grey(pixel.x);
+    case ImageChannel::Green:
+      return grey(pixel.y);
+    case ImageChannel::Blue:
+      return grey(pixel.z);
+    case ImageChannel::Luminance:
+      return grey(static_cast<float>(luminance_of(pixel)));
+  }
+  return qRgb((*curve_)(pixel.x * factor_), (*curve_)(pixel.y * factor_), (*curve_)(pixel.z * factor_));
+}
+
+QRgb ScreenColours::operator()(const Rgb& pixel) const {
+  // The sum of numbers is one, unless it is too large for a float.
+  if (!std::isfinite(pixel.x + pixel.y + pixel.z)) {
+    if (std::isnan(pixel.x) || std::isnan(pixel.y) || std::isnan(pixel.z)) return NanColour;
+    if (std::isinf(pixel.x) || std::isinf(pixel.y) || std::isinf(pixel.z)) return InfiniteColour;
+  }
+  switch (settings_.colouring) {
+    case Colouring::Natural:
+      break;
+    case Colouring::FalseColour:
+      return false_colour_by_table(static_cast<float>(luminance_of(pixel)));
+    case Colouring::Signed:
+      return signed_colour(luminance_of(pixel) / scale_.highest());
+  }
+  return natural(pixel);
+}
+
+QImage ScreenColours::convert(const transport::Image& image, const QRect& part, int block) const {
+  const int width = (part.width() + block - 1) / block;
+  const int height = (part.height() + block - 1) / block;
+  QImage converted(width, height, QImage::Format_RGB32);
+  uchar* bits = converted.bits();
+  const auto stride = converted.bytesPerLine();
+  const auto convert_row = [&](int row) {
+    auto* to = reinterpret_cast<QRgb*>(bits + stride * row);
+    const int y = part.top() + row * block;
+    for (int column = 0; column < width; ++column) {
+      const int x = part.left() + column * block;
+      const QRect square = QRect(x, y, block, block).intersected(part);
+      to[column] = (*this)(block == 1 ? image.at(x, y) : mean_of(image, square));
+    }
+  };
+  std::vector<int> rows(static_cast<std::size_t>(height));
+  std::iota(rows.begin(), rows.end(), 0);
+  QtConcurrent::blockingMap(rows, convert_row);
+  return converted;
+}
+
+}  // namespace editor

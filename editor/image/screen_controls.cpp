@@ -1,0 +1,121 @@
+#include "editor/image/screen_controls.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <cmath>
+
+#include "editor/appearance/theme.h"
+
+namespace editor {
+namespace {
+
+constexpr int MostStops = 16;
+constexpr int StepsAStop = 10;
+constexpr int FalseColourView = 5;  ///< behind those of the channels
+
+QLabel* label(const QString& text, QWidget* buddy) {
+  auto* label = new QLabel(text, buddy->parentWidget());
+  label->setBuddy(buddy);
+  return label;
+}
+
+void explain(QWidget* control, const QString& name, const QString& help) {
+  control->setAccessibleName(name);
+  control->setToolTip(help);
+}
+
+}  // namespace
+
+ScreenControls::ScreenControls(QWidget* parent)
+    : QWidget(parent),
+      slider_(new QSlider(Qt::Horizontal, this)),
+      stops_(new QDoubleSpinBox(this)),
+      curve_(new QComboBox(this)),
+      view_(new QComboBox(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(Grid / 2, 0, Grid / 2, 0);
+  row->setSpacing(Grid);
+  add_exposure();
+  add_curve();
+  add_view();
+}
+
+void ScreenControls::add_exposure() {
+  const QString help =
+      tr("Brightness in stops, -%1 to %1: one more doubles it. Key E, back with Shift+E.").arg(MostStops);
+  slider_->setRange(-MostStops * StepsAStop, MostStops * StepsAStop);
+  slider_->setPageStep(StepsAStop);
+  slider_->setMinimumWidth(6 * Grid);
+  slider_->setMaximumWidth(32 * Grid);
+  stops_->setRange(-MostStops, MostStops);
+  stops_->setDecimals(1);
+  stops_->setSingleStep(0.5);
+  explain(slider_, tr("Exposure"), help);
+  explain(stops_, tr("Exposure in stops"), help);
+  connect(slider_, &QSlider::valueChanged, this,
+          [this](int value) { set_exposure(static_cast<float>(value) / StepsAStop); });
+  connect(stops_, &QDoubleSpinBox::valueChanged, this,
+          [this](double value) { set_exposure(static_cast<float>(value)); });
+  layout()->addWidget(label(tr("Exposure"), stops_));
+  layout()->addWidget(slider_);
+  layout()->addWidget(stops_);
+}
+
+void ScreenControls::add_curve() {
+  curve_->addItems({tr("sRGB"), tr("Filmic"), tr("Reinhard")});
+  explain(curve_, tr("Tone curve"),
+          tr("How radiance becomes brightness. sRGB: as 8-bit files have it, 1 is white. Filmic: highlights "
+             "roll off "
+             "as on film. Reinhard: x / (1 + x), which cuts nothing."));
+  connect(curve_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    ScreenSettings settings = settings_;
+    settings.curve = static_cast<ToneCurve>(index);
+    change(settings);
+  });
+  layout()->addWidget(curve_);
+}
+
+void ScreenControls::add_view() {
+  view_->addItems({tr("Colour"), tr("Red"), tr("Green"), tr("Blue"), tr("Luminance"), tr("False colour")});
+  explain(view_, tr("Channels shown"),
+          tr("What is shown of the image: all channels, one of them, the luminance in grey, or the luminance "
+             "in false "
+             "colours with a scale. Keys C, R, G, B, Y and P."));
+  connect(view_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    ScreenSettings settings = settings_;
+    settings.colouring = index == FalseColourView ? Colouring::FalseColour : Colouring::Natural;
+    settings.channel = index == FalseColourView ? ImageChannel::Colour : static_cast<ImageChannel>(index);
+    change(settings);
+  });
+  layout()->addWidget(view_);
+}
+
+void ScreenControls::set_exposure(float stops) {
+  ScreenSettings settings = settings_;
+  settings.exposure = std::clamp(stops, float(-MostStops), float(MostStops));
+  change(settings);
+}
+
+void ScreenControls::set_channel(ImageChannel channel) { view_->setCurrentIndex(static_cast<int>(channel)); }
+
+void ScreenControls::set_false_colour(bool is_on) { view_->setCurrentIndex(is_on ? FalseColourView : 0); }
+
+void ScreenControls::change(const ScreenSettings& settings) {
+  if (settings == settings_) return;
+  settings_ = settings;
+  show_settings();
+  emit edited(settings_);
+}
+
+void ScreenControls::show_settings() {
+  const QSignalBlocker block_slider(slider_);
+  const QSignalBlocker block_stops(stops_);
+  slider_->setValue(static_cast<int>(std::lround(settings_.exposure * StepsAStop)));
+  stops_->setValue(settings_.exposure);
+}
+
+}  // namespace editor

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+
+#include "editor/image/screen_colours.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QSlider;
+
+namespace editor {
+
+/// Exposure, tone curve and what is shown of the channels. Ranges of false colours are the image's affair.
+class ScreenControls : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScreenControls(QWidget* parent = nullptr);
+
+  const ScreenSettings& settings() const { return settings_; }
+  void set_exposure(float stops);
+  void set_channel(ImageChannel channel);
+  void set_false_colour(bool is_on);
+
+ signals:
+  /// Also while the slider is dragged.
+  void edited(const editor::ScreenSettings& settings);
+
+ private:
+  void add_exposure();
+  void add_curve();
+  void add_view();
+  void change(const ScreenSettings& settings);
+  void show_settings();
+
+  ScreenSettings settings_;
+  QSlider* slider_;
+  QDoubleSpinBox* stops_;
+  QComboBox* curve_;
+  QComboBox* view_;
+};
+
+}  // namespace editor

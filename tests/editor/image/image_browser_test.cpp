@@ -1,0 +1,298 @@
+// The image view as its user sees it: a window, files, keys and the mouse.
+#include "editor/image/image_browser.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTcpSocket>
+#include <QTest>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "editor/image/image_window.h"
+#include "editor/image/screen_controls.h"
+#include "renderer/transport/display_packets.h"
+#include "renderer/transport/image/image_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace editor {
+namespace {
+
+using reflectance::Rgb;
+using transport::Image;
+
+/// Each pixel says where it is.
+Image ramp(int width, int height, float blue = 0) {
+  Image image{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      image.pixels.emplace_back(float(x) / float(width), float(y) / float(height), blue);
+    }
+  }
+  return image;
+}
+
+SharedImage shared(Image image) { return std::make_shared<const Image>(std::move(image)); }
+
+class Browser : public testing::Test {
+ protected:
+  Browser() {
+    browser_.resize(900, 640);
+    browser_.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&browser_));
+    QApplication::setActiveWindow(&browser_);  // there is no window manager that would
+  }
+
+  std::string write(const std::string& name, const Image& image) {
+    grf::Diagnostics diagnostics;
+    const std::string path = folder_.path(name);
+    EXPECT_TRUE(transport::write_image({image}, path, diagnostics)) << diagnostics.to_text();
+    return path;
+  }
+
+  void open(const std::string& path) {
+    QSignalSpy opened(&browser_, &ImageBrowser::opened);
+    browser_.open_files({QString::fromStdString(path)});
+    ASSERT_TRUE(opened.wait());
+  }
+
+  QString text(const char* accessible_name) {
+    for (const QLabel* label : browser_.findChildren<QLabel*>()) {
+      if (label->accessibleName() == accessible_name) return label->text();
+    }
+    ADD_FAILURE() << accessible_name;
+    return {};
+  }
+
+  QRgb shown(const QPoint& pixel) {
+    const QImage view = browser_.pane().grab().toImage();
+    return view.pixel((browser_.pane().place_of(pixel) * view.devicePixelRatio()).toPoint());
+  }
+
+  void key(int key, Qt::KeyboardModifiers modifiers = {}) {
+    browser_.pane().setFocus();
+    QTest::keyClick(&browser_.pane(), Qt::Key(key), modifiers);
+  }
+
+  test::TemporaryFolder folder_;
+  ImageBrowser browser_;
+};
+
+TEST_F(Browser, OpensEveryTypeOfFile) {
+  for (const char* name : {"a.exr", "a.hdr", "a.pfm", "a.raw", "a.png", "a.jpg", "a.tga"}) {
+    open(write(name, ramp(40, 30)));
+    EXPECT_EQ(browser_.names().back(), name);
+  }
+  EXPECT_EQ(browser_.names().size(), 7);
+  open(write("a.exr", ramp(20, 30)));
+  EXPECT_EQ(browser_.names().size(), 7) << "the same file again";
+}
+
+TEST_F(Browser, SaysWhatIsWrongWithAFile) {
+  QSignalSpy reported(&browser_, &ImageBrowser::reported);
+  browser_.open_files({QString::fromStdString(folder_.add("broken.exr", "no image"))});
+  ASSERT_TRUE(reported.wait());
+  EXPECT_TRUE(browser_.names().isEmpty());
+  bool says_so = false;
+  for (const QLabel* label : browser_.findChildren<QLabel*>()) {
+    says_so |= label->isVisible() && label->text().contains("broken.exr: error:");
+  }
+  EXPECT_TRUE(says_so);
+}
+
+TEST_F(Browser, OpensWhatIsDropped) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(write("a.exr", ramp(4, 4))))});
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&browser_, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QSignalSpy opened(&browser_, &ImageBrowser::opened);
+  QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&browser_, &drop);
+  EXPECT_TRUE(opened.wait());
+}
+
+TEST_F(Browser, TellsPixelsUnderThePointer) {
+  browser_.show_image("ramp", shared(ramp(64, 32, 0.5F)));
+  const QPoint place = browser_.pane().place_of({16, 8}).toPoint();
+  QTest::mouseMove(&browser_.pane(), place);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Values of the pixel").contains("x 16"); }));
+  EXPECT_TRUE(text("Values of the pixel").startsWith("x 16  y 8   R 0.25  G 0.25  B 0.5"))
+      << text("Values of the pixel").toStdString();
+}
+
+TEST_F(Browser, ZoomsAboutThePointer) {
+  browser_.show_image("ramp", shared(ramp(1000, 700)));
+  ImagePane& pane = browser_.pane();
+  const QPointF place = pane.place_of({250, 300});
+  const double before = pane.zoom();
+  QWheelEvent wheel(place, pane.mapToGlobal(place), {}, QPoint(0, 480), {}, {}, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&pane, &wheel);
+  EXPECT_NEAR(pane.zoom(), 4 * before, 1e-9);
+  EXPECT_LT((pane.place_of({250, 300}) - place).manhattanLength(), 2 * pane.zoom());
+  key(Qt::Key_1);
+  EXPECT_NEAR(pane.zoom(), 1, 1e-9);
+  const QPointF corner = pane.place_of({0, 0});
+  key(Qt::Key_Left);
+  EXPECT_GT(pane.place_of({0, 0}).x(), corner.x());
+  key(Qt::Key_0);
+  EXPECT_NEAR(pane.zoom(), before, 1e-9);
+}
+
+TEST_F(Browser, DrawsEachPixelWhereItIs) {
+  Image image{8, 4, std::vector<Rgb>(32, Rgb(0))};
+  image.pixels[3 * 8 + 5] = Rgb(0.2158605F);
+  browser_.show_image("dot", shared(image));
+  EXPECT_EQ(shown({5, 3}), qRgb(128, 128, 128));
+  EXPECT_EQ(shown({4, 3}), qRgb(0, 0, 0));
+  EXPECT_EQ(shown({5, 2}), qRgb(0, 0, 0));
+  for (int i = 0; i < 4; ++i) key(Qt::Key_E);
+  EXPECT_EQ(shown({5, 3}), qRgb(239, 239, 239)) << "two stops";
+  for (int i = 0; i < 4; ++i) key(Qt::Key_E, Qt::ShiftModifier);
+  EXPECT_EQ(shown({5, 3}), qRgb(128, 128, 128));
+  image.pixels[0] = Rgb(std::numeric_limits<float>::quiet_NaN());
+  browser_.show_image("dot", shared(image));
+  EXPECT_EQ(shown({0, 0}), NanColour);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("1 NaN"); }));
+}
+
+TEST_F(Browser, ComparesByWipeFlipAndSide) {
+  browser_.show_image("red", shared({64, 64, std::vector<Rgb>(4096, Rgb(1, 0, 0))}));
+  browser_.show_image("blue", shared({64, 64, std::vector<Rgb>(4096, Rgb(0, 0, 1))}));
+  browser_.select_reference("red");
+  ImagePane& pane = browser_.pane();
+  ASSERT_EQ(pane.arrangement(), Arrangement::Wipe);
+  EXPECT_EQ(shown({10, 40}), qRgb(0, 0, 255));
+  EXPECT_EQ(shown({54, 40}), qRgb(255, 0, 0));
+  const QPoint line(pane.width() / 2, pane.height() / 2 + 40);
+  QTest::mousePress(&pane, Qt::LeftButton, {}, line);
+  QTest::mouseMove(&pane, QPoint(pane.width() - 4, line.y()));
+  QTest::mouseRelease(&pane, Qt::LeftButton, {}, QPoint(pane.width() - 4, line.y()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return pane.wipe() > 0.95; }));
+  EXPECT_EQ(shown({54, 40}), qRgb(0, 0, 255));
+  key(Qt::Key_Space);
+  EXPECT_EQ(shown({54, 40}), qRgb(255, 0, 0));
+  key(Qt::Key_Space);
+  browser_.set_comparison(Comparison::SideBySide);
+  EXPECT_EQ(shown({54, 40}), qRgb(0, 0, 255));
+  const QImage view = pane.grab().toImage();
+  EXPECT_EQ(view.pixel(view.width() * 3 / 4, view.height() / 2 + 40), qRgb(255, 0, 0));
+  key(Qt::Key_X);
+  EXPECT_EQ(shown({54, 40}), qRgb(255, 0, 0));
+}
+
+TEST_F(Browser, SaysHowFarImagesAreApart) {
+  const Image a = ramp(64, 48);
+  Image b = a;
+  for (Rgb& pixel : b.pixels) pixel += Rgb(0.125F);
+  browser_.show_image("b", shared(b));
+  browser_.show_image("a", shared(a));
+  browser_.select_reference("b");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("RMSE"); }));
+  const transport::ImageError expected = transport::error_of(a, b);
+  const QString figures = text("Figures of the image");
+  EXPECT_TRUE(figures.contains("RMSE 0.125")) << figures.toStdString();
+  EXPECT_TRUE(figures.contains("relMSE " + QString::number(expected.relmse, 'g', 4)))
+      << figures.toStdString();
+  EXPECT_TRUE(figures.contains("PSNR " + QString::number(*expected.psnr, 'f', 1))) << figures.toStdString();
+  browser_.set_comparison(Comparison::Absolute);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return browser_.analysis().difference != nullptr; }));
+  EXPECT_EQ(shown({10, 10}), qRgb(99, 99, 99));
+  browser_.set_comparison(Comparison::Signed);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return browser_.analysis().kind == Difference::Signed; }));
+  EXPECT_GT(qBlue(shown({10, 10})), qRed(shown({10, 10}))) << "a is below b";
+}
+
+TEST_F(Browser, RefusesDifferencesOfOtherSizes) {
+  browser_.show_image("b", shared(ramp(32, 48)));
+  browser_.show_image("a", shared(ramp(64, 48)));
+  browser_.select_reference("b");
+  browser_.set_comparison(Comparison::Signed);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("need one size"); }));
+  EXPECT_FALSE(browser_.pane().grab().isNull());
+  browser_.remove_image("b");
+  browser_.remove_image("a");
+  EXPECT_TRUE(browser_.names().isEmpty());
+}
+
+TEST_F(Browser, SavesAndCopies) {
+  browser_.show_image("a", shared(ramp(16, 12)));
+  browser_.controls().set_exposure(1);
+  QSignalSpy saved(&browser_, &ImageBrowser::saved);
+  const std::string path = folder_.path("out.exr");
+  browser_.save_as(QString::fromStdString(path));
+  ASSERT_TRUE(saved.wait());
+  grf::Diagnostics diagnostics;
+  const auto written = transport::read_image(path, diagnostics);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->pixels, ramp(16, 12).pixels) << "linear, whatever the exposure";
+  browser_.copy();
+  const QImage copied = QApplication::clipboard()->image();
+  ASSERT_EQ(copied.size(), QSize(16, 12));
+  EXPECT_EQ(copied.pixel(4, 3), ScreenColours({.exposure = 1})(Rgb(0.25F, 0.25F, 0)));
+}
+
+// In processor time, so that it holds on a busy machine: two processors need half of it.
+TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
+  const Image image = ramp(1920, 1080);
+  double best = 1e9;
+  for (int i = 0; i < 9; ++i) {
+    const std::clock_t start = std::clock();
+    const ScreenColours colours({.exposure = 0.25F * static_cast<float>(i)});
+    const QImage converted = colours.convert(image, QRect(0, 0, 1920, 1080));
+    best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    EXPECT_EQ(converted.pixel(960, 540), colours(Rgb(0.5F, 0.5F, 0)));
+  }
+  RecordProperty("milliseconds", std::to_string(best));
+  EXPECT_LT(best, 60);
+}
+
+TEST(ImageWindow, ShowsWhatIsSent) {
+  ImageWindow window;
+  window.show();
+  window.listen(0);
+  ASSERT_GT(window.server().port(), 0);
+  QTcpSocket socket;
+  socket.connectToHost("127.0.0.1", window.server().port());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return socket.state() == QAbstractSocket::ConnectedState; }));
+  const auto send = [&](const std::string& bytes) { socket.write(bytes.data(), qint64(bytes.size())); };
+  send(transport::close_image_packet("render"));
+  send(transport::create_image_packet("render", 64, 32));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.browser().names() == QStringList("render"); }));
+  QSignalSpy received(&window.server(), &ImageServer::received);
+  // In two parts: a packet may be split anywhere.
+  const std::string update =
+      transport::update_image_packet("render", {62, 30, 2, 2}, std::vector<Rgb>(4, Rgb(1, 0, 0)));
+  send(update.substr(0, 30));
+  socket.flush();
+  send(update.substr(30));
+  ASSERT_TRUE(received.wait());
+  const auto image = received.back().at(1).value<SharedImage>();
+  EXPECT_EQ(image->at(63, 31), Rgb(1, 0, 0));
+  EXPECT_EQ(image->at(61, 31), Rgb(0));
+  send(transport::update_image_packet("render", {0, 0, 1, 1}, {Rgb(0, 1, 0)}));
+  ASSERT_TRUE(received.wait());
+  EXPECT_EQ(image->at(0, 0), Rgb(0)) << "what was given away stays";
+  EXPECT_EQ(received.back().at(1).value<SharedImage>()->at(0, 0), Rgb(0, 1, 0));
+}
+
+TEST(ImageWindow, CutsOffWhoSendsNoPackets) {
+  ImageServer server;
+  ASSERT_TRUE(server.listen(0));
+  QSignalSpy failed(&server, &ImageServer::failed);
+  QTcpSocket socket;
+  socket.connectToHost("127.0.0.1", server.port());
+  socket.write("GET / HTTP/1.1\r\n\r\n");
+  ASSERT_TRUE(failed.wait());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return socket.state() == QAbstractSocket::UnconnectedState; }));
+}
+
+}  // namespace
+}  // namespace editor
