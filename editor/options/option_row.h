@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+
+#include "editor/options/op_document.h"
+
+class QLabel;
+class QToolButton;
+
+namespace editor {
+
+class OptionField;
+
+/// An option: its key, control, meaning, default and legal values; and, where that is so, that it is given,
+/// that it has no effect and why, or what is wrong with it.
+class OptionRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  OptionRow(const options::OptionInfo& option, OpDocument& document, QWidget* parent);
+
+  const options::OptionInfo& option() const { return option_; }
+  OptionField& field() { return *field_; }
+
+  /// What the document says of it.
+  void show_state(const options::RenderOptions& partial);
+  void show_message(const QString& message, bool is_error);
+  /// Whether all of the words are in its key, meaning or default.
+  bool matches(const QStringList& words) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void colour();
+
+  const options::OptionInfo& option_;
+  OpDocument& document_;
+  OptionField* field_;
+  QLabel* key_;
+  QLabel* meaning_;
+  QLabel* message_;
+  QToolButton* reset_;
+  bool is_given_ = false;
+  bool has_error_ = false;
+};
+
+}  // namespace editor

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <QWidget>
+
+#include "editor/options/op_document.h"
+#include "renderer/options/render_options.h"
+
+class QAction;
+class QListWidget;
+
+namespace editor {
+
+class OptionsForm;
+class OpTextView;
+
+/// Edits an OP file: a form of all options at the left, the file's text at the right, and under it what `bpt`
+/// would say of it. Each message leads to the control or the line that it is about.
+class OptionsEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OptionsEditor(QWidget* parent = nullptr);
+
+  OpDocument& document() { return document_; }
+  /// False after an error, which the messages show.
+  bool open(const QString& path);
+  bool save(const QString& path);
+  /// To the file that it is of; asks for one where there is none.
+  bool save();
+  bool save_as();
+
+  /// Shows an option and gives it the focus.
+  void go_to(const options::OptionInfo& option);
+
+  void start_search();
+
+  QListWidget& messages() { return *messages_; }
+  OptionsForm& form() { return *form_; }
+  /// For menus; they have no shortcuts of their own, which belong to the window.
+  QAction* open_action() const { return open_; }
+  QAction* save_action() const { return save_; }
+  QAction* save_as_action() const { return save_as_; }
+  QAction* undo_action() const { return undo_; }
+  QAction* redo_action() const { return redo_; }
+
+ signals:
+  /// After each change that leaves no errors.
+  void edited(const options::RenderOptions& options);
+  /// What went wrong with reading or writing a file.
+  void reported(const grf::Diagnostics& diagnostics);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void make_actions();
+  void lay_out();
+  void show_messages();
+  void add_message(const grf::Diagnostic& entry);
+  void follow_message(int row);
+  void ask_for_file();
+  bool report(const grf::Diagnostics& diagnostics, bool is_done);
+
+  OpDocument document_;
+  OptionsForm* form_;
+  OpTextView* text_;
+  QListWidget* messages_;
+  grf::Diagnostics file_problems_;
+  QAction* open_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* save_as_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+};
+
+}  // namespace editor

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "editor/options/option_field.h"
+
+class QCompleter;
+class QFileSystemModel;
+class QLineEdit;
+
+namespace editor {
+
+/// A path with completion and a dialog. Below the folder that is set, and beside it, paths are relative.
+class PathField : public OptionField {
+  Q_OBJECT
+
+ public:
+  PathField(const options::OptionInfo& option, options::PathOption value, QWidget* parent);
+
+  void show_words(const std::optional<QStringList>& words) override;
+  void set_folder(const QString& folder) override;
+
+  /// A path of the file system as it stands in the field.
+  QString relative(const QString& path) const;
+
+ private:
+  void browse();
+  void complete();
+  void take(const QString& text);
+
+  const options::PathOption value_;
+  QString folder_;
+  QLineEdit* text_;
+  QCompleter* completer_ = nullptr;
+};
+
+}  // namespace editor
