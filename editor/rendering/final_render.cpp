@@ -1,0 +1,149 @@
+#include "editor/rendering/final_render.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QtConcurrent>
+#include <utility>
+
+#include <unistd.h>
+
+#include "editor/rendering/render_files.h"
+
+namespace editor {
+namespace {
+
+QString text_of(const grf::Diagnostics& diagnostics) {
+  return QString::fromStdString(diagnostics.to_text()).trimmed();
+}
+
+}  // namespace
+
+FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
+  connect(&writing_, &QFutureWatcher<Files>::finished, this, [this] { run(writing_.result()); });
+  connect(&reading_, &QFutureWatcher<Left>::finished, this, &FinalRender::finish);
+  connect(&process_, &RendererProcess::reported, this, &FinalRender::read);
+  connect(&process_, &RendererProcess::logged, this, &FinalRender::logged);
+  connect(&process_, &RendererProcess::ended, this, &FinalRender::end);
+}
+
+FinalRender::~FinalRender() {
+  writing_.disconnect(this);
+  writing_.waitForFinished();
+  reading_.disconnect(this);
+  reading_.waitForFinished();
+}
+
+QString FinalRender::output_of(const FinalRenderRequest& request) const {
+  if (!request.options.output.empty()) return QString::fromStdString(request.options.output);
+  const QFileInfo scene(request.path);
+  if (request.path.isEmpty()) return folder_.filePath(tr("Untitled") + ".exr");
+  return QDir(scene.absolutePath()).filePath(scene.completeBaseName() + ".exr");
+}
+
+bool FinalRender::lock_output() {
+  const QFileInfo image(output_);
+  lock_ = std::make_unique<QLockFile>(image.dir().filePath("." + image.fileName() + ".lock"));
+  lock_->setStaleLockTime(0);  // as long as its program lives
+  if (lock_->tryLock()) return true;
+  // Where no lock can be made, neither can the image: the renderer says it better.
+  return lock_->error() != QLockFile::LockFailedError;
+}
+
+void FinalRender::start(FinalRenderRequest request) {
+  if (is_running_) {
+    emit failed(tr("a render is running: stop it first"));
+    return;
+  }
+  if (const QString why = process_.why_missing(); !why.isEmpty()) {
+    emit failed(why);
+    return;
+  }
+  request.options = with_absolute_paths(std::move(request.options), request.path);
+  output_ = output_of(request);
+  if (!lock_output()) {
+    emit failed(tr("another render writes %1: wait for it, or choose another output").arg(output_));
+    return;
+  }
+  is_running_ = true;
+  is_stopped_ = false;
+  summary_.reset();
+  const QString base = folder_.filePath(QString("render%1").arg(++number_));
+  request.options.output = output_.toStdString();
+  request.options.scene = (base + ".grf").toStdString();
+  request.options.shows_window = false;
+  if (!display_.isEmpty()) request.options.display_server = display_.toStdString();
+  emit started(output_);
+  writing_.setFuture(QtConcurrent::run([request = std::move(request), base] {
+    grf::Diagnostics diagnostics;
+    const bool is_written = write_snapshot(request.scene, request.path, base + ".grf", diagnostics) &&
+                            write_op_file(request.options, base + ".op", diagnostics);
+    return is_written ? Files{base + ".op", {}} : Files{{}, text_of(diagnostics)};
+  }));
+}
+
+void FinalRender::run(const Files& files) {
+  if (files.options.isEmpty()) return give_up(files.problem);
+  if (is_stopped_) return give_up(tr("stopped before there was an image"));
+  process_.start({"render", files.options, "--progress", "json", "--json"});
+}
+
+void FinalRender::stop() {
+  if (!is_running_) return;
+  is_stopped_ = true;
+  process_.interrupt();
+}
+
+void FinalRender::show(const QString& name, const std::shared_ptr<const transport::Image>& image) {
+  if (is_running_ && name == output_) emit image_changed(image);
+}
+
+void FinalRender::read(const QByteArray& line) {
+  if (const auto report = render_report_of(line)) {
+    emit progressed(*report);
+  } else if (const auto summary = render_summary_of(line)) {
+    summary_ = summary;
+  }
+}
+
+void FinalRender::end(const RendererEnd& end) {
+  if (!end.problem.isEmpty()) return give_up(end.problem);
+  if (!summary_) {
+    return give_up(end.is_interrupted ? tr("stopped before there was an image")
+                                      : tr("the renderer made no image"));
+  }
+  FinalRenderResult result;
+  result.image = output_;
+  result.summary = *summary_;
+  result.is_stopped = end.is_interrupted;
+  const QString copy = folder_.filePath(QString("render%1.%2").arg(number_).arg(QFileInfo(output_).suffix()));
+  reading_.setFuture(QtConcurrent::run(&FinalRender::read_result, result, copy));
+}
+
+/// A link costs no time and no space; the renderer replaces files, it does not write into them.
+FinalRender::Left FinalRender::read_result(FinalRenderResult result, const QString& copy) {
+  const bool is_kept =
+      ::link(QFile::encodeName(result.image).constData(), QFile::encodeName(copy).constData()) == 0 ||
+      QFile::copy(result.image, copy);
+  result.copy = is_kept ? copy : result.image;
+  grf::Diagnostics unheard;  // the renderer has just written it
+  Left left = {std::move(result), nullptr};
+  auto image = transport::read_image(left.result.image.toStdString(), unheard);
+  if (image) left.image = std::make_shared<const transport::Image>(std::move(*image));
+  return left;
+}
+
+void FinalRender::finish() {
+  const Left left = reading_.result();
+  is_running_ = false;
+  lock_.reset();
+  if (left.image) emit image_changed(left.image);
+  emit finished(left.result);
+}
+
+void FinalRender::give_up(const QString& why) {
+  is_running_ = false;
+  lock_.reset();
+  emit failed(why);
+}
+
+}  // namespace editor

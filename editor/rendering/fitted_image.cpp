@@ -1,0 +1,98 @@
+#include "editor/rendering/fitted_image.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "editor/appearance/theme.h"
+#include "renderer/transport/image/srgb.h"
+
+namespace editor {
+namespace {
+
+/// The mean of the pixels that a pixel of a smaller image covers; of a larger one, the nearest.
+reflectance::Rgb covered(const transport::Image& image, int x, int y, const QSize& size) {
+  const auto part = [](int place, int count, int count_there) {
+    const int begin = static_cast<int>(static_cast<qint64>(place) * count_there / count);
+    const int end = static_cast<int>(static_cast<qint64>(place + 1) * count_there / count);
+    return std::pair(begin, std::max(end, begin + 1));
+  };
+  const auto [left, right] = part(x, size.width(), image.width);
+  const auto [top, bottom] = part(y, size.height(), image.height);
+  reflectance::Rgb sum(0);
+  for (int row = top; row < bottom; ++row) {
+    for (int column = left; column < right; ++column) sum += image.at(column, row);
+  }
+  return sum / static_cast<float>((right - left) * (bottom - top));
+}
+
+}  // namespace
+
+QImage fitted(const transport::Image& image, const QSize& pixels) {
+  const QSize size = QSize(image.width, image.height).scaled(pixels, Qt::KeepAspectRatio).expandedTo({1, 1});
+  QImage result(size, QImage::Format_RGB32);
+  for (int y = 0; y < size.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(result.scanLine(y));
+    for (int x = 0; x < size.width(); ++x) {
+      const reflectance::Rgb colour = covered(image, x, y, size);
+      line[x] = qRgb(transport::to_srgb_byte(colour.x), transport::to_srgb_byte(colour.y),
+                     transport::to_srgb_byte(colour.z));
+    }
+  }
+  return result;
+}
+
+FittedImage::FittedImage(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Image"));
+  setToolTip(tr("The image so far. Click, or press Return, to open it"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void FittedImage::set_image(std::shared_ptr<const transport::Image> image) {
+  image_ = std::move(image);
+  drawn_ = QImage();
+  setCursor(image_ ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  update();
+}
+
+void FittedImage::set_hint(const QString& hint) {
+  hint_ = hint;
+  update();
+}
+
+QSize FittedImage::sizeHint() const { return {36 * Grid, 26 * Grid}; }
+QSize FittedImage::minimumSizeHint() const { return {20 * Grid, 12 * Grid}; }
+
+void FittedImage::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const ThemeColours colours = colours_of(theme_of(palette()));
+  painter.fillRect(rect(), colours.base);
+  if (image_ && !image_->pixels.empty()) {
+    const QSize pixels = size() * devicePixelRatioF();
+    const bool fits = drawn_.size().scaled(pixels, Qt::KeepAspectRatio) == drawn_.size();
+    if (drawn_.isNull() || !fits) drawn_ = fitted(*image_, pixels);
+    drawn_.setDevicePixelRatio(devicePixelRatioF());
+    const QSizeF drawn = drawn_.deviceIndependentSize();
+    painter.drawImage(QPointF((width() - drawn.width()) / 2, (height() - drawn.height()) / 2), drawn_);
+  } else {
+    painter.setPen(colours.faint_text);
+    painter.drawText(rect().adjusted(Grid, Grid, -Grid, -Grid), Qt::AlignCenter | Qt::TextWordWrap, hint_);
+  }
+  if (!hasFocus()) return;
+  painter.setPen(colours.accent);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void FittedImage::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && image_ && rect().contains(event->pos())) emit activated();
+}
+
+void FittedImage::keyPressEvent(QKeyEvent* event) {
+  const bool opens = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (opens && image_) return emit activated();
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace editor

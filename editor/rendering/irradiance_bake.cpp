@@ -1,0 +1,133 @@
+#include "editor/rendering/irradiance_bake.h"
+
+#include <QRegularExpression>
+#include <QtConcurrent>
+#include <utility>
+
+#include "editor/rendering/render_files.h"
+#include "grf/read.h"
+#include "grf/relocate.h"
+
+namespace editor {
+namespace {
+
+QString text_of(const grf::Diagnostics& diagnostics) {
+  return QString::fromStdString(diagnostics.to_text()).trimmed();
+}
+
+/// Leaves what does not concern the irradiance, or would make files.
+options::RenderOptions bake_options(options::RenderOptions render_options, const QString& scene_path,
+                                    const QString& snapshot) {
+  render_options = with_absolute_paths(std::move(render_options), scene_path);
+  render_options.scene = snapshot.toStdString();
+  render_options.output.clear();
+  render_options.checkpoint.clear();
+  render_options.display_server.clear();
+  render_options.shows_window = false;
+  return render_options;
+}
+
+}  // namespace
+
+IrradianceBake::IrradianceBake(QString program, QObject* parent)
+    : QObject(parent), process_(std::move(program)) {
+  connect(&writing_, &QFutureWatcher<QString>::finished, this, [this] { run(writing_.result()); });
+  connect(&reading_, &QFutureWatcher<std::shared_ptr<Baked>>::finished, this, &IrradianceBake::finish);
+  connect(&process_, &RendererProcess::reported, this, &IrradianceBake::read);
+  connect(&process_, &RendererProcess::ended, this, &IrradianceBake::end);
+}
+
+IrradianceBake::~IrradianceBake() {
+  writing_.disconnect(this);
+  writing_.waitForFinished();
+  process_.kill();
+  reading_.disconnect(this);
+  reading_.waitForFinished();
+}
+
+QString IrradianceBake::file(const char* extension) const { return folder_.filePath("scene.") + extension; }
+
+void IrradianceBake::start(const grf::Scene& scene, const QString& path,
+                           options::RenderOptions render_options, int directions) {
+  if (is_running_) {
+    emit failed(tr("irradiance is being baked: stop that first"));
+    return;
+  }
+  if (const QString why = process_.why_missing(); !why.isEmpty()) {
+    emit failed(why);
+    return;
+  }
+  is_running_ = true;
+  is_stopped_ = false;
+  path_ = naming_path(path);
+  directions_ = directions;
+  summary_.reset();
+  result_ = {};
+  render_options = bake_options(std::move(render_options), path_, file("grf"));
+  writing_.setFuture(
+      QtConcurrent::run([scene, render_options, from = path_, snapshot = file("grf"), op = file("op")] {
+        grf::Diagnostics diagnostics;
+        const bool is_written = write_snapshot(scene, from, snapshot, diagnostics) &&
+                                write_op_file(render_options, op, diagnostics);
+        return is_written ? QString() : text_of(diagnostics);
+      }));
+}
+
+void IrradianceBake::run(const QString& problem) {
+  if (!problem.isEmpty()) return give_up(problem);
+  if (is_stopped_) return give_up(tr("stopped before there was irradiance"));
+  QStringList arguments = {"bake", file("op"), "-o", file("igrf"), "--progress", "json", "--json"};
+  if (directions_ > 0) arguments << "--directions" << QString::number(directions_);
+  process_.start(arguments);
+}
+
+void IrradianceBake::stop() {
+  if (!is_running_) return;
+  is_stopped_ = true;
+  process_.interrupt();
+}
+
+void IrradianceBake::read(const QByteArray& line) {
+  if (const auto report = render_report_of(line)) {
+    emit progressed(report->done, report->seconds_left);
+  } else if (const auto summary = bake_summary_of(line)) {
+    summary_ = summary;
+  }
+}
+
+void IrradianceBake::end(const RendererEnd& end) {
+  if (!end.problem.isEmpty()) return give_up(without_snapshot(end.problem));
+  if (!summary_) return give_up(tr("stopped before there was irradiance"));
+  result_ = {*summary_, without_snapshot(process_.lines().join('\n')), end.is_interrupted};
+  reading_.setFuture(QtConcurrent::run([from = file("igrf").toStdString(), to = path_.toStdString()] {
+    grf::Diagnostics diagnostics;
+    auto baked = std::make_shared<Baked>();
+    baked->scene = grf::read(from, diagnostics);
+    if (baked->scene) {
+      grf::relocate(*baked->scene, from, to);
+    } else {
+      baked->problem = text_of(diagnostics);
+    }
+    return baked;
+  }));
+}
+
+void IrradianceBake::finish() {
+  const Baked baked = std::move(*reading_.result());  // the future would keep the scene
+  if (!baked.scene) return give_up(without_snapshot(baked.problem));
+  is_running_ = false;
+  emit finished(*baked.scene, result_);
+}
+
+void IrradianceBake::give_up(const QString& why) {
+  is_running_ = false;
+  emit failed(why);
+}
+
+/// Places in the snapshot mean nothing to the scene's author; the lines that are quoted do.
+QString IrradianceBake::without_snapshot(QString text) const {
+  const QString name = QRegularExpression::escape(file("")) + "i?grf";
+  return text.remove(QRegularExpression(name + "(:\\d+:\\d+)?: "));
+}
+
+}  // namespace editor

@@ -1,0 +1,115 @@
+#include "editor/rendering/preview.h"
+
+#include <utility>
+
+namespace editor {
+
+using job::PreviewState;
+
+namespace {
+
+/// For the first image of a request that is out of date already. One that takes longer is given up.
+constexpr std::chrono::milliseconds Patience(400);
+
+}  // namespace
+
+Preview::Preview(QObject* parent) : QObject(parent), render_(listener()) {
+  patience_.setSingleShot(true);
+  patience_.setInterval(Patience);
+  connect(&patience_, &QTimer::timeout, this, &Preview::start_waiting);
+}
+
+// Called by the thread of the render; what it says is taken up by that of this object.
+job::PreviewListener Preview::listener() {
+  job::PreviewListener listener;
+  listener.image = [this](int request, auto image, const transport::RenderProgress& progress) {
+    const std::lock_guard lock(mail_.lock);
+    const bool is_posted = mail_.image != nullptr;
+    mail_.request = request;
+    mail_.image = std::move(image);
+    mail_.progress = progress;
+    if (!is_posted) QMetaObject::invokeMethod(this, &Preview::take_image, Qt::QueuedConnection);
+  };
+  listener.diagnostics = [this](int request, const grf::Diagnostics& diagnostics) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, request, diagnostics] {
+          if (request == request_) emit diagnosed(diagnostics);
+        },
+        Qt::QueuedConnection);
+  };
+  listener.state = [this](int request, PreviewState state) {
+    QMetaObject::invokeMethod(
+        this, [this, request, state] { take_state(request, state); }, Qt::QueuedConnection);
+  };
+  return listener;
+}
+
+void Preview::restart(job::PreviewRequest request) {
+  if (is_on_ && !has_shown_ && state_ == PreviewState::Preparing) {
+    waiting_ = std::move(request);
+    if (!patience_.isActive()) patience_.start();
+    return;
+  }
+  start(std::move(request));
+}
+
+void Preview::start(job::PreviewRequest request) {
+  waiting_.reset();
+  patience_.stop();
+  is_on_ = true;
+  has_shown_ = false;
+  state_ = PreviewState::Preparing;
+  request_ = render_.start(std::move(request));
+  emit state_changed(state_);
+}
+
+void Preview::start_waiting() {
+  if (waiting_) start(*std::exchange(waiting_, std::nullopt));
+}
+
+void Preview::stop() {
+  if (!is_on_) return;
+  waiting_.reset();
+  patience_.stop();
+  render_.stop();
+  is_on_ = false;
+  request_ = 0;
+  emit stopped();
+}
+
+void Preview::pause() {
+  if (is_on_) render_.pause();
+}
+
+void Preview::resume() { render_.resume(); }
+
+void Preview::take_image() {
+  int request = 0;
+  std::shared_ptr<const transport::Image> image;
+  transport::RenderProgress progress;
+  {
+    const std::lock_guard lock(mail_.lock);
+    request = mail_.request;
+    image = std::exchange(mail_.image, nullptr);
+    progress = mail_.progress;
+  }
+  if (!is_on_ || request != request_) return;
+  image_ = std::move(image);
+  has_shown_ = true;
+  if (state_ == PreviewState::Preparing) emit state_changed(state_ = PreviewState::Rendering);
+  emit image_changed(image_, progress);
+  start_waiting();
+}
+
+void Preview::take_state(int request, PreviewState state) {
+  if (!is_on_ || request != request_ || state == state_) return;
+  // Until its first image a request counts as being prepared.
+  if (state == PreviewState::Rendering && !has_shown_) return;
+  state_ = state;
+  if (state == PreviewState::Failed) is_on_ = false;
+  emit state_changed(state);
+  if (state == PreviewState::Failed) start_waiting();
+}
+
+}  // namespace editor

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QListWidget>
+#include <memory>
+
+#include "editor/rendering/final_render.h"
+
+namespace editor {
+
+/// The renders of this session, the newest first.
+class RenderHistory : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit RenderHistory(QWidget* parent = nullptr);
+
+  void add(const FinalRenderResult& result, const transport::Image& image);
+
+  QSize sizeHint() const override;
+
+ signals:
+  /// By a click or Return: the path of an image that later renders did not replace.
+  void image_chosen(const QString& path);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+}  // namespace editor

@@ -1,0 +1,357 @@
+#include "editor/rendering/render_panel.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/rendering/error_curve.h"
+#include "editor/rendering/fitted_image.h"
+#include "editor/rendering/render_files.h"
+#include "editor/rendering/render_history.h"
+#include "editor/rendering/render_settings_row.h"
+#include "renderer/options/op_file.h"
+
+namespace editor {
+
+using job::PreviewState;
+using options::RenderOptions;
+
+RenderPanel::RenderPanel(const QString& program, QWidget* parent) : QWidget(parent), final_(program) {
+  make_actions();
+  lay_out();
+  connect_preview();
+  connect_final();
+  update_actions();
+  say(tr("Ready"));
+}
+
+void RenderPanel::make_actions() {
+  const auto make = [this](const QString& name, const QString& text, const QKeySequence& shortcut,
+                           auto function) {
+    auto* action = new QAction(icon(name), text, this);
+    action->setShortcut(shortcut);
+    connect(action, &QAction::triggered, this, function);
+    addAction(action);
+    return action;
+  };
+  preview_action_ = make("preview", tr("Preview"), Qt::Key_F5, &RenderPanel::toggle_preview);
+  render_action_ = make("render", tr("Render"), Qt::Key_F6, &RenderPanel::render);
+  stop_action_ = make("stop", tr("Stop"), Qt::SHIFT | Qt::Key_F5, &RenderPanel::stop);
+  options_action_ = make("options", tr("Options…"), {}, &RenderPanel::options_requested);
+  options_action_->setToolTip(tr("All options of a render, with their meanings"));
+}
+
+QWidget* RenderPanel::make_controls() {
+  auto* controls = new QWidget(this);
+  auto* column = new QVBoxLayout(controls);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(Grid);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(Grid);
+  for (QAction* action : {preview_action_, render_action_, stop_action_, options_action_}) {
+    auto* button = new QToolButton(controls);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setMinimumHeight(4 * Grid);
+    button->setAccessibleName(action->text());
+    buttons->addWidget(button);
+  }
+  settings_ = new RenderSettingsRow(controls);
+  progress_ = new QProgressBar(controls);
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(Grid);
+  progress_->setAccessibleName(tr("Progress"));
+  progress_->setToolTip(tr("How far the render is, towards its samples, target error or time"));
+  status_ = new QLabel(controls);
+  status_->setAccessibleName(tr("State of the render"));
+  status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  column->addLayout(buttons);
+  column->addWidget(settings_);
+  column->addStretch();
+  column->addWidget(progress_);
+  column->addWidget(status_);
+  return controls;
+}
+
+QPlainTextEdit* RenderPanel::make_log() {
+  auto* log = new QPlainTextEdit(this);
+  log->setReadOnly(true);
+  log->setFrameStyle(QFrame::NoFrame);
+  log->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));  // carets stand under their words
+  log->document()->setDocumentMargin(Grid);
+  log->setMaximumBlockCount(2000);
+  log->setLineWrapMode(QPlainTextEdit::NoWrap);
+  log->setPlaceholderText(tr("What the renderer says appears here"));
+  log->setAccessibleName(tr("Log"));
+  log->setToolTip(tr("What the renderer says of the scene and of its work"));
+  log->setMinimumSize(20 * Grid, 6 * Grid);
+  return log;
+}
+
+void RenderPanel::lay_out() {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(Grid, Grid, Grid, Grid);
+  row->setSpacing(Grid);
+  QWidget* controls = make_controls();
+  controls->setFixedWidth(53 * Grid);
+  auto* parts = new QSplitter(Qt::Horizontal, this);
+  parts->setChildrenCollapsible(false);
+  parts->setHandleWidth(Grid);
+  image_ = new FittedImage(parts);
+  image_->set_hint(tr("F5 shows a preview here, which follows what you edit. F6 renders the image"));
+  auto* course = new QSplitter(Qt::Vertical, parts);
+  course->setChildrenCollapsible(false);
+  course->setHandleWidth(Grid);
+  curve_ = new ErrorCurve(course);
+  log_ = make_log();
+  course->addWidget(log_);
+  course->setSizes({16 * Grid, 12 * Grid});
+  history_ = new RenderHistory(parts);
+  history_->setFrameStyle(QFrame::NoFrame);
+  history_->setMinimumWidth(27 * Grid);
+  parts->setSizes({48 * Grid, 46 * Grid, 36 * Grid});
+  row->addWidget(controls);
+  row->addWidget(parts, 1);
+  connect(settings_, &RenderSettingsRow::edited, this, [this] {
+    curve_->set_target(settings_->options().target_error);
+    emit options_changed(settings_->options());
+    if (preview_.is_on()) restart_preview();
+  });
+  connect(image_, &FittedImage::activated, this, &RenderPanel::open_image);
+  connect(history_, &RenderHistory::image_chosen, this, &RenderPanel::image_opened);
+}
+
+void RenderPanel::connect_preview() {
+  connect(&preview_, &Preview::image_changed, this,
+          [this](const auto& image, const transport::RenderProgress& progress) {
+            if (final_.is_running()) return;
+            image_path_.clear();
+            image_->set_image(image);
+            if (progress.estimated_error && progress.done > 0) {
+              curve_->add(progress.seconds, *progress.estimated_error);
+            }
+            show_progress(progress.done, progress.seconds_left, progress.estimated_error);
+          });
+  connect(&preview_, &Preview::diagnosed, this, [this](const grf::Diagnostics& diagnostics) {
+    if (final_.is_running()) return;
+    log_->clear();
+    log(QString::fromStdString(diagnostics.to_text()));
+  });
+  connect(&preview_, &Preview::state_changed, this, [this](PreviewState state) {
+    update_actions();
+    if (final_.is_running()) return;
+    if (state == PreviewState::Paused) say(tr("Preview paused"));
+    if (state == PreviewState::Done)
+      say(tr("Preview done") + status_->text().mid(status_->text().indexOf(" · ")));
+    if (state == PreviewState::Failed) say(tr("No preview: the log says why"));
+  });
+  connect(&preview_, &Preview::stopped, this, [this] {
+    update_actions();
+    say(tr("Preview stopped"));
+  });
+}
+
+void RenderPanel::connect_final() {
+  connect(&final_, &FinalRender::started, this, [this](const QString& output) {
+    curve_->clear();
+    log_->clear();
+    log(tr("Rendering %1").arg(output));
+    show_progress(0, {}, {});
+    update_actions();
+  });
+  connect(&final_, &FinalRender::progressed, this, [this](const RenderReport& report) {
+    if (report.estimated_error) curve_->add(report.seconds, *report.estimated_error);
+    show_progress(report.done, report.seconds_left, report.estimated_error);
+  });
+  connect(&final_, &FinalRender::image_changed, this, [this](const auto& image) {
+    image_path_ = final_.output();
+    image_->set_image(image);
+  });
+  connect(&final_, &FinalRender::logged, this, &RenderPanel::log);
+  connect(&final_, &FinalRender::finished, this, &RenderPanel::finish);
+  connect(&final_, &FinalRender::failed, this, [this](const QString& why) {
+    log(why);
+    say(tr("No image: %1").arg(why.section('\n', 0, 0)));
+    update_actions();
+    if (std::exchange(resumes_after_, false)) preview_.resume();
+  });
+}
+
+void RenderPanel::finish(const FinalRenderResult& result) {
+  if (image_->image()) history_->add(result, *image_->image());
+  if (!result.is_stopped) progress_->setValue(progress_->maximum());
+  QString text = result.is_stopped ? tr("Stopped, image kept") : tr("Done");
+  text += " · " + tr("%1 samples").arg(result.summary.samples, 0, 'g', 4) + " · " +
+          duration_text(result.summary.seconds);
+  if (result.summary.estimated_error)
+    text += " · " + tr("error %1").arg(percent_text(*result.summary.estimated_error));
+  say(text);
+  log(text);
+  update_actions();
+  resumes_after_ = false;  // its images would hide this one
+}
+
+void RenderPanel::set_scene(grf::Scene scene, const QString& path) {
+  scene_ = std::move(scene);
+  path_ = path;
+  if (preview_.is_on()) restart_preview();
+}
+
+void RenderPanel::open_scene(grf::Scene scene, const QString& path) {
+  view_.reset();
+  RenderOptions render_options;
+  const QString op_file = op_file_beside(path);
+  if (!path.isEmpty() && QFileInfo::exists(op_file)) {
+    grf::Diagnostics diagnostics;
+    auto read = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), diagnostics);
+    log(QString::fromStdString(diagnostics.to_text()));
+    if (read) render_options = std::move(*read);
+  }
+  scene_ = std::move(scene);
+  path_ = path;
+  set_options(render_options);
+  emit options_changed(render_options);
+}
+
+const RenderOptions& RenderPanel::options() const { return settings_->options(); }
+
+void RenderPanel::set_options(const RenderOptions& render_options) {
+  view_.reset();
+  settings_->set_options(render_options);
+  curve_->set_target(render_options.target_error);
+  if (preview_.is_on()) restart_preview();
+}
+
+void RenderPanel::set_view(const transport::View& view) {
+  view_ = view;
+  RenderOptions render_options = options();
+  render_options.viewer = grf::Vec3f(view.eye);
+  render_options.target = grf::Vec3f(view.target);
+  render_options.up = view.up;
+  render_options.field_of_view = view.field_of_view;
+  settings_->set_options(render_options);
+  if (preview_.is_on()) restart_preview();
+}
+
+void RenderPanel::toggle_preview() {
+  if (!preview_.is_on()) return restart_preview();
+  if (preview_.is_paused()) {
+    preview_.resume();
+  } else {
+    preview_.pause();
+  }
+}
+
+void RenderPanel::restart_preview() {
+  if (final_.is_running()) {  // the processor is the render's
+    resumes_after_ = false;
+    return preview_.stop();
+  }
+  curve_->clear();
+  say(tr("Preview"));
+  preview_.restart({scene_, path_.toStdString(), with_absolute_paths(options(), path_), view_});
+  update_actions();
+}
+
+void RenderPanel::render() {
+  if (final_.is_running()) return;
+  resumes_after_ = preview_.is_on() && !preview_.is_paused();
+  if (resumes_after_) preview_.pause();
+  keep_op_file();
+  final_.start({scene_, path_, options()});
+}
+
+void RenderPanel::stop() {
+  if (final_.is_running()) {
+    say(tr("Stopping: the image is kept"));
+    return final_.stop();
+  }
+  preview_.stop();
+}
+
+/// What authors wrote is theirs: an OP file that is there is changed only where they say so.
+void RenderPanel::keep_op_file() {
+  if (path_.isEmpty()) return;
+  const QString op_file = op_file_beside(path_);
+  if (!QFileInfo::exists(op_file)) {
+    write_op_file();
+    return;
+  }
+  grf::Diagnostics unheard;  // it was read when the scene was opened
+  auto there = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), unheard);
+  RenderOptions now = with_absolute_paths(options(), path_);
+  if (there) now.scene = there->scene;
+  if (!there || !(*there == now)) emit op_file_differs(op_file);
+}
+
+bool RenderPanel::write_op_file() {
+  RenderOptions render_options = with_absolute_paths(options(), path_);
+  render_options.scene = QFileInfo(path_).absoluteFilePath().toStdString();
+  grf::Diagnostics diagnostics;
+  const bool is_written = editor::write_op_file(render_options, op_file_beside(path_), diagnostics);
+  log(QString::fromStdString(diagnostics.to_text()));
+  return is_written;
+}
+
+void RenderPanel::show_progress(double done, std::optional<double> seconds_left,
+                                std::optional<double> error) {
+  progress_->setValue(static_cast<int>(done * progress_->maximum()));
+  QString text = final_.is_running() ? tr("Rendering") : tr("Preview");
+  text += " · " + tr("%1 %").arg(100 * done, 0, 'f', 0);
+  if (seconds_left) text += " · " + tr("%1 left").arg(duration_text(*seconds_left));
+  if (error) text += " · " + tr("error %1").arg(percent_text(*error));
+  say(text);
+}
+
+void RenderPanel::say(const QString& text) {
+  status_->setText(text);
+  status_->setToolTip(text);
+}
+
+void RenderPanel::log(const QString& text) {
+  const QString trimmed = text.trimmed();
+  if (!trimmed.isEmpty()) log_->appendPlainText(trimmed);
+}
+
+void RenderPanel::open_image() {
+  if (image_path_.isEmpty()) return emit preview_opened();
+  if (QFileInfo::exists(image_path_)) emit image_opened(image_path_);
+}
+
+void RenderPanel::update_actions() {
+  const bool renders = final_.is_running();
+  const bool is_paused = preview_.is_paused();
+  const auto set = [](QAction* action, bool is_enabled, const QString& tip) {
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    action->setEnabled(is_enabled);
+    action->setToolTip(tr("%1 (%2)").arg(tip, key));
+  };
+  preview_action_->setText(!preview_.is_on() ? tr("Preview") : is_paused ? tr("Go on") : tr("Pause"));
+  preview_action_->setIcon(icon(preview_.is_on() && !is_paused ? "pause" : "preview"));
+  set(preview_action_, !renders,
+      renders ? tr("A render is running, which has the processor")
+              : tr("Shows the scene, coarse at first, and follows what is edited"));
+  set(render_action_, !renders,
+      renders ? tr("A render is running: stop it to begin another one")
+              : tr("Renders the image to its file, from the scene as it is now"));
+  set(stop_action_, renders || preview_.is_on(),
+      renders            ? tr("Ends the render and keeps its image")
+      : preview_.is_on() ? tr("Ends the preview")
+                         : tr("Nothing is being rendered"));
+}
+
+}  // namespace editor

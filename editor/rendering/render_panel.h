@@ -1,0 +1,108 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "editor/rendering/final_render.h"
+#include "editor/rendering/preview.h"
+#include "grf/scene.h"
+#include "renderer/options/render_options.h"
+
+class QAction;
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QSplitter;
+
+namespace editor {
+
+class ErrorCurve;
+class FittedImage;
+class RenderHistory;
+class RenderSettingsRow;
+
+/// The dock in which a scene is rendered: a preview in the window, which follows what is edited, and final
+/// renders by `bpt`.
+class RenderPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RenderPanel(const QString& program = bundled_program("bpt"), QWidget* parent = nullptr);
+
+  /// The scene as it is now, and its file; a preview that is on shows it.
+  void set_scene(grf::Scene scene, const QString& path);
+  /// A scene that was just opened: its camera and options are those of the OP file beside it, if there is
+  /// one.
+  void open_scene(grf::Scene scene, const QString& path);
+  /// A preview that is on shows what they say.
+  void set_options(const options::RenderOptions& render_options);
+  const options::RenderOptions& options() const;
+  /// The camera of previews and renders from now on.
+  void set_view(const transport::View& view);
+  /// Writes the options to the OP file beside the scene in place of what is there. False after an error,
+  /// which is in the log.
+  bool write_op_file();
+
+  Preview& preview() { return preview_; }
+  FinalRender& final_render() { return final_; }
+  // For menus too; their shortcuts are those of the window.
+  QAction* preview_action() const { return preview_action_; }
+  QAction* render_action() const { return render_action_; }
+  QAction* stop_action() const { return stop_action_; }
+  QAction* options_action() const { return options_action_; }
+
+ signals:
+  /// By hand, or by opening a scene.
+  void options_changed(const options::RenderOptions& render_options);
+  /// All of them are to be shown.
+  void options_requested();
+  /// An image file is to be shown large.
+  void image_opened(const QString& path);
+  /// The preview is to be shown large.
+  void preview_opened();
+  /// The OP file beside the scene says other things than what is rendered: `write_op_file` changes those.
+  void op_file_differs(const QString& path);
+
+ private:
+  void make_actions();
+  void lay_out();
+  QWidget* make_controls();
+  QPlainTextEdit* make_log();
+  void connect_preview();
+  void connect_final();
+  void toggle_preview();
+  void restart_preview();
+  void render();
+  void stop();
+  void keep_op_file();
+  void finish(const FinalRenderResult& result);
+  void show_progress(double done, std::optional<double> seconds_left, std::optional<double> error);
+  void say(const QString& text);
+  void log(const QString& text);
+  void open_image();
+  void update_actions();
+
+  grf::Scene scene_;
+  QString path_;
+  std::optional<transport::View> view_;
+  QString image_path_;          ///< of the image that is shown; empty: it is the preview's
+  bool resumes_after_ = false;  ///< the preview was paused for a render
+
+  QAction* preview_action_;
+  QAction* render_action_;
+  QAction* stop_action_;
+  QAction* options_action_;
+  RenderSettingsRow* settings_;
+  QProgressBar* progress_;
+  QLabel* status_;
+  FittedImage* image_;
+  ErrorCurve* curve_;
+  QPlainTextEdit* log_;
+  RenderHistory* history_;
+  Preview preview_;
+  FinalRender final_;
+};
+
+}  // namespace editor

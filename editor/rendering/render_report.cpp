@@ -1,0 +1,56 @@
+#include "editor/rendering/render_report.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+
+namespace editor {
+namespace {
+
+std::optional<double> number(const QJsonObject& object, const char* name) {
+  const QJsonValue value = object.value(QLatin1String(name));
+  return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+}
+
+QString text(const char* words) { return QCoreApplication::translate("RenderReport", words); }
+
+}  // namespace
+
+std::optional<RenderReport> render_report_of(const QByteArray& line) {
+  const QJsonObject object = QJsonDocument::fromJson(line).object();
+  const auto done = number(object, "done");
+  if (!done) return std::nullopt;
+  return RenderReport{*done, number(object, "seconds").value_or(0), number(object, "seconds_left"),
+                      number(object, "estimated_error")};
+}
+
+std::optional<RenderSummary> render_summary_of(const QByteArray& line) {
+  const QJsonObject object = QJsonDocument::fromJson(line).object();
+  const auto samples = number(object, "samples");
+  if (!samples || !object.contains(QLatin1String("output"))) return std::nullopt;
+  return RenderSummary{static_cast<int>(number(object, "width").value_or(0)),
+                       static_cast<int>(number(object, "height").value_or(0)), *samples,
+                       number(object, "render_seconds").value_or(0), number(object, "estimated_error")};
+}
+
+std::optional<BakeSummary> bake_summary_of(const QByteArray& line) {
+  const QJsonObject object = QJsonDocument::fromJson(line).object();
+  const auto vertices = number(object, "vertices");
+  if (!vertices) return std::nullopt;
+  return BakeSummary{*vertices, number(object, "samples").value_or(0),
+                     number(object, "render_seconds").value_or(0), number(object, "estimated_error")};
+}
+
+QString duration_text(double seconds) {
+  if (seconds < 10) return text("%1 s").arg(seconds, 0, 'f', 1);
+  const auto whole = std::lround(seconds);
+  if (whole < 60) return text("%1 s").arg(whole);
+  const auto two_digits = [](long value) { return QStringLiteral("%1").arg(value, 2, 10, QChar('0')); };
+  if (whole < 3600) return text("%1 min %2 s").arg(whole / 60).arg(two_digits(whole % 60));
+  return text("%1 h %2 min").arg(whole / 3600).arg(two_digits(whole % 3600 / 60));
+}
+
+QString percent_text(double share) { return text("%1 %").arg(100 * share, 0, 'g', 3); }
+
+}  // namespace editor

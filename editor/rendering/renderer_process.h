@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+
+#include "editor/programs/bundled_program.h"
+
+namespace editor {
+
+/// How a run of the renderer ended.
+struct RendererEnd {
+  bool is_interrupted = false;  ///< it was asked to end early, and did
+  QString problem;              ///< why it failed, which may be lines; empty: it did not
+};
+
+/// Runs the program `bpt`, one command at a time, and hears it line by line.
+class RendererProcess : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RendererProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr);
+  /// What still runs is asked to end, and ended if that takes more than some seconds.
+  ~RendererProcess() override;
+
+  /// Why it cannot be run; empty: as far as is known it can.
+  QString why_missing() const;
+  void start(const QStringList& arguments);
+  /// Asks for what there is so far. `ended` follows.
+  void interrupt();
+  /// Ends it at once, with nothing kept. No signal comes.
+  void kill();
+  /// What it said of its work since it was started.
+  const QStringList& lines() const { return log_; }
+
+ signals:
+  /// A line of its standard output.
+  void reported(const QByteArray& line);
+  /// A line of what it says of its work.
+  void logged(const QString& line);
+  void ended(const editor::RendererEnd& end);
+
+ private:
+  void read_reports();
+  void read_log();
+  void log(const QByteArray& bytes);
+  void end(int exit_code, QProcess::ExitStatus status);
+
+  const QString program_;
+  QProcess process_;
+  QStringList log_;
+  bool is_to_end_ = false;
+};
+
+}  // namespace editor

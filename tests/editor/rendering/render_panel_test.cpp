@@ -1,0 +1,189 @@
+#include "editor/rendering/render_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/rendering/error_curve.h"
+#include "editor/rendering/fitted_image.h"
+#include "editor/rendering/render_files.h"
+#include "editor/rendering/render_history.h"
+#include "renderer/options/op_file.h"
+#include "tests/editor/rendering/rendering_helpers.h"
+
+namespace {
+
+using editor::RenderPanel;
+using testing::HasSubstr;
+
+class RenderPanelTest : public testing::Test {
+ protected:
+  RenderPanelTest() {
+    panel_.resize(1600, 260);
+    panel_.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&panel_));
+    panel_.activateWindow();  // there is no window manager that would
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&panel_));
+  }
+
+  template <class Control>
+  Control* control(const char* name) {
+    for (Control* one : panel_.findChildren<Control*>()) {
+      if (one->accessibleName() == name) return one;
+    }
+    throw std::runtime_error(name);
+  }
+  QString path(const char* name) const { return QString::fromStdString(folder_.path(name)); }
+  /// A scene whose OP file asks for few samples of a small image.
+  void open(int samples) {
+    folder_.add("scene.op",
+                "# keep me\nBPT_Scene scene.grf\nBPT_Image_Resolution 96 72\nBPT_Viewer 0 2 6\n"
+                "BPT_VLook 0 0.5 0\nBPT_Samples " +
+                    std::to_string(samples) + "\n");
+    panel_.open_scene(test::scene_of_text(test::Corner), path("scene.grf"));
+  }
+  bool has_image() {
+    return QTest::qWaitFor([this] { return panel_.findChild<editor::FittedImage*>()->image() != nullptr; },
+                           test::Minute);
+  }
+  bool render_ends() {
+    return QTest::qWaitFor([this] { return !panel_.final_render().is_running(); }, test::Minute);
+  }
+  std::string status() { return control<QLabel>("State of the render")->text().toStdString(); }
+
+  test::TemporaryFolder folder_;
+  RenderPanel panel_;
+};
+
+TEST_F(RenderPanelTest, TakesCameraAndOptionsFromTheFileBesideTheScene) {
+  QSignalSpy changed(&panel_, &RenderPanel::options_changed);
+  open(24);
+  EXPECT_EQ(changed.size(), 1);
+  EXPECT_EQ(panel_.options().viewer, grf::Vec3f(0, 2, 6));
+  EXPECT_EQ(control<QSpinBox>("Samples")->value(), 24);
+  EXPECT_EQ(control<QSpinBox>("Width")->value(), 96);
+}
+
+TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
+  open(100'000);
+  QTest::keyClick(&panel_, Qt::Key_F5);
+  ASSERT_TRUE(has_image());
+  QSignalSpy images(&panel_.preview(), &editor::Preview::image_changed);
+  panel_.set_view({.eye = grf::Vec3d(1, 2, 5)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return images.size() >= 2; }, test::Minute));
+  EXPECT_EQ(panel_.options().viewer, grf::Vec3f(1, 2, 5));
+  QTest::keyClick(&panel_, Qt::Key_F5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.preview().is_paused(); }, test::Minute));
+  EXPECT_EQ(panel_.preview_action()->text(), "Go on");
+  QTest::keyClick(&panel_, Qt::Key_F5, Qt::ShiftModifier);
+  EXPECT_FALSE(panel_.preview().is_on());
+  EXPECT_FALSE(panel_.stop_action()->isEnabled());
+  EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("Nothing is being rendered"));
+}
+
+TEST_F(RenderPanelTest, RendersByF6AndKeepsAHistory) {
+  open(8);
+  QSignalSpy opened(&panel_, &RenderPanel::image_opened);
+  QTest::keyClick(&panel_, Qt::Key_F6);
+  EXPECT_FALSE(panel_.render_action()->isEnabled());
+  EXPECT_THAT(panel_.render_action()->toolTip().toStdString(), HasSubstr("running"));
+  ASSERT_TRUE(render_ends());
+  EXPECT_THAT(status(), HasSubstr("Done · 8 samples"));
+  EXPECT_TRUE(QFileInfo::exists(path("scene.exr")));
+  EXPECT_EQ(test::bytes_of(folder_.path("scene.op")).substr(0, 9), "# keep me") << "authors' files stay";
+  auto* history = panel_.findChild<editor::RenderHistory*>();
+  ASSERT_EQ(history->count(), 1);
+  QTest::mouseClick(history->viewport(), Qt::LeftButton, {},
+                    history->visualItemRect(history->item(0)).center());
+  ASSERT_GE(opened.size(), 1);
+  EXPECT_TRUE(QFileInfo::exists(opened[0][0].toString()));
+  auto* image = panel_.findChild<editor::FittedImage*>();
+  QTest::mouseClick(image, Qt::LeftButton);
+  EXPECT_EQ(opened.back()[0].toString(), path("scene.exr"));
+  image->setFocus();
+  QTest::keyClick(image, Qt::Key_Return);
+  EXPECT_EQ(opened.back()[0].toString(), path("scene.exr"));
+}
+
+TEST_F(RenderPanelTest, MarksARenderThatWasStopped) {
+  open(1'000'000);
+  QTest::keyClick(&panel_, Qt::Key_F6);
+  auto* curve = panel_.findChild<editor::ErrorCurve*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return curve->size() >= 2; }, test::Minute));
+  EXPECT_THAT(status(), HasSubstr("left"));
+  panel_.stop_action()->trigger();
+  ASSERT_TRUE(render_ends());
+  EXPECT_THAT(status(), HasSubstr("Stopped, image kept"));
+  auto* history = panel_.findChild<editor::RenderHistory*>();
+  ASSERT_EQ(history->count(), 1);
+  EXPECT_THAT(history->item(0)->text().toStdString(), HasSubstr("stopped"));
+}
+
+TEST_F(RenderPanelTest, WritesTheOpFileWhereThereIsNoneOrWhereItIsTold) {
+  panel_.open_scene(test::scene_of_text(test::Corner), path("new.grf"));
+  QSignalSpy differs(&panel_, &RenderPanel::op_file_differs);
+  control<QSpinBox>("Width")->setValue(40);
+  control<QSpinBox>("Height")->setValue(30);
+  control<QSpinBox>("Samples")->setValue(2);
+  panel_.render_action()->trigger();
+  ASSERT_TRUE(render_ends());
+  EXPECT_TRUE(differs.empty());
+  grf::Diagnostics diagnostics;
+  auto read = options::read_op_file(folder_.path("new.op"), diagnostics);
+  ASSERT_TRUE(read) << diagnostics.to_text();
+  EXPECT_EQ(read->samples, 2);
+  control<QSpinBox>("Samples")->setValue(3);
+  panel_.render_action()->trigger();
+  ASSERT_TRUE(render_ends());
+  ASSERT_EQ(differs.size(), 1);
+  EXPECT_EQ(options::read_op_file(folder_.path("new.op"), diagnostics)->samples, 2);
+  EXPECT_TRUE(panel_.write_op_file());
+  EXPECT_EQ(options::read_op_file(folder_.path("new.op"), diagnostics)->samples, 3);
+}
+
+TEST_F(RenderPanelTest, ControlsAreThoseOfTheTable) {
+  QSignalSpy changed(&panel_, &RenderPanel::options_changed);
+  control<QDoubleSpinBox>("Target error")->setValue(2.5);
+  control<QComboBox>("Sampling scheme")->setCurrentText("Hemisphere");
+  control<QSpinBox>("Depth")->setValue(7);
+  EXPECT_EQ(changed.size(), 3);
+  EXPECT_EQ(panel_.options().target_error, 0.025F);
+  EXPECT_EQ(panel_.options().name, "Hemisphere");
+  EXPECT_EQ(panel_.options().depth, 7);
+  options::RenderOptions render_options;
+  render_options.name = "Reject";
+  panel_.set_options(render_options);
+  EXPECT_EQ(control<QComboBox>("Sampling scheme")->currentText(), "Reject");
+  EXPECT_EQ(changed.size(), 3) << "not by hand";
+}
+
+TEST_F(RenderPanelTest, AllHaveNamesAndHelp) {
+  for (const QWidget* widget : panel_.findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) continue;
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
+    EXPECT_FALSE(widget->toolTip().isEmpty()) << widget->metaObject()->className();
+  }
+}
+
+TEST_F(RenderPanelTest, SaysWhyASceneCannotBeRendered) {
+  grf::Scene scene = test::scene_of_text(test::Corner);
+  test::first_mesh(scene).edit().surfaces[0].texture = grf::Texture{"lost.png", {}};
+  panel_.open_scene(scene, path("scene.grf"));
+  panel_.preview_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.preview().is_on(); }, test::Minute));
+  EXPECT_THAT(control<QPlainTextEdit>("Log")->toPlainText().toStdString(), HasSubstr("lost.png"));
+  EXPECT_THAT(status(), HasSubstr("No preview"));
+  panel_.render_action()->trigger();
+  ASSERT_TRUE(render_ends());
+  EXPECT_THAT(status(), HasSubstr("No image"));
+}
+
+}  // namespace
