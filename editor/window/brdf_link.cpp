@@ -1,0 +1,143 @@
+#include "editor/window/brdf_link.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "editor/brdf/brdf_editor.h"
+#include "editor/document/definitions.h"
+#include "editor/document/scene_places.h"
+#include "editor/panels/surface_facts.h"
+#include "renderer/reflectance/brdf.h"
+
+namespace editor {
+namespace {
+
+/// The steps of one drag of a control are one step of undo.
+const QString GestureKey = QStringLiteral("brdf of the selection");
+
+/// What a name means among definitions, the innermost of which come last; null if that is nothing.
+template <class Body>
+const PlacedDefinition* named(const std::vector<PlacedDefinition>& definitions, const std::string& name) {
+  const auto found =
+      std::find_if(definitions.rbegin(), definitions.rend(), [&](const PlacedDefinition& each) {
+        return each.definition->name == name && std::holds_alternative<Body>(each.definition->body);
+      });
+  return found == definitions.rend() ? nullptr : &*found;
+}
+
+/// The sampling scheme that all selected faces have, or none.
+std::optional<grf::PdfModel> common_scheme(const Document& document,
+                                           const std::vector<PlacedDefinition>& definitions) {
+  const auto pdf = common_surface(document.objects(), document.selection()).pdf;
+  if (pdf.is_mixed || !pdf.value) return std::nullopt;
+  if (const auto* model = std::get_if<grf::PdfModel>(&*pdf.value)) return *model;
+  const auto* definition = named<grf::PdfModel>(definitions, std::get<grf::Reference>(*pdf.value).name);
+  return definition == nullptr ? std::nullopt
+                               : std::optional(std::get<grf::PdfModel>(definition->definition->body));
+}
+
+}  // namespace
+
+BrdfLink::BrdfLink(Document& document, BrdfEditor& editor, QObject* parent)
+    : QObject(parent), document_(document), editor_(editor) {
+  connect(&document_, &Document::selection_changed, this, &BrdfLink::show_selection);
+  connect(&document_, &Document::scene_changed, this, &BrdfLink::show_selection);
+  connect(&editor_, &BrdfEditor::changing, this, &BrdfLink::change);
+  connect(&editor_, &BrdfEditor::edited, this, &BrdfLink::finish);
+  connect(&editor_, &BrdfEditor::definition_chosen, this, &BrdfLink::share);
+  show_selection();
+}
+
+std::vector<BrdfLink::Subject> BrdfLink::subjects_of_selection() const {
+  std::vector<Subject> subjects;
+  for (const MeshBrdf& each : selected_brdfs(document_.objects(), document_.selection())) {
+    Subject subject;
+    if (!each.brdf) {
+      subject.model = reflectance::default_model();
+      subject.is_default = true;
+    } else if (const auto* model = std::get_if<grf::BrdfModel>(&*each.brdf)) {
+      subject.model = *model;
+    } else {
+      const auto there = definitions_at(document_.scene(), document_.objects().meshes[each.mesh].path);
+      const PlacedDefinition* definition =
+          named<grf::BrdfModel>(there, std::get<grf::Reference>(*each.brdf).name);
+      if (definition == nullptr) continue;
+      subject.model = std::get<grf::BrdfModel>(definition->definition->body);
+      subject.definition = definition->path;
+    }
+    if (std::find(subjects.begin(), subjects.end(), subject) == subjects.end()) subjects.push_back(subject);
+  }
+  return subjects;
+}
+
+void BrdfLink::show_selection() {
+  if (is_changing_) return;
+  subjects_ = subjects_of_selection();
+  const auto placed = common_definitions(document_.scene(), facts_of(document_).meshes);
+  Definitions definitions;
+  for (const PlacedDefinition& each : placed) definitions.push_back(*each.definition);
+  editor_.set_definitions(definitions);
+  std::vector<grf::BrdfModel> models;
+  models.reserve(subjects_.size());
+  for (const Subject& subject : subjects_) models.push_back(subject.model);
+  editor_.set_models(models);
+  editor_.set_scheme(common_scheme(document_, placed));
+}
+
+SurfaceEdit BrdfLink::edit_of(const grf::Surface& surface, const std::vector<grf::BrdfModel>& models) const {
+  SurfaceEdit edit;
+  for (std::size_t i = 0; i < subjects_.size(); ++i) {
+    const Subject& subject = subjects_[i];
+    if (subject.definition) continue;
+    const auto* model = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
+    const bool is_it = surface.brdf ? model != nullptr && *model == subject.model : subject.is_default;
+    if (is_it) edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(models[i]);
+  }
+  return edit;
+}
+
+void BrdfLink::change(const std::vector<grf::BrdfModel>& models) {
+  if (models.size() != subjects_.size() || models.empty()) return;
+  is_changing_ = true;
+  const SurfaceEdits edits = [&](const grf::Surface& surface) { return edit_of(surface, models); };
+  const auto is_shared = [](const Subject& subject) { return subject.definition.has_value(); };
+  if (std::any_of(subjects_.begin(), subjects_.end(), is_shared)) {
+    change_definitions(edits, models);
+  } else {
+    document_.edit_surfaces(tr("Edit the BRDF"), edits, GestureKey);
+  }
+  is_changing_ = false;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    subjects_[i].model = models[i];
+    subjects_[i].is_default = false;
+  }
+}
+
+/// Definitions and what faces have for themselves, in one step of undo.
+void BrdfLink::change_definitions(const SurfaceEdits& edits, const std::vector<grf::BrdfModel>& models) {
+  grf::Diagnostics diagnostics;
+  std::optional<grf::Scene> scene = document_.scene();
+  for (const MeshSurfaces& of_mesh : edited(document_.objects(), document_.selection(), edits)) {
+    put(of_mesh, grf::find_mesh(*scene, of_mesh.path)->edit());
+  }
+  for (std::size_t i = 0; scene && i < models.size(); ++i) {
+    if (!subjects_[i].definition) continue;
+    scene = change_definition(*scene, *subjects_[i].definition, models[i], diagnostics);
+  }
+  if (!scene) return emit failed(QString::fromStdString(diagnostics.to_text()));
+  document_.replace(tr("Edit the BRDF"), std::move(*scene), GestureKey);
+}
+
+void BrdfLink::finish(const std::vector<grf::BrdfModel>& models) {
+  change(models);
+  document_.finish_gesture();
+}
+
+void BrdfLink::share(const QString& name) {
+  SurfaceEdit edit;
+  edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{name.toStdString(), {}});
+  document_.edit_surfaces(tr("Assign %1").arg(name), edit);
+}
+
+}  // namespace editor

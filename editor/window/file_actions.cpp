@@ -1,0 +1,279 @@
+#include "editor/window/file_actions.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QKeySequence>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QWidget>
+#include <optional>
+#include <utility>
+
+#include "converters/format.h"
+#include "editor/brdf/background_job.h"
+#include "editor/document/document.h"
+#include "editor/document/model_import.h"
+#include "editor/window/actions.h"
+#include "grf/read.h"
+
+namespace editor {
+namespace {
+
+constexpr int MostRecentFiles = 10;
+/// Scenes of fewer bytes are read at once: it takes some milliseconds.
+constexpr qint64 SmallScene = 500'000;
+
+bool is_grf(const QString& file) {
+  const QString suffix = QFileInfo(file).suffix().toLower();
+  return suffix == "grf" || suffix == "igrf";
+}
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+/// "Title (*.a *.b)" of each format that is written, GRF left out.
+QString export_filter() {
+  QStringList filters;
+  for (const convert::Format& format : convert::formats()) {
+    if (format.write == nullptr || format.name == "grf") continue;
+    QStringList patterns;
+    for (const std::string_view extension : format.extensions) patterns.append("*." + text_of(extension));
+    filters.append(QString("%1 (%2)").arg(text_of(format.title), patterns.join(' ')));
+  }
+  return filters.join(";;");
+}
+
+QString name_for_export(const Document& document) {
+  return QFileInfo(document.path().isEmpty() ? "scene" : document.path()).completeBaseName();
+}
+
+}  // namespace
+
+QStringList recent_files() { return QSettings().value("recent_files").toStringList(); }
+
+void add_recent_file(const QString& file) {
+  QStringList files = recent_files();
+  const QString path = QFileInfo(file).absoluteFilePath();
+  files.removeAll(path);
+  files.prepend(path);
+  QSettings().setValue("recent_files", QStringList(files.mid(0, MostRecentFiles)));
+}
+
+struct FileActions::ReadScene {
+  std::optional<grf::Scene> scene;
+  grf::Diagnostics diagnostics;
+
+  static ReadScene of(const QString& file) {
+    ReadScene read;
+    read.scene = grf::read(file.toStdString(), read.diagnostics);
+    return read;
+  }
+};
+
+FileActions::FileActions(Document& document, QWidget& window)
+    : QObject(&window),
+      document_(document),
+      window_(window),
+      import_(std::make_unique<ModelImport>(ModelImport::default_folder())),
+      reading_(std::make_unique<BackgroundJob<ReadScene>>(this)) {
+  connect(import_.get(), &ModelImport::done, this,
+          [this](const std::shared_ptr<const ImportedModel>& model) { take_model(*model); });
+  connect(import_.get(), &ModelImport::failed, this, [this](const QString& message) {
+    imports_.pop_front();
+    emit failed(message);
+    import_next();
+  });
+  make_actions();
+}
+
+FileActions::~FileActions() = default;
+
+void FileActions::make_actions() {
+  const auto add = [this](const QString& text, const QString& icon_name, const QKeySequence& keys,
+                          const QString& tip, const std::function<void()>& action) {
+    actions_.append(new_action(window_, {text, icon_name, keys, tip}, action));
+  };
+  const QString readable =
+      tr("Scenes and models (%1);;All files (*)").arg(ModelImport::name_patterns().join(' '));
+  add(tr("&New"), "new", QKeySequence::New, tr("Begin an empty scene"),
+      [this] { leave([this] { document_.clear(); }); });
+  add(tr("&Open..."), "open", QKeySequence::Open, tr("Open a scene, or import a model of another format"),
+      [this, readable] { ask_for_file(tr("Open"), readable, [this](const QString& file) { open(file); }); });
+  add(tr("&Merge in..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Add a scene or a model to this one"),
+      [this, readable] {
+        ask_for_file(tr("Merge in"), readable, [this](const QString& file) { merge(file); });
+      });
+  add(tr("&Save"), "save", QKeySequence::Save, tr("Save the scene"), [this] { save(); });
+  add(tr("Save &as..."), {}, QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"),
+      [this] { ask_where_to_save({}); });
+  add(tr("&Export..."), {}, QKeySequence("Ctrl+E"), tr("Write the scene in another format"), [this] {
+    const QString file =
+        QFileDialog::getSaveFileName(&window_, tr("Export"), name_for_export(document_), export_filter());
+    if (!file.isEmpty()) export_to(file);
+  });
+}
+
+void FileActions::fill(QMenu& menu) {
+  menu.addAction(actions_[0]);
+  menu.addAction(actions_[1]);
+  recent_ = menu.addMenu(tr("Open &recent"));
+  recent_->setToolTipsVisible(true);
+  connect(recent_, &QMenu::aboutToShow, this, &FileActions::update_recent);
+  update_recent();
+  for (int i = 2; i < actions_.size(); ++i) {
+    if (i == 3 || i == 5) menu.addSeparator();
+    menu.addAction(actions_[i]);
+  }
+}
+
+void FileActions::update_recent() {
+  recent_->clear();
+  for (const QString& file : recent_files()) {
+    QAction* entry = recent_->addAction(QFileInfo(file).fileName(), this, [this, file] { open(file); });
+    entry->setToolTip(QDir::toNativeSeparators(file));
+    entry->setEnabled(QFile::exists(file));
+  }
+  if (recent_->isEmpty()) recent_->addAction(tr("No file was opened yet"))->setEnabled(false);
+}
+
+void FileActions::ask_for_file(const QString& title, const QString& filter,
+                               const std::function<void(const QString&)>& then) {
+  const QString folder = QSettings().value("last_folder").toString();
+  const QString file = QFileDialog::getOpenFileName(&window_, title, folder, filter);
+  if (file.isEmpty()) return;
+  QSettings().setValue("last_folder", QFileInfo(file).path());
+  then(file);
+}
+
+void FileActions::ask_where_to_save(const std::function<void()>& then) {
+  const QString proposal = document_.path().isEmpty() ? QString("scene.grf") : document_.path();
+  QString file =
+      QFileDialog::getSaveFileName(&window_, tr("Save as"), proposal, tr("GRF scenes (*.grf *.igrf)"));
+  if (file.isEmpty()) return;
+  if (!is_grf(file)) file += ".grf";
+  save_as(file);
+  if (then && !document_.is_modified()) then();
+}
+
+void FileActions::open(const QString& file) {
+  leave([this, file] { begin(file, false); });
+}
+
+void FileActions::merge(const QString& file) { begin(file, true); }
+
+void FileActions::begin(const QString& file, bool merges) {
+  const Import import = {file, merges, document_.undo_stack().index()};
+  if (imports_.empty() && is_grf(file) && QFileInfo(file).size() < SmallScene) {
+    return take_scene(import, ReadScene::of(file));
+  }
+  imports_.push_back(import);
+  if (imports_.size() == 1) import_next();
+}
+
+void FileActions::import_next() {
+  if (imports_.empty()) return emit busy({});
+  const QString file = imports_.front().file;
+  emit busy((is_grf(file) ? tr("Opening %1") : tr("Importing %1")).arg(QFileInfo(file).fileName()));
+  if (!is_grf(file)) return import_->start(file);
+  reading_->start([file](const StopFlag&) { return ReadScene::of(file); },
+                  [this](ReadScene read) {
+                    const Import import = imports_.front();
+                    imports_.pop_front();
+                    take_scene(import, std::move(read));
+                    import_next();
+                  });
+}
+
+void FileActions::cancel_import() {
+  if (imports_.empty()) return;
+  import_->cancel();
+  reading_->stop();
+  imports_.clear();
+  emit busy({});
+  emit done(tr("The import was given up"));
+}
+
+void FileActions::take_model(const ImportedModel& model) {
+  const Import import = imports_.front();
+  imports_.pop_front();
+  const QString name = QFileInfo(import.file).fileName();
+  if (import.merges) {
+    document_.merge_import(tr("Merge in %1").arg(name), model);
+  } else {
+    put_in_place(import, [this, &model] { document_.take_import(model); });
+  }
+  add_recent_file(import.file);
+  emit reported(model.messages);
+  emit done(model.losses.isEmpty() ? tr("Imported %1").arg(name)
+                                   : tr("Imported %1, not all of it: %2").arg(name, model.losses.join("; ")));
+  import_next();
+}
+
+void FileActions::take_scene(const Import& import, ReadScene read) {
+  if (!read.scene) return emit failed(QString::fromStdString(read.diagnostics.to_text()));
+  const QString name = QFileInfo(import.file).fileName();
+  add_recent_file(import.file);
+  if (import.merges) {
+    document_.merge(tr("Merge in %1").arg(name), *read.scene, import.file);
+    return emit done(tr("Merged in %1").arg(name));
+  }
+  put_in_place(import, [&] { document_.take(std::move(*read.scene), import.file, read.diagnostics); });
+  emit reported(QString::fromStdString(read.diagnostics.to_text()));
+  emit done(tr("Opened %1: %2 faces").arg(document_.name()).arg(document_.objects().faces));
+}
+
+void FileActions::put_in_place(const Import& import, const std::function<void()>& take) {
+  import.step == document_.undo_stack().index() ? take() : leave(take);
+}
+
+void FileActions::save(const std::function<void()>& then) {
+  if (document_.path().isEmpty()) return ask_where_to_save(then);
+  save_as(document_.path());
+  if (then && !document_.is_modified()) then();
+}
+
+void FileActions::save_as(const QString& file) {
+  grf::Diagnostics diagnostics;
+  if (!document_.save(file, diagnostics)) return emit failed(QString::fromStdString(diagnostics.to_text()));
+  add_recent_file(file);
+  emit done(tr("Saved %1").arg(document_.name()));
+}
+
+void FileActions::export_to(const QString& file) {
+  const convert::Format* format = convert::format_of_name(file.toStdString());
+  if (format == nullptr || format->write == nullptr) {
+    return emit failed(tr("%1: no format that is written has this extension").arg(file));
+  }
+  grf::Diagnostics diagnostics;
+  const grf::Scene scene = document_.scene_for(file);
+  if (!format->write(scene, file.toStdString(), diagnostics)) {
+    return emit failed(QString::fromStdString(diagnostics.to_text()));
+  }
+  emit reported(QString::fromStdString(diagnostics.to_text()));
+  emit done(tr("Exported %1").arg(QFileInfo(file).fileName()));
+}
+
+void FileActions::leave(const std::function<void()>& then) {
+  if (!document_.is_modified()) return then();
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                       tr("%1 has changes that are not saved.").arg(document_.name()),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+  question.setInformativeText(tr("Discarded changes cannot be brought back."));
+  question.setDefaultButton(QMessageBox::Save);
+  question.button(QMessageBox::Cancel)->setText(tr("Keep editing"));
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      return save(then);
+    case QMessageBox::Discard:
+      return then();
+    default:
+      return;
+  }
+}
+
+}  // namespace editor

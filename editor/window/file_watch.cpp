@@ -1,0 +1,59 @@
+#include "editor/window/file_watch.h"
+
+#include <QFileInfo>
+#include <utility>
+
+namespace editor {
+namespace {
+
+constexpr int QuietMilliseconds = 150;
+
+}  // namespace
+
+FileWatch::FileWatch(QObject* parent) : QObject(parent) {
+  quiet_.setSingleShot(true);
+  quiet_.setInterval(QuietMilliseconds);
+  connect(&quiet_, &QTimer::timeout, this, &FileWatch::compare);
+  const auto wait = [this] { quiet_.start(); };
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, wait);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);
+}
+
+FileWatch::Stamp FileWatch::stamp_of(const QString& file) {
+  const QFileInfo info(file);
+  return info.exists() ? Stamp{info.size(), info.lastModified()} : Stamp{};
+}
+
+void FileWatch::follow(const QStringList& files) {
+  const std::map<QString, Stamp> before = std::exchange(files_, {});
+  for (const QString& file : files) {
+    const QString path = QFileInfo(file).absoluteFilePath();
+    const auto known = before.find(path);
+    files_.emplace(path, known == before.end() ? stamp_of(path) : known->second);
+  }
+  const QStringList watched = watcher_.files() + watcher_.directories();
+  if (!watched.isEmpty()) watcher_.removePaths(watched);
+  watch();
+  quiet_.start();
+}
+
+/// A file that takes the place of another is seen in their folder, and has to be watched anew.
+void FileWatch::watch() {
+  QStringList paths;
+  for (const auto& [file, stamp] : files_) paths << file << QFileInfo(file).absolutePath();
+  paths.removeDuplicates();
+  if (!paths.isEmpty()) watcher_.addPaths(paths);
+}
+
+void FileWatch::compare() {
+  watch();
+  bool is_other = false;
+  for (auto& [file, stamp] : files_) {
+    const Stamp now = stamp_of(file);
+    is_other |= now != stamp;
+    stamp = now;
+  }
+  if (is_other) emit changed();
+}
+
+}  // namespace editor

@@ -1,0 +1,134 @@
+// The window in which scenes are edited.
+#pragma once
+
+#include <QMainWindow>
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "editor/document/document.h"
+#include "editor/document/recovery.h"
+#include "editor/window/docks.h"
+#include "grf/catalogue.h"
+
+class QAction;
+class QMenu;
+class QTabWidget;
+
+namespace editor {
+
+class BrdfEditor;
+class BrdfLink;
+class FileActions;
+class ImageBrowser;
+class ImageServer;
+class IrradianceBake;
+class LightPanel;
+class MessagePanel;
+class NoticeBar;
+class RenderLink;
+class RenderPanel;
+class SceneTree;
+class SceneView;
+class SelectionActions;
+class SourceView;
+class StatusLine;
+class SurfacePanel;
+class ViewActions;
+class ViewLink;
+
+/// The 3D view of a document, its docks, and what joins them. Nothing in it is modal but questions about
+/// files.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// Unsaved work is kept in a folder of `sessions`; see Recovery.
+  explicit MainWindow(const QString& sessions = Recovery::default_folder(), QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Opens the first file, and merges in the others.
+  void open(const QStringList& files);
+  /// Says so if an earlier session was not closed as it should be, and offers its work.
+  void offer_lost_work();
+
+  Document& document() { return document_; }
+  FileActions& files() { return *files_; }
+  SceneView& view() { return *view_; }
+  BrdfEditor& brdf_editor() { return *brdf_editor_; }
+  SurfacePanel& surface_panel() { return *surface_; }
+  SceneTree& scene_tree() { return *tree_; }
+  RenderPanel& render_panel() { return *render_; }
+  RenderLink& render_link() { return *render_link_; }
+  MessagePanel& message_panel() { return *messages_; }
+  NoticeBar& notice() { return *notice_; }
+  StatusLine& status_line() { return *status_; }
+  Docks& docks() { return docks_; }
+  /// Goes to the 3D view.
+  void show_scene();
+  /// The image view, which is made when it is first wanted.
+  ImageBrowser& image_browser();
+
+ protected:
+  void childEvent(QChildEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  // main_window.cpp
+  void lay_out();
+  void make_docks();
+  void connect_files();
+  void connect_panels();
+  void connect_images();
+  void show_title();
+  void tell(const QString& message);
+  void fail(const QString& message);
+  void show_source(const grf::SourceLocation& location);
+  void bake();
+  void recover(const LostWork& work);
+
+  // main_window_menus.cpp
+  void make_menus();
+  void make_file_menu();
+  void make_edit_menu();
+  void make_scene_menu();
+  void make_window_menu();
+  void make_help_menu();
+  void delete_faces();
+  void add_light();
+  void add_observer();
+  void put(const QString& text, std::optional<grf::Scene> scene, const grf::Diagnostics& diagnostics);
+
+  const grf::Catalogue catalogue_;
+  Document document_;
+  Recovery recovery_;
+  Docks docks_;
+  FileActions* files_;
+  SceneView* view_;
+  NoticeBar* notice_;
+  QTabWidget* pages_;
+  StatusLine* status_;
+  SceneTree* tree_ = nullptr;
+  LightPanel* lights_ = nullptr;
+  SurfacePanel* surface_ = nullptr;
+  BrdfEditor* brdf_editor_ = nullptr;
+  RenderPanel* render_ = nullptr;
+  MessagePanel* messages_ = nullptr;
+  QDockWidget* render_dock_ = nullptr;
+  QDockWidget* message_dock_ = nullptr;
+  QDockWidget* brdf_dock_ = nullptr;
+  RenderLink* render_link_ = nullptr;
+  ViewLink* view_link_ = nullptr;
+  BrdfLink* brdf_link_ = nullptr;
+  ViewActions* view_actions_ = nullptr;
+  SelectionActions* selection_actions_ = nullptr;
+  ImageServer* image_server_;
+  IrradianceBake* bake_;
+  ImageBrowser* images_ = nullptr;
+  QMenu* image_menu_ = nullptr;  ///< shown once there are images
+  SourceView* source_ = nullptr;
+};
+
+}  // namespace editor

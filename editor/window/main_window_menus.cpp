@@ -1,0 +1,201 @@
+// The menus of the window, in which every action has a place.
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolButton>
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/document/geometry_edits.h"
+#include "editor/document/light_edits.h"
+#include "editor/rendering/render_panel.h"
+#include "editor/view/scene_view.h"
+#include "editor/window/actions.h"
+#include "editor/window/file_actions.h"
+#include "editor/window/main_window.h"
+#include "editor/window/notice_bar.h"
+#include "editor/window/render_link.h"
+#include "editor/window/selection_actions.h"
+#include "editor/window/shortcut_list.h"
+#include "editor/window/tools.h"
+#include "editor/window/view_actions.h"
+
+namespace editor {
+namespace {
+
+QMenu* add_menu(QMenuBar& bar, const QString& title) {
+  QMenu* menu = bar.addMenu(title);
+  menu->setToolTipsVisible(true);
+  return menu;
+}
+
+/// The menu's entry of the command that is next, with its name.
+QAction* name_command(QAction* action, const QString& tip) {
+  action->setToolTip(tip);
+  action->setStatusTip(tip);
+  return action;
+}
+
+}  // namespace
+
+void MainWindow::make_menus() {
+  make_file_menu();
+  make_edit_menu();
+  selection_actions_->fill(*add_menu(*menuBar(), tr("&Select")));
+  QMenu* view = add_menu(*menuBar(), tr("&View"));
+  view_actions_->fill(*view);
+  view->addSeparator();
+  render_link_->fill(*view);
+  make_scene_menu();
+  QMenu* render = add_menu(*menuBar(), tr("&Render"));
+  render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});
+  render->addSeparator();
+  render->addAction(render_->options_action());
+  image_menu_ = add_menu(*menuBar(), tr("&Image"));
+  image_menu_->menuAction()->setVisible(false);
+  make_window_menu();
+  make_help_menu();
+}
+
+void MainWindow::make_file_menu() {
+  QMenu* menu = add_menu(*menuBar(), tr("&File"));
+  files_->fill(*menu);
+  menu->addSeparator();
+  QAction* quit = new_action(*this, {tr("&Quit"), {}, QKeySequence("Ctrl+Q"), tr("Closes the window")},
+                             [this] { close(); });
+  quit->setMenuRole(QAction::QuitRole);
+  menu->addAction(quit);
+}
+
+void MainWindow::make_edit_menu() {
+  QMenu* menu = add_menu(*menuBar(), tr("&Edit"));
+  QUndoStack& stack = document_.undo_stack();
+  QAction* undo = name_command(stack.createUndoAction(this, tr("&Undo")), tr("Takes the last change back"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(icon("undo"));
+  QAction* redo = name_command(stack.createRedoAction(this, tr("&Redo")), tr("Makes a change again"));
+  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  redo->setIcon(icon("redo"));
+  addActions({undo, redo});
+  menu->addActions({undo, redo});
+  menu->addSeparator();
+  menu->addAction(new_action(*this,
+                             {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
+                              tr("Takes the selected faces away; meshes without faces go, too")},
+                             [this] { delete_faces(); }));
+}
+
+void MainWindow::make_scene_menu() {
+  QMenu* menu = add_menu(*menuBar(), tr("S&cene"));
+  menu->addAction(new_action(*this,
+                             {tr("Add a &light"), "light", QKeySequence("Ctrl+Alt+A"),
+                              tr("Puts a square lamp over the scene, which shines downwards")},
+                             [this] { add_light(); }));
+  menu->addAction(new_action(
+      *this, {tr("Add an &observer"), "observer", {}, tr("Puts an observer where the 3D view is seen from")},
+      [this] { add_observer(); }));
+  menu->addAction(new_action(*this,
+                             {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
+                              tr("Computes the irradiance at all vertices, and keeps it in the scene")},
+                             [this] { bake(); }));
+}
+
+void MainWindow::make_window_menu() {
+  QMenu* menu = add_menu(*menuBar(), tr("&Window"));
+  docks_.fill(*menu);
+  menu->addAction(new_action(*this, {tr("&Images"), {}, QKeySequence("Ctrl+7"), tr("The image view")},
+                             [this] { image_browser(); }));
+  menu->addAction(new_action(*this, {tr("3D &view"), {}, QKeySequence("Ctrl+`"), tr("Goes to the 3D view")},
+                             [this] { show_scene(); }));
+  menu->addSeparator();
+  auto* themes = new QActionGroup(this);
+  for (const auto& [theme, text, tip] : {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
+                                         std::tuple(Theme::Light, tr("&Light"), tr("Dark text on light"))}) {
+    QAction* action =
+        new_switch(*this, {text, {}, {}, tip}, theme_of(palette()) == theme, [theme = theme](bool is_on) {
+          if (!is_on) return;
+          apply(theme, *qApp);
+          QSettings().setValue("theme", theme == Theme::Light ? "light" : "dark");
+        });
+    menu->addAction(themes->addAction(action));
+  }
+  menu->addSeparator();
+  menu->addAction(new_action(*this,
+                             {tr("&Reset the layout"), {}, {}, tr("Puts the docks where they were at first")},
+                             [this] { docks_.reset(); }));
+  // Docks that are folded away are one click away.
+  for (QDockWidget* dock : {render_dock_, message_dock_}) {
+    auto* button = new QToolButton(statusBar());
+    button->setDefaultAction(docks_.action_of(dock));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setAccessibleName(dock->windowTitle());
+    statusBar()->addPermanentWidget(button);
+  }
+}
+
+void MainWindow::make_help_menu() {
+  QMenu* menu = add_menu(*menuBar(), tr("&Tools"));
+  for (const Tool& tool : tools()) {
+    menu->addAction(new_action(*this, {tool.title, {}, {}, tool.about}, [tool] {
+      QWidget* window = tool.open({});
+      window->setAttribute(Qt::WA_DeleteOnClose);
+      window->show();
+    }));
+  }
+  QMenu* help = add_menu(*menuBar(), tr("&Help"));
+  help->addAction(new_action(*this,
+                             {tr("&Keyboard shortcuts"), {}, QKeySequence("F1"), tr("All keys, in one list")},
+                             [this] { show_shortcuts(*this); }));
+  help->addAction(new_action(*this, {tr("&About wannabe"), {}, {}, tr("Version and licence")}, [this] {
+    notice_->show_notice(
+        NoticeBar::Kind::Information,
+        tr("wannabe %1, the scene editor of Granada. Apache-2.0.").arg(QApplication::applicationVersion()));
+  }));
+}
+
+void MainWindow::put(const QString& text, std::optional<grf::Scene> scene,
+                     const grf::Diagnostics& diagnostics) {
+  if (scene) return document_.replace(text, std::move(*scene));
+  fail(QString::fromStdString(diagnostics.to_text()));
+}
+
+void MainWindow::delete_faces() {
+  if (document_.selection().empty()) return tell(tr("No face is selected"));
+  grf::Diagnostics diagnostics;
+  const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
+  put(tr("Delete faces"), without_faces(faces, diagnostics), diagnostics);
+}
+
+/// A lamp as wide as a quarter of the scene, half as high over it as that is high.
+void MainWindow::add_light() {
+  const grf::Box3d& bounds = document_.objects().bounds;
+  const grf::Vec3d size = bounds.isEmpty() ? grf::Vec3d(1) : bounds.size();
+  const grf::Vec3d centre = bounds.isEmpty() ? grf::Vec3d(0) : bounds.center();
+  const float width = static_cast<float>(std::max({size.x, size.z, size.y, 1e-3}) / 4);
+  const float height = static_cast<float>(centre.y + size.y);
+  grf::AreaLight light;
+  light.corner =
+      grf::Vec3f(static_cast<float>(centre.x) - width / 2, height, static_cast<float>(centre.z) - width / 2);
+  light.edge1 = grf::Vec3f(width, 0, 0);
+  light.edge2 = grf::Vec3f(0, 0, width);
+  light.radiance = grf::Colour(20);
+  grf::Diagnostics diagnostics;
+  put(tr("Add a light"), editor::add_light(document_.scene(), light, diagnostics), diagnostics);
+}
+
+void MainWindow::add_observer() {
+  grf::Diagnostics diagnostics;
+  put(tr("Add an observer"), editor::add_observer(document_.scene(), view_->camera().eye(), diagnostics),
+      diagnostics);
+}
+
+}  // namespace editor

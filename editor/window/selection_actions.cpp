@@ -1,0 +1,129 @@
+#include "editor/window/selection_actions.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QToolBar>
+#include <algorithm>
+#include <numbers>
+
+#include "editor/document/document.h"
+#include "editor/view/scene_view.h"
+#include "editor/window/actions.h"
+
+namespace editor {
+namespace {
+
+FaceSelection all_of(const FaceSelection& selection) {
+  FaceSelection all = selection;
+  all.select_all();
+  return all;
+}
+
+FaceSelection none_of(const FaceSelection& selection) {
+  FaceSelection none = selection;
+  none.clear();
+  return none;
+}
+
+FaceSelection inverse_of(const FaceSelection& selection) {
+  FaceSelection inverse = selection;
+  inverse.invert();
+  return inverse;
+}
+
+FaceSelection whole_meshes(const FaceSelection& selection) {
+  FaceSelection whole = selection;
+  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
+    const std::vector<bool>& faces = selection.of_mesh(mesh);
+    if (std::find(faces.begin(), faces.end(), true) != faces.end()) whole.set_mesh(mesh);
+  }
+  return whole;
+}
+
+}  // namespace
+
+SelectionActions::SelectionActions(Document& document, SceneView& view, QWidget& window)
+    : QObject(&window), document_(document), window_(window) {
+  whole_ = {
+      add(tr("&All"), QKeySequence::SelectAll, tr("Selects all faces"), all_of),
+      add(tr("&None"), QKeySequence("Ctrl+Shift+A"), tr("Selects no face"), none_of),
+      add(tr("&Inverse"), QKeySequence("Ctrl+I"), tr("Selects the faces that are not selected"), inverse_of)};
+  const auto of_objects = [this](FaceSelection (*change)(const FaceSelection&, const SceneObjects&)) {
+    return [this, change](const FaceSelection& selection) { return change(selection, document_.objects()); };
+  };
+  neighbours_ = {add(tr("&Grow"), QKeySequence("Ctrl++"),
+                     tr("Adds the faces that share an edge with a selected one"), of_objects(grown)),
+                 add(tr("&Shrink"), QKeySequence("Ctrl+-"),
+                     tr("Takes away the faces at the selection's border"), of_objects(shrunk)),
+                 add(tr("&Connected"), QKeySequence("Ctrl+L"),
+                     tr("Adds all that hangs together with the selected faces"), of_objects(connected)),
+                 add(tr("Whole &meshes"), QKeySequence("Ctrl+M"),
+                     tr("Adds all faces of the meshes of selected faces"), whole_meshes)};
+  make_angles();
+  make_likenesses();
+  make_gestures(view);
+}
+
+QAction* SelectionActions::add(const QString& text, const QKeySequence& keys, const QString& tip,
+                               const Change& change) {
+  return new_action(window_, {text, {}, keys, tip}, [this, change] {
+    if (document_.objects().faces > 0) document_.select(change(document_.selection()));
+  });
+}
+
+void SelectionActions::make_angles() {
+  for (const int degrees : {1, 5, 15, 30, 45}) {
+    const QKeySequence keys = degrees == 5 ? QKeySequence("Ctrl+Shift+L") : QKeySequence();
+    const double radians = degrees * std::numbers::pi / 180;
+    angles_.append(add(tr("Within %1°").arg(degrees), keys,
+                       tr("Adds connected faces that are turned by no more than %1°").arg(degrees),
+                       [this, radians](const FaceSelection& selection) {
+                         return coplanar(selection, document_.objects(), radians);
+                       }));
+  }
+}
+
+void SelectionActions::make_likenesses() {
+  const auto add_likeness = [this](const QString& text, Likeness likeness, const QString& tip,
+                                   const QKeySequence& keys = {}) {
+    likenesses_.append(add(text, keys, tip, [this, likeness](const FaceSelection& selection) {
+      return alike(selection, document_.objects(), likeness);
+    }));
+  };
+  add_likeness(tr("&BRDF"), Likeness::Brdf, tr("Selects all faces with the BRDF of a selected one"),
+               QKeySequence("Ctrl+Shift+B"));
+  add_likeness(tr("&Sampling"), Likeness::Pdf, tr("Selects all faces with the sampling of a selected one"));
+  add_likeness(tr("&Colour"), Likeness::Colour, tr("Selects all faces with the colour of a selected one"));
+  add_likeness(tr("&Texture"), Likeness::Texture, tr("Selects all faces with the texture of a selected one"));
+  add_likeness(tr("&Light"), Likeness::Emission, tr("Selects all faces that emit what a selected one does"));
+  add_likeness(tr("&All"), Likeness::All, tr("Selects all faces that are in all like a selected one"));
+}
+
+void SelectionActions::make_gestures(SceneView& view) {
+  gestures_ = {new_switch(window_,
+                          {tr("&Lasso"), "lasso", QKeySequence("Ctrl+Alt+L"),
+                           tr("A drag draws a line around faces instead of a box")},
+                          false, [&view](bool is_on) { view.set_lasso(is_on); }),
+               new_switch(window_,
+                          {tr("Select &through"), "through", QKeySequence("Ctrl+Alt+T"),
+                           tr("Boxes and lassos select hidden faces, too")},
+                          false, [&view](bool is_on) { view.set_select_through(is_on); })};
+}
+
+void SelectionActions::fill(QMenu& menu) {
+  menu.addActions(whole_);
+  menu.addSeparator();
+  menu.addActions(neighbours_);
+  QMenu* angles = menu.addMenu(tr("C&oplanar"));
+  angles->setToolTipsVisible(true);
+  angles->addActions(angles_);
+  QMenu* alike_menu = menu.addMenu(tr("Of the sam&e"));
+  alike_menu->setToolTipsVisible(true);
+  alike_menu->addActions(likenesses_);
+  menu.addSeparator();
+  menu.addActions(gestures_);
+}
+
+void SelectionActions::fill(QToolBar& bar) { bar.addActions(gestures_); }
+
+}  // namespace editor

@@ -1,0 +1,105 @@
+#include "editor/window/shortcut_list.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "editor/appearance/theme.h"
+
+namespace editor {
+namespace {
+
+const char ListName[] = "shortcuts";
+
+/// What the 3D view does by itself: see SceneView.
+constexpr std::pair<const char*, const char*> Gestures[] = {
+    {"Click", "Selects a face; with Shift adds it, with Ctrl takes it away"},
+    {"Drag from a face", "Selects the faces in a box, with Alt in a lasso"},
+    {"Drag from empty ground, or middle button", "Turns about the centre"},
+    {"Shift + middle button", "Moves sideways"},
+    {"Wheel, + and -", "Comes nearer or goes away"},
+    {"Right button, with W A S D Q E", "Looks around, and flies"},
+    {"Double click", "Turns about that place from now on"},
+    {"Arrows", "Turn; with Shift they move sideways"},
+    {"Space", "Selects the face in the middle, or takes it away"},
+    {"Escape", "Gives up a gesture"},
+};
+
+void add_actions(QTreeWidgetItem& group, const QMenu& menu) {
+  for (const QAction* action : menu.actions()) {
+    if (action->menu() != nullptr) add_actions(group, *action->menu());
+    if (action->isSeparator() || action->menu() != nullptr || action->shortcut().isEmpty()) continue;
+    QStringList keys;
+    for (const QKeySequence& each : action->shortcuts()) keys.append(each.toString(QKeySequence::NativeText));
+    auto* row = new QTreeWidgetItem(&group, {keys.join(", "), action->text().remove('&')});
+    row->setToolTip(1, action->statusTip());
+  }
+}
+
+void fill(QTreeWidget& list, const QMainWindow& window) {
+  for (const QAction* entry : window.menuBar()->actions()) {
+    auto* group = new QTreeWidgetItem(&list, {entry->text().remove('&')});
+    add_actions(*group, *entry->menu());
+    if (group->childCount() == 0) delete group;
+  }
+  auto* gestures = new QTreeWidgetItem(&list, {QDialog::tr("3D view")});
+  for (const auto& [keys, what] : Gestures)
+    new QTreeWidgetItem(gestures, {QDialog::tr(keys), QDialog::tr(what)});
+  list.expandAll();
+}
+
+void filter(const QTreeWidget& list, const QString& words) {
+  for (int i = 0; i < list.topLevelItemCount(); ++i) {
+    QTreeWidgetItem* group = list.topLevelItem(i);
+    bool has_any = false;
+    for (int k = 0; k < group->childCount(); ++k) {
+      QTreeWidgetItem* row = group->child(k);
+      const bool fits = row->text(0).contains(words, Qt::CaseInsensitive) ||
+                        row->text(1).contains(words, Qt::CaseInsensitive);
+      row->setHidden(!fits);
+      has_any = has_any || fits;
+    }
+    group->setHidden(!has_any);
+  }
+}
+
+}  // namespace
+
+void show_shortcuts(QMainWindow& window) {
+  auto* dialog = window.findChild<QDialog*>(ListName);
+  if (dialog == nullptr) {
+    dialog = new QDialog(&window);
+    dialog->setObjectName(ListName);
+    dialog->setWindowTitle(QDialog::tr("Keyboard shortcuts"));
+    auto* search = new QLineEdit(dialog);
+    search->setPlaceholderText(QDialog::tr("Search"));
+    search->setAccessibleName(QDialog::tr("Search the shortcuts"));
+    search->setToolTip(QDialog::tr("Shows the lines alone that have these letters"));
+    search->setClearButtonEnabled(true);
+    auto* list = new QTreeWidget(dialog);
+    list->setAccessibleName(QDialog::tr("Shortcuts"));
+    list->setToolTip(QDialog::tr("Keys, and what they do"));
+    list->setHeaderLabels({QDialog::tr("Keys"), QDialog::tr("What they do")});
+    list->setRootIsDecorated(false);
+    list->setIndentation(2 * Grid);
+    fill(*list, window);
+    list->resizeColumnToContents(0);
+    auto* column = new QVBoxLayout(dialog);
+    column->addWidget(search);
+    column->addWidget(list, 1);
+    QObject::connect(search, &QLineEdit::textChanged, list,
+                     [list](const QString& words) { filter(*list, words); });
+    dialog->resize(80 * Grid, 90 * Grid);
+  }
+  dialog->show();
+  dialog->raise();
+}
+
+}  // namespace editor

@@ -1,0 +1,43 @@
+#include "editor/window/tools.h"
+
+#include <QCoreApplication>
+
+#include "editor/image/image_window.h"
+#include "editor/options/options_window.h"
+#include "editor/window/viewer_window.h"
+
+namespace editor {
+namespace {
+
+QString text(const char* source) { return QCoreApplication::translate("tools", source); }
+
+QWidget* open_viewer(const QStringList& files) {
+  auto* window = new ViewerWindow;
+  if (!files.isEmpty()) window->open(files.front());
+  return window;
+}
+
+QWidget* open_options(const QStringList& files) {
+  auto* window = new OptionsWindow;
+  if (!files.isEmpty()) window->editor().open(files.front());
+  return window;
+}
+
+QWidget* open_images(const QStringList& files) {
+  auto* window = new ImageWindow;
+  window->browser().open_files(files);
+  window->listen();
+  return window;
+}
+
+}  // namespace
+
+std::vector<Tool> tools() {
+  return {
+      {"grfviewer", text("GRF &viewer"), text("Looks at a scene without editing it"), open_viewer},
+      {"op", text("&OP generator"), text("Writes and checks the options of a render"), open_options},
+      {"image", text("&Image view"), text("Looks at images, and at renders while they form"), open_images},
+  };
+}
+
+}  // namespace editor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QToolBar;
+class QWidget;
+
+namespace editor {
+
+class SceneView;
+
+/// How the 3D view shows a scene, and from where. The keys of the view are the shortcuts, where they work
+/// while it has the focus.
+class ViewActions : public QObject {
+  Q_OBJECT
+
+ public:
+  ViewActions(SceneView& view, QWidget& window);
+
+  void fill(QMenu& menu);
+  void fill(QToolBar& bar);
+
+ private:
+  void make_modes();
+  void make_overlays();
+  void make_places();
+
+  SceneView& view_;
+  QWidget& window_;
+  QActionGroup* modes_;
+  QList<QAction*> overlays_;
+  QList<QAction*> places_;
+  QAction* frame_all_ = nullptr;
+  QAction* frame_selection_ = nullptr;
+};
+
+}  // namespace editor

@@ -1,0 +1,288 @@
+// The way of an author through the whole window: from a model to an image, with the mouse and the keyboard.
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/brdf/brdf_editor.h"
+#include "editor/controls/number_box.h"
+#include "editor/document/brdf_mime.h"
+#include "editor/document/model_import.h"
+#include "editor/image/image_browser.h"
+#include "editor/options/options_window.h"
+#include "editor/panels/surface_panel.h"
+#include "editor/rendering/render_panel.h"
+#include "editor/view/scene_view.h"
+#include "editor/window/file_actions.h"
+#include "editor/window/notice_bar.h"
+#include "editor/window/render_link.h"
+#include "grf/read.h"
+#include "renderer/options/op_file.h"
+#include "tests/cli/grfconvert.h"
+#include "tests/editor/window/window_driver.h"
+
+namespace editor {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int Minute = 60'000;
+const QString Bunny = "/usr/share/glmark2/models/bunny.obj";
+const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
+
+class Authoring : public testing::Test {
+ protected:
+  Authoring() : window_(QString::fromStdString(folder_.path("sessions"))) {
+    QSettings().clear();
+    window_.show();
+    window_.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+  }
+
+  Document& document() { return window_.document(); }
+  QString path(const std::string& name) const { return QString::fromStdString(folder_.path(name)); }
+
+  void open(const QString& file) {
+    QSignalSpy taken(&document(), &Document::taken);
+    window_.files().open(file);
+    ASSERT_TRUE(!taken.empty() || taken.wait(Minute));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window_.view().is_complete(); }, Minute));
+  }
+
+  void select_two_faces() {
+    const QPoint middle = window_.view().rect().center();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, middle);
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, Qt::ShiftModifier, middle + QPoint(12, 9));
+  }
+
+  std::size_t faces_where(const std::function<bool(const grf::Surface&)>& holds) {
+    std::size_t count = 0;
+    for (const MeshObject& object : document().objects().meshes) {
+      for (std::size_t face = 0; face < object.mesh->face_count(); ++face) {
+        if (holds(object.mesh->surface(face))) ++count;
+      }
+    }
+    return count;
+  }
+
+  test::TemporaryFolder folder_;
+  MainWindow window_;
+};
+
+bool is_ward(const grf::Surface& surface) {
+  const auto* model = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
+  return model != nullptr && model->keyword == "ward";
+}
+
+void choose(QComboBox& list, const QString& text) {
+  const int index = list.findText(text, Qt::MatchContains);
+  ASSERT_GE(index, 0) << text.toStdString();
+  list.setFocus();
+  list.setCurrentIndex(index);
+  emit list.activated(index);
+}
+
+TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
+  open(Bunny);
+  ASSERT_EQ(document().objects().faces, 69666U);
+  const grf::Scene imported = document().scene();
+
+  // Ward on the faces of a box.
+  const QPoint middle = window_.view().rect().center();
+  test::drag(window_.view(), middle, middle + QPoint(90, 70));
+  const std::size_t in_box = document().selection().count();
+  ASSERT_GT(in_box, 50U);
+  ASSERT_LT(in_box, 20000U);
+  choose(test::named<QComboBox>(window_.surface_panel(), "BRDF"), "ward");
+  EXPECT_EQ(faces_where(is_ward), in_box);
+
+  // A parameter, dragged: one step of undo.
+  const int steps = document().undo_stack().count();
+  std::vector<grf::BrdfModel> models = window_.brdf_editor().models();
+  ASSERT_EQ(models.size(), 1U);
+  for (const double roughness : {0.3, 0.25, 0.2}) {
+    models[0].arguments = {grf::Argument{"sx", grf::Value(static_cast<float>(roughness)), {}}};
+    emit window_.brdf_editor().changing(models);
+  }
+  emit window_.brdf_editor().edited(models);
+  EXPECT_EQ(document().undo_stack().count(), steps + 1);
+
+  // Two faces that emit.
+  select_two_faces();
+  ASSERT_EQ(document().selection().count(), 2U);
+  auto& power = test::named<QAbstractSpinBox>(window_.surface_panel(), "Power");
+  power.setFocus();
+  QTest::keyClick(&power, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(&power, "20*3");
+  QTest::keyClick(&power, Qt::Key_Return);
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.emission.has_value(); }), 2U);
+
+  // A texture on all.
+  test::action(window_, "All").trigger();
+  ASSERT_EQ(document().selection().count(), 69666U);
+  auto& texture = test::named<QComboBox>(window_.surface_panel(), "Texture");
+  texture.setFocus();
+  QTest::keyClicks(texture.lineEdit(), Texture);
+  QTest::keyClick(texture.lineEdit(), Qt::Key_Return);
+
+  // Undo all, redo all.
+  const grf::Scene done = document().scene();
+  EXPECT_FALSE(done == imported);
+  while (document().undo_stack().canUndo())
+    test::action(window_, "Undo " + document().undo_stack().undoText()).trigger();
+  EXPECT_TRUE(document().scene() == imported);
+  while (document().undo_stack().canRedo())
+    test::action(window_, "Redo " + document().undo_stack().redoText()).trigger();
+  EXPECT_TRUE(document().scene() == done);
+
+  // Save, reopen, equal.
+  const QString file = path("bunny.grf");
+  window_.files().save_as(file);
+  EXPECT_FALSE(document().is_modified());
+  const grf::Scene saved = document().scene();
+  open(file);
+  EXPECT_TRUE(document().scene() == saved);
+  EXPECT_EQ(faces_where(is_ward), in_box);
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.texture.has_value(); }), 69666U);
+}
+
+TEST_F(Authoring, GoesFromASceneToAnImage) {
+  QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
+  open(path("box.grf"));
+  options::RenderOptions small = window_.render_panel().options();
+  small.size = {80, 64};
+  small.samples = 4;
+  window_.render_panel().set_options(small);
+  emit window_.render_panel().options_changed(small);
+
+  QSignalSpy shown(&window_.render_panel().preview(), &Preview::image_changed);
+  QTest::keyClick(&window_, Qt::Key_F5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.empty(); }, Minute));
+  EXPECT_NE(window_.render_panel().preview().image(), nullptr);
+
+  QSignalSpy finished(&window_.render_panel().final_render(), &FinalRender::finished);
+  QTest::keyClick(&window_, Qt::Key_F6);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.empty(); }, Minute));
+  EXPECT_TRUE(QFile::exists(path("box.exr")));
+  EXPECT_TRUE(QFile::exists(path("box.op")));
+  emit window_.render_panel().image_opened(path("box.exr"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.image_browser().names().size() == 1; }, Minute));
+  EXPECT_TRUE(window_.image_browser().isVisible());
+}
+
+TEST_F(Authoring, KeepsOptionsAsStepsOfUndo) {
+  open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
+  const options::RenderOptions before = window_.render_panel().options();
+  EXPECT_FALSE(document().is_modified());
+  window_.view().setFocus();
+  QTest::keyClick(&window_.view(), Qt::Key_Left);
+  test::action(window_, "Camera from the view").trigger();
+  ASSERT_TRUE(document().is_modified());
+  EXPECT_FALSE(window_.render_panel().options() == before);
+  document().undo_stack().undo();
+  EXPECT_TRUE(window_.render_panel().options() == before);
+}
+
+TEST_F(Authoring, WritesAnOpFileByTheGenerator) {
+  QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
+  folder_.add("box.op", "# mine\nBPT_Scene box.grf\nBPT_Depth 3 # few\n");
+  open(path("box.grf"));
+  ASSERT_EQ(window_.render_panel().options().depth, 3);
+  window_.render_panel().options_action()->trigger();
+  OptionsWindow* generator = window_.render_link().options_window();
+  ASSERT_NE(generator, nullptr);
+  OpDocument& text = generator->editor().document();
+  text.set_plain_text("# mine\nBPT_Scene box.grf\nBPT_Depth 7 # few\n");
+  EXPECT_EQ(window_.render_panel().options().depth, 7);
+  ASSERT_TRUE(generator->editor().save());
+  EXPECT_EQ(test::bytes_of(folder_.path("box.op")), "# mine\nBPT_Scene box.grf\nBPT_Depth 7 # few\n");
+  grf::Diagnostics diagnostics;
+  const auto read = options::read_op_file(folder_.path("box.op"), diagnostics);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->depth, 7);
+  generator->close();
+}
+
+TEST_F(Authoring, LivesOnWhenAnImportCrashes) {
+  test::crash_on_findings();
+  open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
+  const grf::Scene before = document().scene();
+  const std::string crashing =
+      folder_.add("crashing.md5mesh", "MD5Version 10\n}\nmesh {\nnumverts 1\nnumtris 1\n}\n");
+  window_.open({QString::fromStdString(crashing)});
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_.notice().isVisible(); }, Minute));
+  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("crashing.md5mesh"));
+  EXPECT_TRUE(document().scene() == before);
+}
+
+TEST_F(Authoring, GivesAFaceABrdfThatIsDroppedOnIt) {
+  open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
+  grf::Diagnostics diagnostics;
+  const auto data = mime_of(*grf::read_brdf("phong ks=0.3 n=20", "dragged", diagnostics));
+  const QPoint middle = window_.view().rect().center();
+  QDragEnterEvent enter(middle, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window_.view(), &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop(middle, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window_.view(), &drop);
+  EXPECT_EQ(document().selection().count(), 1U);
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) {
+              const auto* model = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
+              return model != nullptr && model->keyword == "phong";
+            }),
+            1U);
+}
+
+TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
+  QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
+  // Once the dialog is there; the first Return may only close the list of names that fit.
+  QTimer typing;
+  typing.callOnTimeout([&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
+    if (name == nullptr) return;
+    if (name->text().isEmpty()) {
+      QTest::keyClicks(name, path("box.grf"));
+    } else {
+      QTest::keyClick(name, Qt::Key_Return);
+    }
+  });
+  typing.start(50);
+  QTest::keyClick(&window_, Qt::Key_O, Qt::ControlModifier);
+  typing.stop();
+  window_.activateWindow();  // as a window manager does
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  ASSERT_EQ(document().objects().faces, 18U);
+  QTest::keyClick(&window_, Qt::Key_A, Qt::ControlModifier);
+  ASSERT_EQ(document().selection().count(), 18U);
+  QTest::keyClick(&window_, Qt::Key_3, Qt::ControlModifier);
+  auto* list = &test::named<QComboBox>(window_.surface_panel(), "BRDF");
+  for (int i = 0; i < 20 && QApplication::focusWidget() != list; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  ASSERT_EQ(QApplication::focusWidget(), list);
+  QTest::keyClick(list, Qt::Key_Down, Qt::AltModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list->view()->isVisible(); }, Minute));
+  for (int i = 0; i < list->count() && !list->view()->currentIndex().data().toString().contains("ward");
+       ++i) {
+    QTest::keyClick(list->view(), Qt::Key_Down);
+  }
+  QTest::keyClick(list->view(), Qt::Key_Return);
+  EXPECT_EQ(faces_where(is_ward), 18U);
+  QSignalSpy shown(&window_.render_panel().preview(), &Preview::image_changed);
+  QTest::keyClick(&window_, Qt::Key_F5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.empty(); }, Minute));
+  QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_THAT(test::bytes_of(folder_.path("box.grf")), HasSubstr("ward"));
+}
+
+}  // namespace
+}  // namespace editor

@@ -1,0 +1,173 @@
+#include "editor/window/file_actions.h"
+
+#include <QApplication>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/document/document.h"
+#include "tests/support/temporary_folder.h"
+
+namespace editor {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string Triangle =
+    "begin mesh \"a\"\n  begin vertexs\n    (0, 0, 0)\n    (1, 0, 0)\n    (0, 1, 0)\n  end vertexs\n"
+    "  begin faces\n    (0, 1, 2)\n  end faces\nend mesh\n";
+
+class FileActionsTest : public testing::Test {
+ protected:
+  FileActionsTest()
+      : actions_(document_, window_),
+        done_(&actions_, &FileActions::done),
+        failed_(&actions_, &FileActions::failed) {
+    QSettings().clear();
+  }
+
+  QString file(const std::string& name, const std::string& bytes = Triangle) {
+    return QString::fromStdString(folder_.add(name, bytes));
+  }
+  QString path(const std::string& name) const { return QString::fromStdString(folder_.path(name)); }
+
+  void change() {
+    FaceSelection all(document_.objects());
+    all.select_all();
+    document_.select(all);
+    SurfaceEdit edit;
+    edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(0.5F));
+    document_.edit_surfaces("Colour", edit);
+  }
+
+  /// Answers the question that will be asked.
+  static void answer(QMessageBox::StandardButton button) {
+    QTimer::singleShot(0, [button] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (question == nullptr) return answer(button);
+      question->button(button)->click();
+    });
+  }
+
+  void wait() {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return done_.count() + failed_.count() > 0; }, 20000));
+  }
+
+  test::TemporaryFolder folder_;
+  QMainWindow window_;
+  Document document_;
+  FileActions actions_;
+  QSignalSpy done_;
+  QSignalSpy failed_;
+};
+
+TEST_F(FileActionsTest, OpenScenesAndRememberThem) {
+  const QString first = file("first.grf");
+  const QString second = file("second.grf");
+  actions_.open(first);
+  actions_.open(second);
+  actions_.open(first);
+  EXPECT_EQ(done_.count(), 3);
+  EXPECT_EQ(document_.path(), first);
+  EXPECT_EQ(recent_files(), QStringList({first, second}));
+  QMenu menu;
+  actions_.fill(menu);
+  QMenu* recent = menu.actions()[2]->menu();
+  ASSERT_NE(recent, nullptr);
+  EXPECT_EQ(recent->actions()[1]->text(), "second.grf");
+  recent->actions()[1]->trigger();
+  EXPECT_EQ(document_.path(), second);
+}
+
+TEST_F(FileActionsTest, KeepTheSceneIfAnotherCannotBeOpened) {
+  actions_.open(file("first.grf"));
+  actions_.open(file("broken.grf", "begin mesh \"a\n"));
+  EXPECT_EQ(document_.name(), "first.grf");
+  ASSERT_EQ(failed_.count(), 1);
+  EXPECT_THAT(failed_[0][0].toString().toStdString(), HasSubstr("broken.grf:1:"));
+}
+
+TEST_F(FileActionsTest, ImportModelsInAProcessOfTheirOwn) {
+  actions_.open("/usr/share/glmark2/models/bunny.obj");
+  EXPECT_TRUE(actions_.is_importing());
+  wait();
+  EXPECT_GT(document_.objects().faces, 0U);
+  EXPECT_TRUE(document_.is_modified());
+  EXPECT_EQ(document_.name(), "Untitled");
+}
+
+TEST_F(FileActionsTest, LiveOnWhenAnImportFails) {
+  actions_.open(file("first.grf"));
+  done_.clear();
+  actions_.open(file("broken.obj", "f 1 2 3\n"));
+  wait();
+  EXPECT_EQ(failed_.count(), 1);
+  EXPECT_EQ(document_.name(), "first.grf");
+}
+
+TEST_F(FileActionsTest, MergeInAsOneStepOfUndo) {
+  actions_.open(file("first.grf"));
+  actions_.merge(file("second.grf"));
+  EXPECT_EQ(document_.objects().meshes.size(), 2U);
+  done_.clear();
+  actions_.merge("/usr/share/glmark2/models/bunny.obj");
+  wait();
+  EXPECT_EQ(document_.objects().meshes.size(), 3U);
+  document_.undo_stack().undo();
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.objects().meshes.size(), 1U);
+  EXPECT_FALSE(document_.is_modified());
+}
+
+TEST_F(FileActionsTest, AskBeforeWorkIsLost) {
+  const QString first = file("first.grf");
+  const QString second = file("second.grf");
+  actions_.open(first);
+  change();
+  answer(QMessageBox::Cancel);
+  actions_.open(second);
+  EXPECT_EQ(document_.path(), first);
+  answer(QMessageBox::Save);
+  actions_.open(second);
+  EXPECT_EQ(document_.path(), second);
+  EXPECT_THAT(test::bytes_of(first.toStdString()), HasSubstr("rgb"));
+  change();
+  answer(QMessageBox::Discard);
+  actions_.open(first);
+  EXPECT_EQ(document_.path(), first);
+  EXPECT_EQ(test::bytes_of(second.toStdString()), Triangle);
+}
+
+TEST_F(FileActionsTest, ExportThroughEveryWriter) {
+  actions_.open(file("first.grf"));
+  for (const char* name : {"out.obj", "out.ply", "out.gltf", "out.glb", "out.stl"}) {
+    actions_.export_to(path(name));
+    EXPECT_EQ(failed_.count(), 0) << failed_.value(0).value(0).toString().toStdString();
+    EXPECT_NE(test::bytes_of(folder_.path(name)), "");
+  }
+  EXPECT_FALSE(document_.is_modified());
+  actions_.export_to(path("out.3ds"));
+  EXPECT_EQ(failed_.count(), 1);
+}
+
+TEST_F(FileActionsTest, HaveShortcutsAndTips) {
+  QMenu menu;
+  actions_.fill(menu);
+  for (const QAction* action : menu.actions()) {
+    if (action->isSeparator() || action->menu() != nullptr) continue;
+    EXPECT_FALSE(action->shortcut().isEmpty()) << action->text().toStdString();
+    EXPECT_NE(action->toolTip(), action->text());
+  }
+}
+
+}  // namespace
+}  // namespace editor

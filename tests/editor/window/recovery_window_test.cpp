@@ -1,0 +1,116 @@
+// The editor dies with unsaved work, and gives it back when it is started again.
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/document/model_import.h"
+#include "editor/window/file_actions.h"
+#include "editor/window/notice_bar.h"
+#include "tests/editor/window/window_driver.h"
+
+namespace editor {
+namespace {
+
+constexpr int Minute = 60'000;
+const QString Bunny = "/usr/share/glmark2/models/bunny.obj";
+
+/// The program with settings and data in a folder of its own.
+class Program {
+ public:
+  explicit Program(const QString& home) {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"}) {
+      environment.insert(name, home);
+    }
+    process_.setProcessEnvironment(environment);
+    process_.setProcessChannelMode(QProcess::ForwardedChannels);
+  }
+
+  bool start(const QString& file) {
+    process_.start(GRANADA_BIN_DIR "/wannabe", {file});
+    return process_.waitForStarted(Minute);
+  }
+  bool is_running() const { return process_.state() == QProcess::Running; }
+  /// By SIGKILL.
+  bool kill() {
+    process_.kill();
+    return process_.waitForFinished(Minute) && process_.exitStatus() == QProcess::CrashExit;
+  }
+
+ private:
+  QProcess process_;
+};
+
+/// Where the program keeps its sessions if its data are in this folder.
+QString sessions_in(const QString& home) {
+  const QString here = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  return home + Recovery::default_folder().mid(here.size());
+}
+
+/// Whether a session has kept something, all of it: the record is written last.
+bool has_kept_work(const QString& sessions) {
+  for (const QString& session : QDir(sessions).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    if (QFile::exists(sessions + "/" + session + "/work.json")) return true;
+  }
+  return false;
+}
+
+grf::Scene imported(const QString& file, const QString& folder) {
+  Document document;
+  ModelImport import(folder);
+  QObject::connect(&import, &ModelImport::done,
+                   [&](const std::shared_ptr<const ImportedModel>& model) { document.take_import(*model); });
+  QSignalSpy done(&import, &ModelImport::done);
+  import.start(file);
+  if (done.empty()) done.wait(Minute);
+  return document.scene();
+}
+
+TEST(RecoveryOfTheProgram, GivesBackWhatWasUnsavedWhenItDied) {
+  const test::TemporaryFolder folder;
+  const QString home = QString::fromStdString(folder.path("home"));
+  ASSERT_TRUE(QDir().mkpath(home));
+  const QString sessions = sessions_in(home);
+  Program program(home);
+  ASSERT_TRUE(program.start(Bunny));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !program.is_running() || has_kept_work(sessions); }, 2 * Minute));
+  ASSERT_TRUE(program.is_running());
+  ASSERT_TRUE(program.kill());
+
+  QSettings().clear();
+  MainWindow window(sessions);
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  window.offer_lost_work();
+  ASSERT_TRUE(window.notice().isVisible());
+  EXPECT_THAT(window.notice().text().toStdString(), testing::HasSubstr("never saved"));
+  QPushButton* recover = nullptr;
+  for (QPushButton* button : window.notice().findChildren<QPushButton*>()) {
+    if (button->text() == "Recover") recover = button;
+  }
+  ASSERT_NE(recover, nullptr);
+  QTest::mouseClick(recover, Qt::LeftButton);
+  EXPECT_EQ(window.document().objects().faces, 69666U);
+  EXPECT_TRUE(window.document().is_modified());
+  EXPECT_TRUE(window.document().scene() == imported(Bunny, QString::fromStdString(folder.path("imports"))));
+
+  window.files().save_as(QString::fromStdString(folder.path("bunny.grf")));
+  EXPECT_FALSE(window.document().is_modified());
+  // What the dead session kept goes once this one has it.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !has_kept_work(sessions); }, Minute));
+  window.notice().hide();
+  window.offer_lost_work();
+  EXPECT_FALSE(window.notice().isVisible());
+}
+
+}  // namespace
+}  // namespace editor

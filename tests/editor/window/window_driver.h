@@ -1,0 +1,85 @@
+// A main window on the test's screen, and ways to use it as somebody in front of it would.
+#pragma once
+
+#include <QAction>
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "editor/document/document.h"
+#include "editor/view/scene_view.h"
+#include "editor/window/main_window.h"
+#include "tests/support/temporary_folder.h"
+
+namespace test {
+
+/// The visible widget of a kind that assistive technology knows by this name.
+template <class Widget>
+Widget& named(const QWidget& where, const QString& name) {
+  for (Widget* each : where.findChildren<Widget*>()) {
+    if (each->accessibleName() == name && each->isVisible()) return *each;
+  }
+  throw std::runtime_error("no visible control is called " + name.toStdString());
+}
+
+/// The action of a window with this text, mnemonics aside.
+inline QAction& action(const QWidget& window, const QString& text) {
+  for (QAction* each : window.findChildren<QAction*>()) {
+    if (each->text().remove('&') == text) return *each;
+  }
+  throw std::runtime_error("no action is called " + text.toStdString());
+}
+
+/// Where in the view a face is seen.
+inline QPoint place_of(const editor::SceneView& view, editor::FaceId face) {
+  const editor::SceneObjects& objects = view.objects();
+  const grf::Mesh& mesh = *objects.meshes[face.mesh].mesh;
+  grf::Vec3d centre(0);
+  const auto corners = mesh.face(face.face);
+  for (const auto corner : corners)
+    centre += grf::Vec3d(mesh.positions[corner]) / static_cast<double>(corners.size());
+  for (const editor::MeshInstance& instance : objects.instances) {
+    if (instance.mesh != face.mesh) continue;
+    const auto place =
+        view.camera().place_of(centre * instance.to_world, static_cast<double>(view.width()) / view.height());
+    if (place) {
+      return {static_cast<int>((place->x + 1) / 2 * view.width()),
+              static_cast<int>((1 - place->y) / 2 * view.height())};
+    }
+  }
+  throw std::runtime_error("the face is not in front of the eye");
+}
+
+inline void drag(QWidget& widget, QPoint from, QPoint to) {
+  QTest::mousePress(&widget, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&widget, (from + to) / 2);
+  QTest::mouseMove(&widget, to);
+  QTest::mouseRelease(&widget, Qt::LeftButton, {}, to);
+}
+
+/// How long the window did not answer, at most: the longest time between two turns of its event loop.
+class Watchdog : public QObject {
+ public:
+  Watchdog() {
+    timer_.callOnTimeout(this, [this] { longest_ = std::max(longest_, since_.restart()); });
+    since_.start();
+    timer_.start(1);
+  }
+  /// Milliseconds since the last call, once nothing is left to do.
+  qint64 longest() {
+    QTest::qWait(20);
+    return std::exchange(longest_, 0);
+  }
+
+ private:
+  QTimer timer_;
+  QElapsedTimer since_;
+  qint64 longest_ = 0;
+};
+
+}  // namespace test
