@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -40,6 +41,8 @@ QStringList paths_of(const QMimeData* data) {
   }
   return paths;
 }
+
+QString absolute(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 
 }  // namespace
 
@@ -95,6 +98,17 @@ void ImageBrowser::show_image(const QString& name, SharedImage image) {
   put({name, {}, std::move(image)}, false);
 }
 
+void ImageBrowser::show_image_of(const QString& path, SharedImage image) {
+  put({name_of(absolute(path)), absolute(path), std::move(image)}, false);
+}
+
+/// Short, unless an image of another folder is called so.
+QString ImageBrowser::name_of(const QString& path) {
+  QString name = QFileInfo(path).fileName();
+  const ImageEntry* same = find(name);
+  return same == nullptr || same->path == path ? name : path;
+}
+
 void ImageBrowser::remove_image(const QString& name) {
   std::erase_if(entries_, [&](const ImageEntry& entry) { return entry.name == name; });
   if (reference_name_ == name) reference_name_.clear();
@@ -138,7 +152,7 @@ void ImageBrowser::set_comparison(Comparison comparison) {
 void ImageBrowser::open_files(const QStringList& paths) {
   for (const QString& path : paths) {
     run_aside(
-        this, [path] { return load_image(path); },
+        this, [path = absolute(path)] { return load_image(path); },
         [this](const LoadedImage& loaded) { take_loaded(loaded); });
   }
 }
@@ -146,10 +160,7 @@ void ImageBrowser::open_files(const QStringList& paths) {
 void ImageBrowser::take_loaded(const LoadedImage& loaded) {
   say(loaded.diagnostics);
   if (!loaded.image) return;
-  QString name = QFileInfo(loaded.path).fileName();
-  const ImageEntry* same = find(name);
-  if (same != nullptr && same->path != loaded.path) name = loaded.path;
-  put({name, loaded.path, loaded.image}, true);
+  put({name_of(loaded.path), loaded.path, loaded.image}, true);
   emit opened(loaded.path);
 }
 

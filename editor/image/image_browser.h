@@ -33,6 +33,8 @@ class ImageBrowser : public QWidget {
   void open_files(const QStringList& paths);
   /// Adds an image, or a new state of the one of that name. A new one is shown.
   void show_image(const QString& name, SharedImage image);
+  /// As it is while its file is still being made: the same entry as that of `open_files`.
+  void show_image_of(const QString& path, SharedImage image);
   void remove_image(const QString& name);
   /// Writes the image that is shown, in the format that the name means.
   void save_as(const QString& path);
@@ -81,6 +83,7 @@ class ImageBrowser : public QWidget {
   void ask_for_name();
   void take_loaded(const LoadedImage& loaded);
   void put(const ImageEntry& entry, bool is_wanted);
+  QString name_of(const QString& path);
   ImageEntry* find(const QString& name);
   ImageEntry* image();
   ImageEntry* reference();

@@ -236,8 +236,8 @@ void MainWindow::connect_images() {
           [this](const QString& name, const std::shared_ptr<const transport::Image>& image) {
             render_->final_render().show(name, image);
             const bool is_ours = name == render_->final_render().output();
-            if (is_ours && pages_->indexOf(images_) < 0) return;
-            image_browser().show_image(name, image);
+            if (!is_ours) return image_browser().show_image(name, image);
+            if (pages_->indexOf(images_) >= 0) images_->show_image_of(name, image);
           });
   connect(render_, &RenderPanel::image_opened, this,
           [this](const QString& path) { image_browser().open_files({path}); });

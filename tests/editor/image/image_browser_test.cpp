@@ -95,6 +95,18 @@ TEST_F(Browser, OpensEveryTypeOfFile) {
   EXPECT_EQ(browser_.names().size(), 7) << "the same file again";
 }
 
+TEST_F(Browser, HasOneEntryForAFileAndWhatIsSentOfIt) {
+  const std::string path = write("a.exr", ramp(40, 30));
+  const QString sent = QString::fromStdString(path);
+  browser_.show_image_of(sent, shared(ramp(40, 30)));
+  open(path);
+  browser_.show_image_of(sent, shared(ramp(40, 30)));
+  EXPECT_EQ(browser_.names(), QStringList("a.exr"));
+  folder_.add("other/a.exr", "");
+  open(write("other/a.exr", ramp(40, 30)));
+  EXPECT_EQ(browser_.names(), QStringList({"a.exr", QString::fromStdString(folder_.path("other/a.exr"))}));
+}
+
 TEST_F(Browser, SaysWhatIsWrongWithAFile) {
   QSignalSpy reported(&browser_, &ImageBrowser::reported);
   browser_.open_files({QString::fromStdString(folder_.add("broken.exr", "no image"))});
