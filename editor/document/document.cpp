@@ -177,15 +177,8 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   emit taken();
 }
 
-bool Document::open(const QString& path, grf::Diagnostics& diagnostics) {
-  auto scene = grf::read(path.toStdString(), diagnostics);
-  if (!scene) return false;
-  take(std::move(*scene), path, diagnostics);
-  return true;
-}
-
 void Document::take_import(const ImportedModel& model) {
-  take(moved(model.scene, model.path, {}), {}, {}, true);
+  take(moved(model.scene, model.path, {}), {}, model.diagnostics, true);
   import_folders_.push_back(QFileInfo(model.path).path());
 }
 
@@ -250,7 +243,7 @@ void Document::show(grf::Scene scene, const FaceSelection* selection) {
   objects_ = std::move(objects);
   const bool selects = !(carried == selection_);
   selection_ = std::move(carried);
-  emit scene_changed(true);
+  emit scene_changed();
   if (selects) emit selection_changed();
 }
 
@@ -259,7 +252,7 @@ void Document::put_surfaces(const std::vector<MeshSurfaces>& surfaces, const Fac
     put(of_mesh, grf::find_mesh(scene_, of_mesh.path)->edit());
   }
   objects_ = objects_of(scene_, path_.toStdString());
-  emit scene_changed(false);
+  emit scene_changed();
   select(selection);
 }
 

@@ -49,8 +49,6 @@ class Document : public QObject {
   /// Adds the blocks of another scene, whose file is `path`, to this one: one step of undo.
   void merge(const QString& text, const grf::Scene& scene, const QString& path);
   void merge_import(const QString& text, const ImportedModel& model);
-  /// Reads a GRF file. After an error the document stays as it was, and the diagnostics say why.
-  bool open(const QString& path, grf::Diagnostics& diagnostics);
   /// Writes the scene; names of other files follow it to another folder, and images that stood inside an
   /// imported model are copied there. After an error it is still modified.
   bool save(const QString& path, grf::Diagnostics& diagnostics);
@@ -71,8 +69,7 @@ class Document : public QObject {
   void finish_gesture() { ++gesture_; }
 
  signals:
-  /// `structure_changed`: meshes, faces or vertices are others, and not only what faces have.
-  void scene_changed(bool structure_changed);
+  void scene_changed();
   void selection_changed();
   void path_changed();
   /// Another scene is edited from now on: it was opened, imported, recovered or begun anew.

@@ -17,8 +17,20 @@
 namespace editor {
 namespace {
 
-/// Null: what was written cannot be read, which the messages explain.
-std::shared_ptr<const ImportedModel> read_model(const QString& path, QStringList losses, QString messages) {
+/// What `grfconvert` prints, of which only the severity has to be known.
+grf::Diagnostics diagnostics_of(const QString& printed) {
+  const QString warning = "warning: ";
+  grf::Diagnostics diagnostics;
+  for (const QString& line : printed.split('\n', Qt::SkipEmptyParts)) {
+    if (!line.contains(warning)) continue;
+    diagnostics.warning({}, QString(line).remove(warning).toStdString());
+  }
+  return diagnostics;
+}
+
+/// Null: what was written cannot be read.
+std::shared_ptr<const ImportedModel> read_model(const QString& path, QStringList losses,
+                                                const QString& printed) {
   auto model = std::make_shared<ImportedModel>();
   grf::Diagnostics diagnostics;
   auto scene = grf::read(path.toStdString(), diagnostics);
@@ -26,7 +38,7 @@ std::shared_ptr<const ImportedModel> read_model(const QString& path, QStringList
   model->scene = std::move(*scene);
   model->path = path;
   model->losses = std::move(losses);
-  model->messages = std::move(messages);
+  model->diagnostics = diagnostics_of(printed);
   return model;
 }
 

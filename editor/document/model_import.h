@@ -16,9 +16,9 @@ namespace editor {
 /// A model of another format as a scene. Images that stood inside it are files beside `path` now.
 struct ImportedModel {
   grf::Scene scene;
-  QString path;        ///< from which the scene names other files
-  QStringList losses;  ///< what the scene has not, a line a kind
-  QString messages;    ///< what else was said, as `grfconvert` prints it
+  QString path;                  ///< from which the scene names other files
+  QStringList losses;            ///< what the scene has not, a line a kind
+  grf::Diagnostics diagnostics;  ///< all that was said, the losses among it
 };
 
 /// Reads a model in a process of its own, `grfconvert`, so that a file which crashes a reader, or wants all

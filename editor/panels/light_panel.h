@@ -28,6 +28,8 @@ class LightPanel : public QWidget {
 
   /// Chooses what emits at a place, if something does.
   void choose(grf::ScenePathView path);
+  /// Adds a light over the scene that shines down, and chooses it.
+  void add();
 
   QSize sizeHint() const override;
 
@@ -44,7 +46,6 @@ class LightPanel : public QWidget {
   void choose_item();
   void change(const QString& text, const grf::AreaLight& light, const QString& key);
   void change_power(double power);
-  void add();
   void remove();
   const LightObject* chosen_light() const;
   const Emitter* chosen_emitter() const;

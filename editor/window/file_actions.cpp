@@ -18,6 +18,7 @@
 #include "editor/document/document.h"
 #include "editor/document/model_import.h"
 #include "editor/window/actions.h"
+#include "editor/window/scene_loader.h"
 #include "grf/read.h"
 
 namespace editor {
@@ -26,11 +27,6 @@ namespace {
 constexpr int MostRecentFiles = 10;
 /// Scenes of fewer bytes are read at once: it takes some milliseconds.
 constexpr qint64 SmallScene = 500'000;
-
-bool is_grf(const QString& file) {
-  const QString suffix = QFileInfo(file).suffix().toLower();
-  return suffix == "grf" || suffix == "igrf";
-}
 
 QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
@@ -64,6 +60,16 @@ void add_recent_file(const QString& file) {
   QSettings().setValue("recent_files", QStringList(files.mid(0, MostRecentFiles)));
 }
 
+QString ask_for_scene_or_model(QWidget& window, const QString& title) {
+  const QString readable =
+      FileActions::tr("Scenes and models (%1);;All files (*)").arg(ModelImport::name_patterns().join(' '));
+  QSettings settings;
+  const QString folder = settings.value("last_folder").toString();
+  const QString file = QFileDialog::getOpenFileName(&window, title, folder, readable);
+  if (!file.isEmpty()) settings.setValue("last_folder", QFileInfo(file).path());
+  return file;
+}
+
 struct FileActions::ReadScene {
   std::optional<grf::Scene> scene;
   grf::Diagnostics diagnostics;
@@ -85,6 +91,9 @@ FileActions::FileActions(Document& document, QWidget& window)
           [this](const std::shared_ptr<const ImportedModel>& model) { take_model(*model); });
   connect(import_.get(), &ModelImport::failed, this, [this](const QString& message) {
     imports_.pop_front();
+    grf::Diagnostics diagnostics;
+    diagnostics.error({}, message.toStdString());
+    emit reported(diagnostics);
     emit failed(message);
     import_next();
   });
@@ -98,16 +107,17 @@ void FileActions::make_actions() {
                           const QString& tip, const std::function<void()>& action) {
     actions_.append(new_action(window_, {text, icon_name, keys, tip}, action));
   };
-  const QString readable =
-      tr("Scenes and models (%1);;All files (*)").arg(ModelImport::name_patterns().join(' '));
   add(tr("&New"), "new", QKeySequence::New, tr("Begin an empty scene"),
       [this] { leave([this] { document_.clear(); }); });
   add(tr("&Open..."), "open", QKeySequence::Open, tr("Open a scene, or import a model of another format"),
-      [this, readable] { ask_for_file(tr("Open"), readable, [this](const QString& file) { open(file); }); });
-  add(tr("&Merge in..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Add a scene or a model to this one"),
-      [this, readable] {
-        ask_for_file(tr("Merge in"), readable, [this](const QString& file) { merge(file); });
+      [this] {
+        const QString file = ask_for_scene_or_model(window_, tr("Open"));
+        if (!file.isEmpty()) open(file);
       });
+  add(tr("&Merge in..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Add a scene or a model to this one"), [this] {
+    const QString file = ask_for_scene_or_model(window_, tr("Merge in"));
+    if (!file.isEmpty()) merge(file);
+  });
   add(tr("&Save"), "save", QKeySequence::Save, tr("Save the scene"), [this] { save(); });
   add(tr("Save &as..."), {}, QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"),
       [this] { ask_where_to_save({}); });
@@ -139,15 +149,6 @@ void FileActions::update_recent() {
     entry->setEnabled(QFile::exists(file));
   }
   if (recent_->isEmpty()) recent_->addAction(tr("No file was opened yet"))->setEnabled(false);
-}
-
-void FileActions::ask_for_file(const QString& title, const QString& filter,
-                               const std::function<void(const QString&)>& then) {
-  const QString folder = QSettings().value("last_folder").toString();
-  const QString file = QFileDialog::getOpenFileName(&window_, title, folder, filter);
-  if (file.isEmpty()) return;
-  QSettings().setValue("last_folder", QFileInfo(file).path());
-  then(file);
 }
 
 void FileActions::ask_where_to_save(const std::function<void()>& then) {
@@ -204,27 +205,30 @@ void FileActions::take_model(const ImportedModel& model) {
   const QString name = QFileInfo(import.file).fileName();
   if (import.merges) {
     document_.merge_import(tr("Merge in %1").arg(name), model);
+    emit reported(model.diagnostics);
   } else {
     put_in_place(import, [this, &model] { document_.take_import(model); });
   }
   add_recent_file(import.file);
-  emit reported(model.messages);
   emit done(model.losses.isEmpty() ? tr("Imported %1").arg(name)
                                    : tr("Imported %1, not all of it: %2").arg(name, model.losses.join("; ")));
   import_next();
 }
 
 void FileActions::take_scene(const Import& import, ReadScene read) {
-  if (!read.scene) return emit failed(QString::fromStdString(read.diagnostics.to_text()));
+  if (!read.scene) {
+    emit reported(read.diagnostics);
+    return emit failed(failure_of(import.file, read.diagnostics).message);
+  }
   const QString name = QFileInfo(import.file).fileName();
   add_recent_file(import.file);
   if (import.merges) {
     document_.merge(tr("Merge in %1").arg(name), *read.scene, import.file);
+    emit reported(read.diagnostics);
     return emit done(tr("Merged in %1").arg(name));
   }
   put_in_place(import, [&] { document_.take(std::move(*read.scene), import.file, read.diagnostics); });
-  emit reported(QString::fromStdString(read.diagnostics.to_text()));
-  emit done(tr("Opened %1: %2 faces").arg(document_.name()).arg(document_.objects().faces));
+  emit done(tr("Opened %1").arg(document_.name()));
 }
 
 void FileActions::put_in_place(const Import& import, const std::function<void()>& take) {
@@ -254,7 +258,7 @@ void FileActions::export_to(const QString& file) {
   if (!format->write(scene, file.toStdString(), diagnostics)) {
     return emit failed(QString::fromStdString(diagnostics.to_text()));
   }
-  emit reported(QString::fromStdString(diagnostics.to_text()));
+  emit reported(diagnostics);
   emit done(tr("Exported %1").arg(QFileInfo(file).fileName()));
 }
 

@@ -7,6 +7,8 @@
 #include <functional>
 #include <memory>
 
+#include "grf/diagnostics.h"
+
 class QAction;
 class QMenu;
 class QWidget;
@@ -52,15 +54,13 @@ class FileActions : public QObject {
   /// What came of it, for the status line.
   void done(const QString& message);
   void failed(const QString& message);
-  /// A file was opened or imported, and said this.
-  void reported(const QString& messages);
+  /// What is to be said of a file that was not opened, or of one that was merged in or written.
+  void reported(const grf::Diagnostics& diagnostics);
   /// Something takes its time; an empty text: no more.
   void busy(const QString& what);
 
  private:
   void make_actions();
-  void ask_for_file(const QString& title, const QString& filter,
-                    const std::function<void(const QString&)>& then);
   void ask_where_to_save(const std::function<void()>& then);
   /// A file that is to be opened or imported.
   struct Import {
@@ -86,6 +86,9 @@ class FileActions : public QObject {
   QList<QAction*> actions_;
   QMenu* recent_ = nullptr;
 };
+
+/// Asks for a scene or a model, in the folder where one was chosen last. Empty: none was chosen.
+QString ask_for_scene_or_model(QWidget& window, const QString& title);
 
 /// The files that were opened last, the latest first, at most ten; kept in the settings.
 QStringList recent_files();

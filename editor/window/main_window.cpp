@@ -169,7 +169,8 @@ void MainWindow::make_docks() {
 
 void MainWindow::connect_files() {
   connect(files_, &FileActions::done, this, &MainWindow::tell);
-  connect(files_, &FileActions::failed, this, &MainWindow::fail);
+  connect(files_, &FileActions::failed, this, &MainWindow::fail_file);
+  connect(files_, &FileActions::reported, messages_, &MessagePanel::show_diagnostics);
   connect(files_, &FileActions::busy, this, [this](const QString& what) {
     if (what.isEmpty()) return status_->end_work();
     status_->begin_work(what, [this] { files_->cancel_import(); });
@@ -194,7 +195,7 @@ void MainWindow::connect_panels() {
     notice_->show_notice(
         NoticeBar::Kind::Information,
         tr("Nothing in this scene emits light. Until something does, renders have a grey sky."),
-        {{tr("Add a light"), tr("Puts a lamp over the scene"), [this] { add_light(); }}});
+        {{tr("Add a light"), tr("Puts a lamp over the scene"), [this] { lights_->add(); }}});
   });
   connect(tree_, &SceneTree::chosen, this, [this](const grf::ScenePath& path) { lights_->choose(path); });
   connect(lights_, &LightPanel::chosen, this, [this](const grf::ScenePath& path) { tree_->choose(path); });
@@ -306,6 +307,15 @@ void MainWindow::tell(const QString& message) { status_->tell(message); }
 
 void MainWindow::fail(const QString& message) {
   notice_->show_notice(NoticeBar::Kind::Error, message.trimmed());
+}
+
+void MainWindow::fail_file(const QString& message) {
+  std::vector<NoticeBar::Choice> choices;
+  if (messages_->error_count() > 0) {
+    choices.push_back({tr("Messages"), tr("Lists all that is wrong, each with its line"),
+                       [this] { Docks::show(message_dock_); }});
+  }
+  notice_->show_notice(NoticeBar::Kind::Error, message.trimmed(), choices);
 }
 
 void MainWindow::bake() {

@@ -85,6 +85,7 @@ class MainWindow : public QMainWindow {
   void show_title();
   void tell(const QString& message);
   void fail(const QString& message);
+  void fail_file(const QString& message);
   void show_source(const grf::SourceLocation& location);
   void bake();
   void recover(const LostWork& work);
@@ -97,7 +98,6 @@ class MainWindow : public QMainWindow {
   void make_window_menu();
   void make_help_menu();
   void delete_faces();
-  void add_light();
   void add_observer();
   void put(const QString& text, std::optional<grf::Scene> scene, const grf::Diagnostics& diagnostics);
 

@@ -8,7 +8,6 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolButton>
-#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/document/geometry_edits.h"
 #include "editor/document/light_edits.h"
+#include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/actions.h"
@@ -98,7 +98,7 @@ void MainWindow::make_scene_menu() {
   menu->addAction(new_action(*this,
                              {tr("Add a &light"), "light", QKeySequence("Ctrl+Alt+A"),
                               tr("Puts a square lamp over the scene, which shines downwards")},
-                             [this] { add_light(); }));
+                             [this] { lights_->add(); }));
   menu->addAction(new_action(
       *this, {tr("Add an &observer"), "observer", {}, tr("Puts an observer where the 3D view is seen from")},
       [this] { add_observer(); }));
@@ -173,23 +173,6 @@ void MainWindow::delete_faces() {
   grf::Diagnostics diagnostics;
   const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
   put(tr("Delete faces"), without_faces(faces, diagnostics), diagnostics);
-}
-
-/// A lamp as wide as a quarter of the scene, half as high over it as that is high.
-void MainWindow::add_light() {
-  const grf::Box3d& bounds = document_.objects().bounds;
-  const grf::Vec3d size = bounds.isEmpty() ? grf::Vec3d(1) : bounds.size();
-  const grf::Vec3d centre = bounds.isEmpty() ? grf::Vec3d(0) : bounds.center();
-  const float width = static_cast<float>(std::max({size.x, size.z, size.y, 1e-3}) / 4);
-  const float height = static_cast<float>(centre.y + size.y);
-  grf::AreaLight light;
-  light.corner =
-      grf::Vec3f(static_cast<float>(centre.x) - width / 2, height, static_cast<float>(centre.z) - width / 2);
-  light.edge1 = grf::Vec3f(width, 0, 0);
-  light.edge2 = grf::Vec3f(0, 0, width);
-  light.radiance = grf::Colour(20);
-  grf::Diagnostics diagnostics;
-  put(tr("Add a light"), editor::add_light(document_.scene(), light, diagnostics), diagnostics);
 }
 
 void MainWindow::add_observer() {

@@ -9,11 +9,6 @@
 namespace editor {
 namespace {
 
-bool is_grf(const QString& file) {
-  const convert::Format* format = convert::format_of_name(file.toStdString());
-  return format != nullptr && format->name == "grf";
-}
-
 /// Without the excerpt, which wants a fixed font.
 QString line_of(const grf::Diagnostic& diagnostic) {
   return QString::fromStdString(grf::to_text(diagnostic)).section('\n', 0, 0);
@@ -31,6 +26,13 @@ QStringList warnings_of(const grf::Diagnostics& diagnostics) {
   return warnings;
 }
 
+}  // namespace
+
+bool is_grf(const QString& file) {
+  const convert::Format* format = convert::format_of_name(file.toStdString());
+  return format != nullptr && format->name == "grf";
+}
+
 LoadFailure failure_of(const QString& file, const grf::Diagnostics& diagnostics) {
   const auto& entries = diagnostics.entries();
   const auto first = std::find_if(entries.begin(), entries.end(), [](const grf::Diagnostic& entry) {
@@ -39,8 +41,6 @@ LoadFailure failure_of(const QString& file, const grf::Diagnostics& diagnostics)
   if (first == entries.end()) return {file, SceneLoader::tr("%1 cannot be read").arg(file), {}};
   return {file, with_more(line_of(*first), diagnostics.error_count()), first->location};
 }
-
-}  // namespace
 
 SceneLoader::SceneLoader(QObject* parent) : QObject(parent), import_(folder_.path()), reading_(this) {
   connect(&import_, &ModelImport::done, this, &SceneLoader::take_model);

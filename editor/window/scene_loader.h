@@ -9,6 +9,7 @@
 #include "editor/brdf/background_job.h"
 #include "editor/document/model_import.h"
 #include "editor/document/scene_objects.h"
+#include "grf/diagnostics.h"
 #include "grf/source_location.h"
 
 namespace editor {
@@ -27,6 +28,12 @@ struct LoadFailure {
   grf::SourceLocation
       location;  ///< of that error, in this file or one that it includes; without a file: none
 };
+
+/// Whether a file is GRF by its name, and not a model that has to be imported.
+bool is_grf(const QString& file);
+
+/// What is said of a file that was not read.
+LoadFailure failure_of(const QString& file, const grf::Diagnostics& diagnostics);
 
 /// Reads scenes to be looked at, in a thread, and models of other formats in a process of their own. The file
 /// asked for last counts.

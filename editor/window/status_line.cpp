@@ -77,11 +77,10 @@ void StatusLine::begin_work(const QString& what, const std::function<void()>& ca
   cancelled_ = cancel;
   work_->setText(what);
   show_done(-1);
-  for (QWidget* widget :
-       {static_cast<QWidget*>(work_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
-    widget->show();
-  }
+  for (QWidget* part : work_parts()) part->show();
 }
+
+std::array<QWidget*, 3> StatusLine::work_parts() const { return {work_, progress_, cancel_}; }
 
 void StatusLine::show_done(double done) {
   progress_->setRange(0, done < 0 ? 0 : 1000);  // without a range it moves to and fro
@@ -90,10 +89,7 @@ void StatusLine::show_done(double done) {
 
 void StatusLine::end_work() {
   cancelled_ = {};
-  for (QWidget* widget :
-       {static_cast<QWidget*>(work_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
-    widget->hide();
-  }
+  for (QWidget* part : work_parts()) part->hide();
 }
 
 }  // namespace editor

@@ -2,12 +2,14 @@
 
 #include <QObject>
 #include <QString>
+#include <array>
 #include <functional>
 
 class QLabel;
 class QProgressBar;
 class QStatusBar;
 class QToolButton;
+class QWidget;
 
 namespace editor {
 
@@ -31,6 +33,7 @@ class StatusLine : public QObject {
 
  private:
   void count();
+  std::array<QWidget*, 3> work_parts() const;
 
   const Document& document_;
   QLabel* message_;

@@ -118,7 +118,6 @@ void ViewActions::fill(QToolBar& bar) {
   button->setAccessibleName(tr("Display mode"));
   const auto name = [button](const QAction* mode) { button->setText(mode->text().remove('&')); };
   name(modes_->checkedAction());
-  connect(modes_, &QActionGroup::triggered, button, name);
   connect(modes_, &QActionGroup::triggered, &view_, [this] { view_.setFocus(); });
   for (QAction* mode : modes_->actions())
     connect(mode, &QAction::toggled, button, [name, mode](bool is_on) {

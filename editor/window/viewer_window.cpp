@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
@@ -18,8 +17,8 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/document/model_import.h"
 #include "editor/view/scene_view.h"
+#include "editor/window/file_actions.h"
 #include "editor/window/notice_bar.h"
 #include "editor/window/source_view.h"
 #include "editor/window/view_actions.h"
@@ -154,16 +153,7 @@ void ViewerWindow::add_view_actions() {
   actions->fill(*bar);
 }
 
-void ViewerWindow::ask_for_file() {
-  QSettings settings;
-  const QString readable =
-      tr("Scenes and models (%1);;All files (*)").arg(ModelImport::name_patterns().join(' '));
-  const QString folder = settings.value("last_folder").toString();
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open"), folder, readable);
-  if (file.isEmpty()) return;
-  settings.setValue("last_folder", QFileInfo(file).path());
-  open(file);
-}
+void ViewerWindow::ask_for_file() { open(ask_for_scene_or_model(*this, tr("Open"))); }
 
 void ViewerWindow::open(const QString& file) {
   if (file.isEmpty()) return;

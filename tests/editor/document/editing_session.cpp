@@ -6,6 +6,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/recovery.h"
+#include "grf/read.h"
 #include "grf/scene_path.h"
 
 int main(int argc, char** argv) {
@@ -15,12 +16,14 @@ int main(int argc, char** argv) {
     std::cerr << "usage: editing_session SCENE SESSIONS NAME\n";
     return EXIT_FAILURE;
   }
-  editor::Document document;
   grf::Diagnostics diagnostics;
-  if (!document.open(arguments[1], diagnostics)) {
+  auto read = grf::read(arguments[1].toStdString(), diagnostics);
+  if (!read) {
     std::cerr << diagnostics.to_text();
     return EXIT_FAILURE;
   }
+  editor::Document document;
+  document.take(std::move(*read), arguments[1], diagnostics);
   const editor::Recovery recovery(document, arguments[2], 0);
   QObject::connect(&recovery, &editor::Recovery::kept, [] { std::cout << "kept\n" << std::flush; });
   grf::Scene scene = document.scene();

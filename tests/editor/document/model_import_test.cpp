@@ -47,7 +47,7 @@ TEST_F(ModelImports, GiveTheSceneOfARealModel) {
   const auto model = imported("/usr/share/glmark2/models/bunny.obj");
   ASSERT_NE(model, nullptr);
   EXPECT_EQ(objects_of(model->scene, model->path.toStdString()).faces, 69666U);
-  EXPECT_THAT(model->messages.toStdString(), HasSubstr("faces without a BRDF"));
+  EXPECT_THAT(model->diagnostics.to_text(), HasSubstr("faces without a BRDF"));
 }
 
 TEST_F(ModelImports, CarryWhatStoodInsideTheModelToWhereTheSceneIsSaved) {

@@ -36,9 +36,10 @@ class RecoveryTest : public testing::Test {
     part_ =
         folder_.add("parts/part.grf", "begin mesh \"b\"\n  texture \"b.png\"\n  " + Triangle + "end mesh\n");
     grf::Diagnostics diagnostics;
-    if (!document_.open(QString::fromStdString(folder_.path("scene/main.grf")), diagnostics)) {
-      throw std::runtime_error(diagnostics.to_text());
-    }
+    const std::string path = folder_.path("scene/main.grf");
+    auto scene = grf::read(path, diagnostics);
+    if (!scene) throw std::runtime_error(diagnostics.to_text());
+    document_.take(std::move(*scene), QString::fromStdString(path), diagnostics);
   }
 
   void rename(std::uint32_t mesh, const std::string& name) {

@@ -17,6 +17,7 @@
 #include "editor/document/model_import.h"
 #include "editor/image/image_browser.h"
 #include "editor/options/options_window.h"
+#include "editor/panels/message_panel.h"
 #include "editor/panels/surface_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
@@ -208,6 +209,20 @@ TEST_F(Authoring, WritesAnOpFileByTheGenerator) {
   ASSERT_TRUE(read);
   EXPECT_EQ(read->depth, 7);
   generator->close();
+}
+
+TEST_F(Authoring, ListsWhatIsWrongWithAFileThatIsNotOpened) {
+  open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
+  const grf::Scene before = document().scene();
+  folder_.add("broken.grf", "begin mesh \"a\"\n  nonsense\nend mesh\n");
+  window_.files().open(path("broken.grf"));
+  EXPECT_TRUE(document().scene() == before);
+  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("broken.grf:2:"));
+  EXPECT_GT(window_.message_panel().error_count(), 0U);
+  test::named<QPushButton>(window_.notice(), "Messages").click();
+  EXPECT_TRUE(window_.message_panel().isVisible());
+  open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
+  EXPECT_EQ(window_.message_panel().error_count(), 0U);
 }
 
 TEST_F(Authoring, LivesOnWhenAnImportCrashes) {
