@@ -40,15 +40,6 @@ class Neighbours {
   std::vector<std::uint32_t> faces_;
 };
 
-/// Does something with each mesh of which some, but perhaps not all, faces are selected.
-void for_each_selected_mesh(const FaceSelection& selection, const SceneObjects& objects,
-                            const std::function<void(std::uint32_t, const grf::Mesh&)>& action) {
-  for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
-    const std::vector<bool>& faces = selection.of_mesh(i);
-    if (std::find(faces.begin(), faces.end(), true) != faces.end()) action(i, *objects.meshes[i].mesh);
-  }
-}
-
 /// Spreads from the selected faces to their neighbours, and on from there, as long as `admits` the step.
 template <class Admits>
 void spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& selection, const Admits& admits) {
@@ -118,6 +109,15 @@ void FaceSelection::select_all() {
   for (std::uint32_t i = 0; i < faces_.size(); ++i) set_mesh(i, true);
 }
 
+std::vector<std::uint32_t> FaceSelection::meshes() const {
+  std::vector<std::uint32_t> meshes;
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+    const std::vector<bool>& faces = faces_[i];
+    if (std::find(faces.begin(), faces.end(), true) != faces.end()) meshes.push_back(i);
+  }
+  return meshes;
+}
+
 void FaceSelection::invert() {
   count_ = 0;
   for (std::vector<bool>& faces : faces_) {
@@ -144,13 +144,14 @@ void FaceSelection::remove(const FaceSelection& other) {
 
 FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects) {
   FaceSelection result = selection;
-  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+  for (const std::uint32_t i : selection.meshes()) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
     const Neighbours neighbours(mesh);
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (!selection.has({i, face})) continue;
       for (const std::uint32_t other : neighbours.of(face)) result.set({i, other});
     }
-  });
+  }
   return result;
 }
 
@@ -164,16 +165,18 @@ FaceSelection shrunk(const FaceSelection& selection, const SceneObjects& objects
 
 FaceSelection connected(const FaceSelection& selection, const SceneObjects& objects) {
   FaceSelection result = selection;
-  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+  for (const std::uint32_t i : selection.meshes()) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
     spread(i, mesh, result, [](std::uint32_t, std::uint32_t) { return true; });
-  });
+  }
   return result;
 }
 
 FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objects, double radians) {
   FaceSelection result = selection;
   const double least = std::cos(radians);
-  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+  for (const std::uint32_t i : selection.meshes()) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<grf::Vec3d> normals;
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
       normals.push_back(grf::doubled_area_vector(mesh, face, {}).normalized());
@@ -187,7 +190,7 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
       seeds[to] = seeds[from];
       return true;
     });
-  });
+  }
   return result;
 }
 
@@ -197,7 +200,8 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
     return std::any_of(wanted.begin(), wanted.end(),
                        [&](const grf::Surface* other) { return are_alike(surface, *other, likeness); });
   };
-  for_each_selected_mesh(selection, objects, [&](std::uint32_t i, const grf::Mesh& mesh) {
+  for (const std::uint32_t i : selection.meshes()) {
+    const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<bool> is_used(mesh.surfaces.size());
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (selection.has({i, face})) is_used[mesh.surface_of_face[face]] = true;
@@ -205,7 +209,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
     for (std::size_t k = 0; k < is_used.size(); ++k) {
       if (is_used[k] && !is_wanted(mesh.surfaces[k])) wanted.push_back(&mesh.surfaces[k]);
     }
-  });
+  }
   FaceSelection result(objects);
   for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;

@@ -32,6 +32,8 @@ class FaceSelection {
   bool has(FaceId face) const { return faces_[face.mesh][face.face]; }
   std::size_t mesh_count() const { return faces_.size(); }
   const std::vector<bool>& of_mesh(std::uint32_t mesh) const { return faces_[mesh]; }
+  /// Those of which some, but perhaps not all, faces are selected.
+  std::vector<std::uint32_t> meshes() const;
 
   void set(FaceId face, bool is_selected = true);
   void set_mesh(std::uint32_t mesh, bool is_selected = true);

@@ -60,9 +60,8 @@ grf::Mesh edited_mesh(const grf::Mesh& mesh, const std::vector<bool>& faces, con
 std::optional<grf::Scene> edited_scene(const SelectedFaces& faces, const MeshEdit& edit,
                                        grf::Diagnostics& diagnostics) {
   grf::Scene scene = faces.scene;
-  for (std::uint32_t i = 0; i < faces.selection.mesh_count(); ++i) {
+  for (const std::uint32_t i : faces.selection.meshes()) {
     const std::vector<bool>& of_mesh = faces.selection.of_mesh(i);
-    if (std::find(of_mesh.begin(), of_mesh.end(), true) == of_mesh.end()) continue;
     const MeshObject& object = faces.objects.meshes[i];
     *grf::find_mesh(scene, object.path) = edited_mesh(*object.mesh, of_mesh, edit);
   }
@@ -162,9 +161,8 @@ std::optional<grf::Scene> with_irradiance(const SelectedFaces& faces, std::optio
 std::optional<grf::Scene> without_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
   grf::Scene scene = faces.scene;
   std::vector<grf::ScenePath> gone;
-  for (std::uint32_t i = 0; i < faces.selection.mesh_count(); ++i) {
+  for (const std::uint32_t i : faces.selection.meshes()) {
     const std::vector<bool>& of_mesh = faces.selection.of_mesh(i);
-    if (std::find(of_mesh.begin(), of_mesh.end(), true) == of_mesh.end()) continue;
     const MeshObject& object = faces.objects.meshes[i];
     if (std::find(of_mesh.begin(), of_mesh.end(), false) == of_mesh.end()) {
       gone.push_back(object.path);
@@ -187,11 +185,16 @@ CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection&
   CommonVertices common;
   Common colour;
   Common irradiance;
-  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
+  for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
+    const bool has_values = !mesh.colours.empty() || !mesh.irradiance.empty();
     const std::vector<bool>& faces = selection.of_mesh(i);
+    bool is_first = true;
     for (std::size_t face = 0; face < faces.size(); ++face) {
       if (!faces[face]) continue;
+      // Vertices without values are all alike.
+      if (!is_first && !has_values && (common.have_normals || mesh.normals.empty())) break;
+      is_first = false;
       for (const std::uint32_t corner : mesh.face(face)) {
         common.have_normals = common.have_normals || mesh.normals.has(corner);
         colour.meet(mesh.colours.has(corner) ? std::optional(mesh.colours[corner]) : std::nullopt);

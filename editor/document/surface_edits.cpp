@@ -10,16 +10,6 @@
 namespace editor {
 namespace {
 
-/// Does something with each mesh of which faces are selected.
-template <class Action>
-void for_each_selected_mesh(const SceneObjects& objects, const FaceSelection& selection,
-                            const Action& action) {
-  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
-    const std::vector<bool>& faces = selection.of_mesh(i);
-    if (std::find(faces.begin(), faces.end(), true) != faces.end()) action(i, objects.meshes[i]);
-  }
-}
-
 /// Which of a mesh's surfaces selected faces have.
 std::vector<bool> selected_surfaces(const grf::Mesh& mesh, const std::vector<bool>& faces) {
   std::vector<bool> has(mesh.surfaces.size());
@@ -127,7 +117,8 @@ SurfaceEdit edit_to(const grf::Surface& surface) {
 CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& selection) {
   CommonSurface common;
   bool is_first = true;
-  for_each_selected_mesh(objects, selection, [&](std::uint32_t i, const MeshObject& object) {
+  for (const std::uint32_t i : selection.meshes()) {
+    const MeshObject& object = objects.meshes[i];
     const std::vector<bool> has = selected_surfaces(*object.mesh, selection.of_mesh(i));
     for (std::size_t k = 0; k < has.size(); ++k) {
       if (!has[k]) continue;
@@ -140,21 +131,22 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
       meet(common.emission, surface.emission, is_first);
       is_first = false;
     }
-  });
+  }
   return common;
 }
 
 std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSelection& selection) {
   std::vector<MeshBrdf> brdfs;
-  for_each_selected_mesh(objects, selection, [&](std::uint32_t i, const MeshObject& object) {
-    if (object.is_light) return;
+  for (const std::uint32_t i : selection.meshes()) {
+    const MeshObject& object = objects.meshes[i];
+    if (object.is_light) continue;
     const auto first = static_cast<std::ptrdiff_t>(brdfs.size());
     const std::vector<bool> has = selected_surfaces(*object.mesh, selection.of_mesh(i));
     for (std::size_t k = 0; k < has.size(); ++k) {
       const MeshBrdf brdf = {i, object.mesh->surfaces[k].brdf};
       if (has[k] && std::find(brdfs.begin() + first, brdfs.end(), brdf) == brdfs.end()) brdfs.push_back(brdf);
     }
-  });
+  }
   return brdfs;
 }
 
@@ -196,10 +188,11 @@ std::vector<MeshSurfaces> edited(const SceneObjects& objects, const FaceSelectio
     return of_mesh_light(edits(surface));
   };
   std::vector<MeshSurfaces> result;
-  for_each_selected_mesh(objects, selection, [&](std::uint32_t i, const MeshObject& object) {
+  for (const std::uint32_t i : selection.meshes()) {
+    const MeshObject& object = objects.meshes[i];
     Reassignment reassignment(*object.mesh, object.is_light ? of_light : edits);
     result.push_back(reassignment.run(selection.of_mesh(i), object.path));
-  });
+  }
   return result;
 }
 

@@ -27,14 +27,14 @@ bool means_it(const std::string& name, const QMimeData& mime, const std::vector<
 
 bool assign_brdf(Document& document, const grf::Catalogue& catalogue, const QMimeData& mime,
                  grf::Diagnostics& diagnostics) {
-  const SurfaceFacts facts = facts_of(document);
-  if (facts.faces == 0) {
+  const std::vector<grf::ScenePath> meshes = selected_meshes(document);
+  if (meshes.empty()) {
     diagnostics.error({}, "no face is selected that could take the BRDF");
     return false;
   }
   QString name = QString::fromUtf8(mime.data(BrdfNameMimeType));
   SurfaceEdit edit;
-  if (means_it(name.toStdString(), mime, common_definitions(document.scene(), facts.meshes))) {
+  if (means_it(name.toStdString(), mime, common_definitions(document.scene(), meshes))) {
     edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{name.toStdString(), {}});
   } else {
     const auto brdf = brdf_of(mime, catalogue.brdfs, diagnostics);

@@ -8,19 +8,24 @@
 
 namespace editor {
 
+std::vector<grf::ScenePath> selected_meshes(const Document& document) {
+  std::vector<grf::ScenePath> paths;
+  for (const std::uint32_t i : document.selection().meshes()) {
+    paths.push_back(document.objects().meshes[i].path);
+  }
+  return paths;
+}
+
 SurfaceFacts facts_of(const Document& document) {
   const SceneObjects& objects = document.objects();
   const FaceSelection& selection = document.selection();
   SurfaceFacts facts;
   facts.faces = selection.count();
   if (facts.faces == 0) return facts;
-  facts.are_all_of_mesh_lights = true;
-  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
-    const std::vector<bool>& faces = selection.of_mesh(i);
-    if (std::find(faces.begin(), faces.end(), true) == faces.end()) continue;
-    facts.meshes.push_back(objects.meshes[i].path);
-    facts.are_all_of_mesh_lights = facts.are_all_of_mesh_lights && objects.meshes[i].is_light;
-  }
+  facts.meshes = selected_meshes(document);
+  const std::vector<std::uint32_t> meshes = selection.meshes();
+  facts.are_all_of_mesh_lights = std::all_of(
+      meshes.begin(), meshes.end(), [&objects](std::uint32_t i) { return objects.meshes[i].is_light; });
   facts.area = selected_area(objects, selection);
   facts.surface = common_surface(objects, selection);
   facts.vertices = common_vertices(objects, selection);

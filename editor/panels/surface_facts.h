@@ -22,7 +22,11 @@ struct SurfaceFacts {
   QStringList brdfs, pdfs, colours, textures;
 };
 
+/// Takes some milliseconds for a large mesh.
 SurfaceFacts facts_of(const Document& document);
+
+/// Those with selected faces.
+std::vector<grf::ScenePath> selected_meshes(const Document& document);
 
 /// Why a row cannot be used for the faces; empty: it can.
 QString why_not_reflecting(const SurfaceFacts& facts);

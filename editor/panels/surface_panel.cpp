@@ -160,7 +160,7 @@ void SurfacePanel::report(const QString& problem) { show_problem(problem_, probl
 void SurfacePanel::take_from(FaceId face) {
   const MeshObject& from = document_.objects().meshes[face.mesh];
   const auto there = definitions_at(document_.scene(), from.path);
-  const auto here = common_definitions(document_.scene(), facts_of(document_).meshes);
+  const auto here = common_definitions(document_.scene(), selected_meshes(document_));
   grf::Surface surface = from.mesh->surface(face.face);
   if (from.is_light) {
     surface = {};

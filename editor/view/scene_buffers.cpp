@@ -73,6 +73,7 @@ void SceneBuffers::set_selection(const FaceSelection& selection) {
     const std::vector<bool>& faces = selection.of_mesh(mesh);
     flag = std::copy(faces.begin(), faces.end(), flag);
   }
+  has_selection_ = !selection.empty();
   selected_.upload(std::span<const std::uint8_t>(flags));
 }
 

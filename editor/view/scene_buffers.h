@@ -42,6 +42,7 @@ class SceneBuffers {
   MeshBuffers* quick_mesh(std::uint32_t mesh) const { return quick_meshes_[mesh]; }
   const MeshGeometry* geometry(std::uint32_t mesh) const { return geometries_[mesh].get(); }
   bool has_stand_ins() const;
+  bool has_selection() const { return has_selection_; }
 
   /// The tables, from this unit on: selected faces, surfaces of faces, surfaces, terms.
   void bind_tables(GLuint first_unit) const;
@@ -62,6 +63,7 @@ class SceneBuffers {
   std::vector<MeshBuffers*> quick_meshes_;
   std::map<std::string, std::unique_ptr<QOpenGLTexture>> textures_;
   std::unique_ptr<QOpenGLTexture> awaited_texture_;
+  bool has_selection_ = false;
   BufferTexture selected_, surface_of_face_, surfaces_, terms_;
 };
 

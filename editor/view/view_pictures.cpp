@@ -9,7 +9,7 @@ namespace {
 /// A full picture that takes longer waits for the view to rest.
 constexpr double QuickEnough = 0.03;
 /// Of a quick picture: above and below, the next one has fewer or more pixels.
-constexpr double TooLong = 0.05;
+constexpr double TooLong = 0.03;
 constexpr double Short = 0.012;
 constexpr int LargestScale = 4;
 
@@ -144,6 +144,8 @@ void ViewPictures::bind_shown(QOpenGLShaderProgram& compose) {
   picture.bind_textures(PictureUnit);
   scene_.bind_tables(TablesUnit);
   compose.setUniformValue("sum", static_cast<GLint>(ImageUnit));
+  compose.setUniformValue("has_selection", scene_.has_selection());
+  compose.setUniformValue("has_borders", passes_ > 0);  // they cost more than all else
   compose.setUniformValue("sum_weight", passes_ > 0 ? 1 / static_cast<float>(passes_) : 0.0F);
   compose.setUniformValue(
       "to_picture",

@@ -74,7 +74,7 @@ std::vector<BrdfLink::Subject> BrdfLink::subjects_of_selection() const {
 void BrdfLink::show_selection() {
   if (is_changing_) return;
   subjects_ = subjects_of_selection();
-  const auto placed = common_definitions(document_.scene(), facts_of(document_).meshes);
+  const auto placed = common_definitions(document_.scene(), selected_meshes(document_));
   Definitions definitions;
   for (const PlacedDefinition& each : placed) definitions.push_back(*each.definition);
   editor_.set_definitions(definitions);

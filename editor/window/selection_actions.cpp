@@ -33,10 +33,7 @@ FaceSelection inverse_of(const FaceSelection& selection) {
 
 FaceSelection whole_meshes(const FaceSelection& selection) {
   FaceSelection whole = selection;
-  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
-    const std::vector<bool>& faces = selection.of_mesh(mesh);
-    if (std::find(faces.begin(), faces.end(), true) != faces.end()) whole.set_mesh(mesh);
-  }
+  for (const std::uint32_t mesh : selection.meshes()) whole.set_mesh(mesh);
   return whole;
 }
 

@@ -7,6 +7,8 @@ uniform vec3 background_bottom;
 uniform float height;
 uniform vec3 accent;
 uniform float fill;  // how much of the accent selected faces take
+uniform bool has_selection;
+uniform bool has_borders;
 layout(location = 0) out vec4 colour;
 
 bool is_selected(ivec2 place) {
@@ -15,21 +17,26 @@ bool is_selected(ivec2 place) {
   return !is_nothing(face) && texelFetch(selected, int(face.y)).r != 0u;
 }
 
-void main() {
-  vec2 at = gl_FragCoord.xy * to_picture;
-  ivec2 place = ivec2(at);
-  vec4 shown = sum_weight > 0 ? texelFetch(sum, place, 0) * sum_weight
-                              : texture(colours, at / vec2(textureSize(colours, 0)));
+vec3 with_selection(vec3 shown, ivec2 place) {
   bool here = is_selected(place);
+  if (here) shown = mix(shown, accent, fill);
+  if (!has_borders) return shown;
   int others = 0;
   for (int i = 0; i < 4; ++i) {
     ivec2 step = ivec2(i < 2 ? 2 * i - 1 : 0, i < 2 ? 0 : 2 * i - 5);
     if (is_selected(place + step) != here) ++others;
   }
+  return others > 0 ? mix(shown, accent, here ? 1.0 : 0.45) : shown;
+}
+
+void main() {
+  vec2 at = gl_FragCoord.xy * to_picture;
+  ivec2 place = ivec2(at);
+  vec4 shown = sum_weight > 0 ? texelFetch(sum, place, 0) * sum_weight
+                              : texture(colours, at / vec2(textureSize(colours, 0)));
   vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / height);
   vec3 over = shown.rgb + background * (1 - shown.a);
-  if (here) over = mix(over, accent, fill);
-  if (others > 0) over = mix(over, accent, here ? 1.0 : 0.45);
+  if (has_selection) over = with_selection(over, place);
   colour = vec4(over, 1);
   gl_FragDepth = texelFetch(depths, place, 0).r;
 }

@@ -150,8 +150,10 @@ TEST_F(Responsiveness, OfEdits) {
     }
     emit window_.brdf_editor().edited(models);
   });
-  expect_quick("undo", [this] { document().undo_stack().undo(); });
-  expect_quick("redo", [this] { document().undo_stack().redo(); });
+  const auto undo = [this] { document().undo_stack().undo(); };
+  const auto redo = [this] { document().undo_stack().redo(); };
+  expect_quick("undo", undo, redo);
+  expect_quick("redo", redo, undo);
   expect_quick(
       "light",
       [this] {
@@ -214,10 +216,16 @@ TEST_F(Responsiveness, OfViews) {
   expect_quick("orbit", [this] {
     const QPoint middle = view().rect().center();
     QTest::mousePress(&view(), Qt::MiddleButton, {}, middle);
-    for (int step = 1; step <= 10; ++step) {
+    // By the event loop, as from a hand.
+    int step = 0;
+    QTimer hand;
+    hand.callOnTimeout([&] {
+      ++step;
       QTest::mouseMove(&view(), middle + QPoint(5 * step, step));
-      QTest::qWait(1);
-    }
+    });
+    hand.start(10);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return step >= 10; }, Minute));
+    hand.stop();
     QTest::mouseRelease(&view(), Qt::MiddleButton, {}, middle + QPoint(50, 10));
   });
 }

@@ -73,6 +73,7 @@ class Watchdog : public QObject {
   /// Milliseconds since the last call, once nothing is left to do.
   qint64 longest() {
     QTest::qWait(20);
+    since_.restart();
     return std::exchange(longest_, 0);
   }
 
