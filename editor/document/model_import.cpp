@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QUuid>
 #include <QtConcurrent>
 #include <utility>
@@ -16,6 +17,9 @@
 
 namespace editor {
 namespace {
+
+/// Milliseconds that a process has to end by itself.
+constexpr int Patience = 2000;
 
 /// What `grfconvert` prints, of which only the severity has to be known.
 grf::Diagnostics diagnostics_of(const QString& printed) {
@@ -53,19 +57,24 @@ QStringList losses_in(const QByteArray& report) {
 }  // namespace
 
 ModelImport::ModelImport(QString folder, QObject* parent) : QObject(parent), folder_(std::move(folder)) {
-  connect(&process_, &QProcess::finished, this, &ModelImport::read_output);
-  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart)
-      fail(tr("grfconvert cannot be started: %1").arg(process_.errorString()));
-  });
   connect(&reading_, &QFutureWatcher<std::shared_ptr<const ImportedModel>>::finished, this, [this] {
     if (reading_.future().resultCount() == 0) return;  // it was cancelled
-    if (const auto model = reading_.result()) return emit done(model);
+    if (const auto model = reading_.result()) {
+      output_.clear();  // the model's from now on
+      return emit done(model);
+    }
     fail(tr("%1: what was made of it cannot be read").arg(file_));
   });
 }
 
-ModelImport::~ModelImport() { cancel(); }
+ModelImport::~ModelImport() {
+  cancel();
+  for (QProcess* process : findChildren<QProcess*>()) {
+    if (process->waitForFinished(Patience)) continue;
+    process->kill();
+    process->waitForFinished();
+  }
+}
 
 QString ModelImport::default_folder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/imports";
@@ -90,25 +99,44 @@ void ModelImport::start(const QString& file, const QStringList& options) {
   const QString folder = folder_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
   if (!QDir().mkpath(folder)) return fail(tr("the folder %1 cannot be made").arg(folder));
   output_ = folder + "/" + QFileInfo(file).completeBaseName() + ".grf";
-  process_.start(program, options + QStringList{"--json", "-o", output_, "--", file});
+  run(program, options + QStringList{"--json", "-o", output_, "--", file});
+}
+
+void ModelImport::run(const QString& program, const QStringList& arguments) {
+  process_ = new QProcess(this);
+  connect(process_, &QProcess::finished, this, &ModelImport::read_output);
+  connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error != QProcess::FailedToStart) return;
+    const QString why = process_->errorString();
+    std::exchange(process_, nullptr)->deleteLater();
+    fail(tr("grfconvert cannot be started: %1").arg(why));
+  });
+  process_->start(program, arguments);
 }
 
 void ModelImport::cancel() {
-  const QSignalBlocker silence(process_);
-  const QSignalBlocker silence_of_reading(reading_);
-  if (process_.state() != QProcess::NotRunning) {
-    // It ends its own child, and removes what that began to write.
-    process_.terminate();
-    if (!process_.waitForFinished(2000)) process_.kill();
-    process_.waitForFinished();
-  }
-  reading_.waitForFinished();
   reading_.setFuture({});
+  const QString folder = output_.isEmpty() ? QString() : QFileInfo(output_).path();
+  output_.clear();
+  if (process_ == nullptr) {
+    if (!folder.isEmpty()) QDir(folder).removeRecursively();
+    return;
+  }
+  // It ends its own child, and removes what that began to write.
+  QProcess* process = std::exchange(process_, nullptr);
+  process->disconnect(this);
+  connect(process, &QProcess::finished, process, [process, folder] {
+    QDir(folder).removeRecursively();
+    process->deleteLater();
+  });
+  process->terminate();
+  QTimer::singleShot(Patience, process, &QProcess::kill);
 }
 
 void ModelImport::read_output(int code, QProcess::ExitStatus status) {
-  const QString messages = QString::fromUtf8(process_.readAllStandardError());
-  const QByteArray report = process_.readAllStandardOutput();
+  const QString messages = QString::fromUtf8(process_->readAllStandardError());
+  const QByteArray report = process_->readAllStandardOutput();
+  std::exchange(process_, nullptr)->deleteLater();
   if (status == QProcess::CrashExit) return fail(tr("%1: grfconvert crashed").arg(file_));
   if (code != 0)
     return fail(messages.isEmpty() ? tr("%1: it cannot be read").arg(file_) : messages.trimmed());

@@ -35,10 +35,10 @@ class ModelImport : public QObject {
   /// Patterns of all formats that are read, for a file dialog: "*.obj".
   static QStringList name_patterns();
 
-  bool is_running() const { return process_.state() != QProcess::NotRunning || reading_.isRunning(); }
+  bool is_running() const { return process_ != nullptr || reading_.isRunning(); }
   /// `options` are those of `grfconvert`, such as {"--up", "z"}. One file at a time.
   void start(const QString& file, const QStringList& options = {});
-  /// Ends it, and nothing is left. No signal comes.
+  /// Ends it, without waiting for that, and nothing is left. No signal comes.
   void cancel();
 
  signals:
@@ -47,13 +47,14 @@ class ModelImport : public QObject {
   void failed(const QString& message);
 
  private:
+  void run(const QString& program, const QStringList& arguments);
   void read_output(int code, QProcess::ExitStatus status);
   void fail(const QString& message);
 
   const QString folder_;
   QString file_;
   QString output_;
-  QProcess process_;
+  QProcess* process_ = nullptr;  ///< of what is being imported; others of its kind are coming to their end
   QFutureWatcher<std::shared_ptr<const ImportedModel>> reading_;
 };
 

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QSignalSpy>
+#include <QTest>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -81,6 +82,8 @@ TEST_F(ModelImports, CanBeCancelled) {
   EXPECT_FALSE(import_.is_running());
   EXPECT_FALSE(done_.wait(300));
   EXPECT_EQ(failed_.count(), 0);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return left().isEmpty(); }, 20000)) << "nothing is left";
+  EXPECT_NE(imported("/usr/share/glmark2/models/horse.3ds"), nullptr) << "and another one can begin";
 }
 
 }  // namespace
