@@ -4,6 +4,8 @@
 #include <QTcpSocket>
 #include <QTimer>
 
+#include "renderer/transport/display_address.h"
+
 namespace editor {
 namespace {
 
@@ -27,6 +29,10 @@ ImageServer::ImageServer(QObject* parent) : QObject(parent), server_(new QTcpSer
   announcing_.setInterval(Pause);
   connect(server_, &QTcpServer::newConnection, this, &ImageServer::accept);
   connect(&announcing_, &QTimer::timeout, this, &ImageServer::announce);
+}
+
+quint16 ImageServer::usual_port() {
+  return QString::fromStdString(transport::usual_display_address().port).toUShort();
 }
 
 bool ImageServer::listen(quint16 port) { return server_->listen(QHostAddress::LocalHost, port); }

@@ -20,13 +20,13 @@ class ImageServer : public QObject {
 
  public:
   /// Where `bpt` looks for a viewer.
-  static constexpr quint16 UsualPort = 14158;
+  static quint16 usual_port();
 
   explicit ImageServer(QObject* parent = nullptr);
 
   /// Begins to listen; 0: any port that is free. False if it is taken, as by another viewer: `problem` says
   /// why.
-  bool listen(quint16 port = UsualPort);
+  bool listen(quint16 port = usual_port());
   quint16 port() const;
   QString problem() const;
 

@@ -16,7 +16,7 @@ class ImageWindow : public QMainWindow {
 
   ImageBrowser& browser() { return *browser_; }
   /// Listens for renders; the status bar says where, or why not.
-  void listen(quint16 port = ImageServer::UsualPort);
+  void listen(quint16 port = ImageServer::usual_port());
   const ImageServer& server() const { return *server_; }
 
  private:

@@ -18,6 +18,7 @@
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
+#include "renderer/command/viewer_program.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/render.h"
 
@@ -145,9 +146,11 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
   if (!settings.checkpoint.empty()) {
     settings.fingerprint = fingerprint_of(render_options, diagnostics.files());
   }
-  if (render_options.shows_window) settings.display = transport::DisplayAddress();
   if (!render_options.display_server.empty()) {
     settings.display = transport::display_address_of(render_options.display_server);
+  } else if (render_options.shows_window) {
+    settings.display = transport::usual_display_address();
+    settings.viewer_care = [viewer = ViewerProgram()]() mutable { return viewer.keep(); };
   }
   settings.title = output;
   return settings;

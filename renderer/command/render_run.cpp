@@ -49,6 +49,13 @@ void say_problem(std::optional<transport::DisplayClient>& display) {
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
 }
 
+/// A short render ends before the viewer is there that was started for it.
+void await_viewer(const transport::DisplayClient& display, const Interruption& interruption) {
+  while (display.is_connecting() && !interruption.has_come()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 template <class Work>
 bool resume(Work& work, const RunSettings& settings, grf::Diagnostics& diagnostics) {
   return settings.checkpoint.empty() ||
@@ -61,7 +68,7 @@ bool run(transport::Render& render, Interruption& interruption, const RunSetting
          ProgressReport& progress, grf::Diagnostics& diagnostics) {
   if (!resume(render, settings, diagnostics)) return false;
   std::optional<transport::DisplayClient> display;
-  if (settings.display) display.emplace(render, *settings.display, settings.title);
+  if (settings.display) display.emplace(render, *settings.display, settings.title, settings.viewer_care);
   CheckpointKeeper<transport::Render> checkpoint(render, settings);
   const auto watch = [&] {
     progress.show(render.progress());
@@ -70,6 +77,7 @@ bool run(transport::Render& render, Interruption& interruption, const RunSetting
   };
   run_watched(render, interruption, watch);
   checkpoint.keep(diagnostics);
+  if (display && settings.viewer_care) await_viewer(*display, interruption);
   if (display) display->finish();
   say_problem(display);
   return true;

@@ -21,7 +21,8 @@ struct RunSettings {
   std::string checkpoint;  ///< path; empty: none
   transport::Fingerprint fingerprint;
   std::optional<transport::DisplayAddress> display;
-  std::string title;  ///< of the displayed image
+  transport::ViewerCare viewer_care;  ///< of a viewer that is started if none listens there; empty: none is
+  std::string title;                  ///< of the displayed image
 };
 
 /// Runs a render to its end, or to a signal: resumes it from its checkpoint, keeps that up to date every

@@ -142,9 +142,10 @@ std::vector<OptionInfo> running_options() {
       {"BPT_Threads", "--threads", NumberOption<int>{&Options::threads, 0, 4096}, "int", "0",
        "threads to use; 0: all"},
       {"BPT_DisplayWindow", "", BooleanOption<bool>{&Options::shows_window}, "bool", "false",
-       "show the image as it forms, in a viewer that speaks tev's network protocol"},
+       "show the image as it forms, in the viewer that listens at 127.0.0.1:14158; if none does, `wannabe "
+       "--tool image` is started"},
       {"BPT_DisplayServer", "--display-server", AddressOption{&Options::display_server}, "HOST:PORT", "none",
-       "that viewer, and show the image in it; BPT_DisplayWindow alone means 127.0.0.1:14158"},
+       "show the image as it forms in that viewer, which speaks tev's network protocol; none is started"},
   };
 }
 

@@ -1,6 +1,5 @@
 #include "renderer/transport/display_client.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <memory>
 #include <system_error>
@@ -28,6 +27,8 @@ constexpr milliseconds Step(20);
 constexpr int LongestRun = 32;
 /// For a viewer to answer at all.
 constexpr milliseconds ConnectTime(3000);
+/// For a viewer that was started to listen.
+constexpr milliseconds StartTime(10000);
 
 std::string reason() { return std::generic_category().message(errno); }
 
@@ -43,33 +44,12 @@ struct FreeAddresses {
 
 }  // namespace
 
-std::optional<DisplayAddress> display_address_of(std::string_view text) {
-  DisplayAddress address;
-  std::string_view host = text;
-  std::string_view port;
-  if (text.starts_with('[')) {
-    const std::size_t end = text.find(']');
-    if (end == std::string_view::npos) return std::nullopt;
-    host = text.substr(1, end - 1);
-    port = text.substr(end + 1);
-  } else if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
-    host = text.substr(0, colon);
-    port = text.substr(colon);
-  }
-  if (!host.empty()) address.host = host;
-  if (port.empty()) return host.empty() ? std::nullopt : std::optional(address);
-  const bool is_number =
-      std::all_of(port.begin() + 1, port.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (port[0] != ':' || port.size() < 2 || port.size() > 6 || !is_number) return std::nullopt;
-  address.port = port.substr(1);
-  const int number = std::stoi(address.port);
-  return number >= 1 && number <= 65535 ? std::optional(address) : std::nullopt;
-}
-
-DisplayClient::DisplayClient(const Render& render, DisplayAddress address, std::string image_name)
+DisplayClient::DisplayClient(const Render& render, DisplayAddress address, std::string image_name,
+                             ViewerCare viewer_care)
     : render_(render),
       address_(std::move(address)),
       name_(std::move(image_name)),
+      viewer_care_(std::move(viewer_care)),
       sent_(static_cast<std::size_t>(render.film().tile_count())),
       thread_([this] { run(); }) {}
 
@@ -98,7 +78,9 @@ void DisplayClient::fail(const std::string& why) {
 }
 
 void DisplayClient::run() {
-  if (!connect()) return;
+  const bool is_connected = connect_to_any();
+  is_connecting_ = false;
+  if (!is_connected) return;
   // A viewer that still has an image of that name, from an earlier render, would go on showing that one.
   bool goes_on = send(close_image_packet(name_)) &&
                  send(create_image_packet(name_, render_.settings().width, render_.settings().height));
@@ -111,7 +93,8 @@ void DisplayClient::run() {
   }
 }
 
-bool DisplayClient::connect() {
+/// What is in the way of a connection, or nothing if there is one.
+std::optional<std::string> DisplayClient::connect() {
   addrinfo hints = {};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
@@ -131,14 +114,35 @@ bool DisplayClient::connect() {
         break;
       }
     }
-    if (problem == 0) return true;
+    if (problem == 0) return std::nullopt;
     why = std::generic_category().message(problem);
     ::close(std::exchange(socket_, -1));
   }
-  fail(fmt::format(
-      "no viewer listens at {} ({}): start one that speaks tev's protocol, such as tev, to see the "
-      "image as it forms",
-      address_.text(), why));
+  return why;
+}
+
+/// To a viewer that listens, or else to one that is started.
+bool DisplayClient::connect_to_any() {
+  const std::optional<std::string> why = connect();
+  if (!why) return true;
+  if (!viewer_care_) {
+    fail(fmt::format(
+        "no viewer listens at {} ({}): start `wannabe --tool image`, or another one that speaks tev's "
+        "protocol, to see the image as it forms",
+        address_.text(), *why));
+    return false;
+  }
+  std::optional<std::string> problem = viewer_care_();
+  const auto latest = Clock::now() + StartTime;
+  while (!problem && !is_out_of_time()) {
+    std::this_thread::sleep_for(Pause);
+    if (!connect()) return true;
+    problem = Clock::now() < latest ? viewer_care_() : "the one that was started does not answer";
+  }
+  if (problem) {
+    fail(fmt::format("no viewer listens at {}, and none can be started ({}): the render goes on without one",
+                     address_.text(), *problem));
+  }
   return false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -11,14 +12,15 @@
 
 namespace test {
 
-/// Listens on loopback, on a port that the system chooses. Until somebody receives, a connection takes what
-/// the buffers of the sockets hold, and no more.
+/// Listens on loopback, on a port that the system chooses or that is given. Until somebody receives, a
+/// connection takes what the buffers of the sockets hold, and no more.
 class Listener {
  public:
-  Listener() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit Listener(int port = 0) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in in = {};
     in.sin_family = AF_INET;
     in.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    in.sin_port = htons(static_cast<in_port_t>(port));
     auto* address = reinterpret_cast<sockaddr*>(&in);
     socklen_t size = sizeof(in);
     if (socket_ < 0 || ::bind(socket_, address, size) != 0 || ::listen(socket_, 1) != 0 ||
@@ -53,5 +55,22 @@ class Listener {
   int socket_;
   std::string port_;
 };
+
+/// A port where nobody listens yet. The system gives it to nobody who asks for any port: it is none of those
+/// that Linux keeps for that.
+inline int free_port() {
+  constexpr int First = 16384;
+  constexpr int Count = 16384;
+  for (int i = 0; i < Count; ++i) {
+    const int port = First + (::getpid() + 97 * i) % Count;
+    try {
+      const Listener listener(port);
+      return port;
+    } catch (const std::system_error&) {
+      continue;
+    }
+  }
+  throw std::runtime_error("no port is free");
+}
 
 }  // namespace test

@@ -158,6 +158,62 @@ TEST_F(Display, DoesWithoutAViewer) {
   EXPECT_EQ(client.take_problem(), std::nullopt);
 }
 
+TEST_F(Display, WaitsForAViewerThatIsStarted) {
+  const int port = test::free_port();
+  std::optional<test::Listener> server;
+  std::string bytes;
+  std::thread viewer;
+  int calls = 0;
+  const auto start_at_third_call = [&]() -> std::optional<std::string> {
+    if (++calls == 3) {
+      server.emplace(port);
+      viewer = std::thread([&] { bytes = server->receive(); });
+    }
+    return std::nullopt;
+  };
+  Render render(scene_, settings(1));
+  {
+    DisplayClient client(render, {"127.0.0.1", std::to_string(port)}, "image", start_at_third_call);
+    render.run();
+    while (client.is_connecting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    client.finish(std::chrono::seconds(30));
+    EXPECT_EQ(client.take_problem(), std::nullopt);
+  }
+  ASSERT_EQ(calls, 3);
+  viewer.join();
+  Viewer shown;
+  shown.show(bytes);
+  EXPECT_EQ(shown.name, "image");
+  EXPECT_GE(shown.updates, 4) << "a row of tiles each";
+}
+
+TEST_F(Display, SaysOnceWhyNoViewerCanBeStarted) {
+  const std::string port = std::to_string(test::free_port());
+  for (const int good_calls : {0, 2}) {
+    int calls = 0;
+    const auto fail = [&] { return ++calls > good_calls ? std::optional<std::string>("why") : std::nullopt; };
+    Render render(scene_, settings(2));
+    DisplayClient client(render, {"127.0.0.1", port}, "image", fail);
+    render.run();
+    while (client.is_connecting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(calls, good_calls + 1);
+    EXPECT_EQ(client.take_problem(), "no viewer listens at 127.0.0.1:" + port +
+                                         ", and none can be started (why): the render goes on without one");
+    EXPECT_EQ(client.take_problem(), std::nullopt);
+  }
+}
+
+TEST_F(Display, LeavesAViewerThatDoesNotComeInTime) {
+  Render render(scene_, settings(2));
+  const auto start = std::chrono::steady_clock::now();
+  DisplayClient client(render, {"127.0.0.1", std::to_string(test::free_port())}, "image",
+                       [] { return std::optional<std::string>(); });
+  render.run();
+  client.finish(std::chrono::milliseconds(100));
+  EXPECT_FALSE(client.is_connecting());
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(8));
+}
+
 TEST_F(Display, GoesOnWhenTheViewerIsGone) {
   const test::Listener server;
   std::thread viewer([&] { ::close(server.accept()); });
@@ -199,6 +255,16 @@ TEST(DisplayAddress, IsReadFromText) {
   for (const char* wrong : {"", "a:", "a:b", "a:0", "a:65536", "a:1234567", "[::1", "a:-1", "[::1]80"}) {
     EXPECT_EQ(text_of(wrong), "") << wrong;
   }
+}
+
+TEST(DisplayAddress, HasAPortForEachUser) {
+  ::unsetenv("GRANADA_DISPLAY_PORT");
+  EXPECT_EQ(transport::usual_display_address().text(), "127.0.0.1:14158");
+  ::setenv("GRANADA_DISPLAY_PORT", "12345", 1);
+  EXPECT_EQ(transport::usual_display_address().text(), "127.0.0.1:12345");
+  ::setenv("GRANADA_DISPLAY_PORT", "none", 1);
+  EXPECT_EQ(transport::usual_display_address().text(), "127.0.0.1:14158");
+  ::unsetenv("GRANADA_DISPLAY_PORT");
 }
 
 }  // namespace
