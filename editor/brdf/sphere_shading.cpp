@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "grf/srgb.h"
 #include "renderer/reflectance/glsl_functions.h"
 
 namespace editor {
@@ -42,11 +43,6 @@ struct SphereFormula {
 #include "editor/brdf/sphere.glsl"
 };
 
-float encoded(float linear) {
-  const float c = std::clamp(linear, 0.0F, 1.0F);
-  return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
-}
-
 }  // namespace
 
 MirrorTable mirror_table(const reflectance::Brdf& brdf) {
@@ -83,7 +79,7 @@ QImage displayed(const SphereImage& image, double stops) {
       const float covered = std::clamp(radius - std::hypot(x, y), 0.0F, 1.0F);
       const Rgb& c = image.radiance[static_cast<std::size_t>(row) * image.side + column];
       const auto byte = [&](float value) {
-        return static_cast<int>(std::lround(255 * encoded(gain * value)));
+        return static_cast<int>(std::lround(255 * grf::srgb_encoded(std::clamp(gain * value, 0.0F, 1.0F))));
       };
       line[column] = qRgba(byte(c.x), byte(c.y), byte(c.z), static_cast<int>(std::lround(255 * covered)));
     }

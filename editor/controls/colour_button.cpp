@@ -9,21 +9,17 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "grf/srgb.h"
 
 namespace editor {
 namespace {
 
 constexpr int SettlingMilliseconds = 400;
 
-float encoded(float linear) {
-  const float c = std::clamp(linear, 0.0F, 1.0F);
-  return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
-}
+float encoded(float linear) { return grf::srgb_encoded(std::clamp(linear, 0.0F, 1.0F)); }
 
 /// By what a colour is brought down to what screens can show.
 float brightness(const grf::Colour& linear) { return std::max({1.0F, linear.x, linear.y, linear.z}); }
-
-float decoded(float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); }
 
 }  // namespace
 
@@ -34,7 +30,7 @@ QColor shown_colour(const grf::Colour& linear) {
 
 grf::Colour linear_colour(const QColor& shown) {
   const QColor rgb = shown.toRgb();
-  return {decoded(rgb.redF()), decoded(rgb.greenF()), decoded(rgb.blueF())};
+  return {grf::srgb_decoded(rgb.redF()), grf::srgb_decoded(rgb.greenF()), grf::srgb_decoded(rgb.blueF())};
 }
 
 ColourButton::ColourButton(QWidget* parent) : QToolButton(parent) {

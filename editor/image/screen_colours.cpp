@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "grf/srgb.h"
+
 namespace editor {
 namespace {
 
@@ -14,10 +16,6 @@ using reflectance::Rgb;
 
 /// Floats whose upper half is the same differ by less than 1 %.
 constexpr unsigned TableShift = 16;
-
-double encoded(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
 
 double mapped(ToneCurve curve, double x) {
   switch (curve) {
@@ -30,7 +28,7 @@ double mapped(ToneCurve curve, double x) {
       x = x / (1 + x);
       break;
   }
-  return encoded(std::min(x, 1.0));
+  return grf::srgb_encoded(std::min(x, 1.0));
 }
 
 const ByteCurve& byte_curve(ToneCurve curve) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "grf/srgb.h"
 #include "renderer/transport/image/image_encoders.h"
 
 namespace command {
@@ -15,10 +16,6 @@ using reflectance::Rgb;
 using reflectance::Vec3f;
 
 constexpr int Subpixels = 2;  // along a side
-
-float linear(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
 
 Point point_of(const Vec3f& v, const plot::Place& place) {
   return place.corner + Point((1 + v.x) / 2 * place.width, (1 - v.y) / 2 * place.height);
@@ -61,7 +58,8 @@ void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place&
   transport::Image image{DiscMap::Side, DiscMap::Side, {}};
   for (const DiscMap::Pixel& pixel : map.pixels()) {
     const grf::Colour encoded = scale.colour(pixel.value);
-    const Rgb colour(linear(encoded.x), linear(encoded.y), linear(encoded.z));
+    const Rgb colour(grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y),
+                     grf::srgb_decoded(encoded.z));
     image.pixels.push_back(colour * pixel.covered + Rgb(1 - pixel.covered));
   }
   svg.image(place.corner, place.width, place.height, transport::encode_png({image}));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "grf/srgb.h"
+
 namespace transport {
 
 /// The linear values of sRGB-encoded bytes (IEC 61966-2-1), white being 1.
@@ -14,9 +16,7 @@ inline const SrgbTable& srgb_table() {
   static const SrgbTable table = [] {
     SrgbTable linear = {};
     for (std::size_t i = 0; i < linear.size(); ++i) {
-      const double encoded = static_cast<double>(i) / 255;
-      linear[i] =
-          static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+      linear[i] = static_cast<float>(grf::srgb_decoded(static_cast<double>(i) / 255));
     }
     return linear;
   }();
@@ -26,9 +26,7 @@ inline const SrgbTable& srgb_table() {
 /// The byte whose value is nearest in sRGB's own measure: 255 from 1 on, and 0 for what is no number.
 inline std::uint8_t to_srgb_byte(float linear) {
   if (!(linear > 0)) return 0;
-  const float value = std::min(linear, 1.0F);
-  const float encoded = value <= 0.0031308F ? 12.92F * value : 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
+  return static_cast<std::uint8_t>(std::lround(255 * grf::srgb_encoded(std::min(linear, 1.0F))));
 }
 
 }  // namespace transport

@@ -1,0 +1,22 @@
+#include "grf/srgb.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Srgb, IsTheStandardsCurve) {
+  EXPECT_EQ(grf::srgb_encoded(0.0), 0);
+  EXPECT_NEAR(grf::srgb_encoded(1.0), 1, 1e-15);
+  EXPECT_NEAR(grf::srgb_encoded(0.214041140482232), 0.5, 1e-12);
+  EXPECT_NEAR(grf::srgb_encoded(0.0031308), 0.04045, 1e-6);
+}
+
+TEST(Srgb, IsUndoneByItsInverse) {
+  for (double linear = 0; linear <= 1; linear += 1.0 / 1024) {
+    EXPECT_NEAR(grf::srgb_decoded(grf::srgb_encoded(linear)), linear, 1e-7);
+    const auto single = static_cast<float>(linear);
+    EXPECT_NEAR(grf::srgb_decoded(grf::srgb_encoded(single)), single, 1e-6);
+  }
+}
+
+}  // namespace
