@@ -3,6 +3,8 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QStyleOptionSpinBox>
+#include <QTextDocument>
+#include <QTextDocumentFragment>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -111,7 +113,7 @@ void NumberBox::set_message(const QString& message) {
 QString NumberBox::text_of(double value) const {
   constexpr double AllDigits = 1e15;
   if (is_whole_ && value == std::round(value) && std::abs(value) < AllDigits)
-    return QString::number(value, 'f', 0);
+    return QString::number(value, 'f', 0) + suffix_of(unit_);
   return number_text(value) + suffix_of(unit_);
 }
 
@@ -154,11 +156,22 @@ void NumberBox::show_state() {
     look.setColor(QPalette::Text, text);
     lineEdit()->setPalette(look);
   }
-  QString tip = help_;
-  if (!help_.isEmpty() && (minimum_ > -Endless || maximum_ < Endless)) tip += "\n" + range_text();
-  if (!message_.isEmpty()) tip = message_ + (tip.isEmpty() ? "" : "\n") + tip;
+  const QString tip = tip_text();
   setToolTip(tip);
-  setAccessibleDescription(tip);
+  setAccessibleDescription(Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText()
+                                                    : tip);
+}
+
+QString NumberBox::tip_text() const {
+  const bool is_rich = Qt::mightBeRichText(help_);
+  QStringList parts;
+  const auto add = [&](const QString& text) {
+    if (!text.isEmpty()) parts.append(is_rich ? "<p>" + text.toHtmlEscaped() + "</p>" : text);
+  };
+  add(message_);
+  if (!help_.isEmpty()) parts.append(help_);
+  if (!help_.isEmpty() && (minimum_ > -Endless || maximum_ < Endless)) add(range_text());
+  return parts.join(is_rich ? "" : "\n");
 }
 
 QString NumberBox::range_text() const {

@@ -36,8 +36,8 @@ class NumberBox : public QAbstractSpinBox {
   void set_whole(bool is_whole);
   /// It may be left empty, which means this; if that is a number, steps begin there. See `cleared`.
   void set_default(const QString& text);
-  /// What the control is for; the box adds range and unit. Without it the tool tip is the owner's, but where
-  /// something is wrong. See also set_message.
+  /// What the control is for, perhaps as rich text; the box adds range and unit. Without it the tool tip is
+  /// the owner's, but where something is wrong. See also set_message.
   void set_help(const QString& help);
 
   /// Without a value nothing is shown but the word, until somebody types. Without a signal.
@@ -89,6 +89,7 @@ class NumberBox : public QAbstractSpinBox {
   double step_from(double start) const;
   QString text_of(double value) const;
   QString range_text() const;
+  QString tip_text() const;
   void show_value();
   void show_text(const QString& text);
   QString fitting_text() const;

@@ -1,7 +1,6 @@
 #include "editor/image/screen_controls.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -9,6 +8,7 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/number_box.h"
 
 namespace editor {
 namespace {
@@ -33,7 +33,7 @@ void explain(QWidget* control, const QString& name, const QString& help) {
 ScreenControls::ScreenControls(QWidget* parent)
     : QWidget(parent),
       slider_(new QSlider(Qt::Horizontal, this)),
-      stops_(new QDoubleSpinBox(this)),
+      stops_(new NumberBox(this)),
       curve_(new QComboBox(this)),
       view_(new QComboBox(this)) {
   auto* row = new QHBoxLayout(this);
@@ -45,21 +45,24 @@ ScreenControls::ScreenControls(QWidget* parent)
 }
 
 void ScreenControls::add_exposure() {
-  const QString help =
-      tr("Brightness in stops, -%1 to %1: one more doubles it. Key E, back with Shift+E.").arg(MostStops);
+  const QString help = tr("Brightness in stops: one more doubles it. Key E, back with Shift+E.");
   slider_->setRange(-MostStops * StepsAStop, MostStops * StepsAStop);
   slider_->setPageStep(StepsAStop);
   slider_->setMinimumWidth(6 * Grid);
   slider_->setMaximumWidth(32 * Grid);
-  stops_->setRange(-MostStops, MostStops);
-  stops_->setDecimals(1);
-  stops_->setSingleStep(0.5);
+  stops_->set_range(-MostStops, MostStops);
+  stops_->set_strict(true);
+  stops_->set_step(0.5);
+  stops_->set_value(0);
+  stops_->set_help(help);
+  stops_->setAccessibleName(tr("Exposure in stops"));
+  stops_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   explain(slider_, tr("Exposure"), help);
-  explain(stops_, tr("Exposure in stops"), help);
   connect(slider_, &QSlider::valueChanged, this,
           [this](int value) { set_exposure(static_cast<float>(value) / StepsAStop); });
-  connect(stops_, &QDoubleSpinBox::valueChanged, this,
-          [this](double value) { set_exposure(static_cast<float>(value)); });
+  for (const auto signal : {&NumberBox::changing, &NumberBox::edited}) {
+    connect(stops_, signal, this, [this](double value) { set_exposure(static_cast<float>(value)); });
+  }
   layout()->addWidget(label(tr("Exposure"), stops_));
   layout()->addWidget(slider_);
   layout()->addWidget(stops_);
@@ -113,9 +116,8 @@ void ScreenControls::change(const ScreenSettings& settings) {
 
 void ScreenControls::show_settings() {
   const QSignalBlocker block_slider(slider_);
-  const QSignalBlocker block_stops(stops_);
   slider_->setValue(static_cast<int>(std::lround(settings_.exposure * StepsAStop)));
-  stops_->setValue(settings_.exposure);
+  stops_->set_value(static_cast<double>(settings_.exposure));
 }
 
 }  // namespace editor

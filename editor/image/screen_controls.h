@@ -5,10 +5,11 @@
 #include "editor/image/screen_colours.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QSlider;
 
 namespace editor {
+
+class NumberBox;
 
 /// Exposure, tone curve and what is shown of the channels. Ranges of false colours are the image's affair.
 class ScreenControls : public QWidget {
@@ -35,7 +36,7 @@ class ScreenControls : public QWidget {
 
   ScreenSettings settings_;
   QSlider* slider_;
-  QDoubleSpinBox* stops_;
+  NumberBox* stops_;
   QComboBox* curve_;
   QComboBox* view_;
 };

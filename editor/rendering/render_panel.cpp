@@ -248,6 +248,7 @@ void RenderPanel::set_view(const transport::View& view) {
 }
 
 void RenderPanel::toggle_preview() {
+  settings_->commit();  // a button that is clicked takes no focus
   if (!preview_.is_on()) return restart_preview();
   if (preview_.is_paused()) {
     preview_.resume();
@@ -269,6 +270,7 @@ void RenderPanel::restart_preview() {
 
 void RenderPanel::render() {
   if (final_.is_running()) return;
+  settings_->commit();
   resumes_after_ = preview_.is_on() && !preview_.is_paused();
   if (resumes_after_) preview_.pause();
   keep_op_file();

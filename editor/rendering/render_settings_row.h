@@ -1,15 +1,16 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "renderer/options/render_options.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
-class QSpinBox;
 
 namespace editor {
+
+class NumberBox;
 
 /// The options that are changed from one render to the next: size, samples, depth, sampling scheme, target
 /// error and time. Ranges, words and meanings are those of the options' table.
@@ -22,6 +23,8 @@ class RenderSettingsRow : public QWidget {
   void set_options(const options::RenderOptions& render_options);
   /// Those that were set, with what the controls say.
   const options::RenderOptions& options() const { return options_; }
+  /// Takes what was typed, as the return key does.
+  void commit();
 
  signals:
   /// A control was changed by hand, and is done with.
@@ -31,19 +34,24 @@ class RenderSettingsRow : public QWidget {
   template <class Control>
   Control* add(const QString& name, std::string_view key, int row, int column, int columns = 1,
                const QString& more = {});
+  NumberBox* add_number(const QString& name, std::string_view key, int row, int column,
+                        const QString& more = {});
+  std::vector<NumberBox*> numbers() const;
+  void set_ranges();
   void connect_controls();
+  void show_options();
   void take();
 
   options::RenderOptions options_;
   bool is_showing_ = false;
   QGridLayout* layout_;
-  QSpinBox* width_;
-  QSpinBox* height_;
-  QSpinBox* samples_;
-  QSpinBox* depth_;
+  NumberBox* width_;
+  NumberBox* height_;
+  NumberBox* samples_;
+  NumberBox* depth_;
   QComboBox* scheme_;
-  QDoubleSpinBox* target_error_;
-  QDoubleSpinBox* seconds_;
+  NumberBox* target_error_;
+  NumberBox* seconds_;
 };
 
 }  // namespace editor

@@ -6,8 +6,10 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTcpSocket>
 #include <QTest>
 #include <cmath>
@@ -16,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include "editor/controls/number_box.h"
 #include "editor/image/image_window.h"
 #include "editor/image/screen_controls.h"
 #include "renderer/transport/display_packets.h"
@@ -232,6 +235,26 @@ TEST_F(Browser, RefusesDifferencesOfOtherSizes) {
   browser_.remove_image("b");
   browser_.remove_image("a");
   EXPECT_TRUE(browser_.names().isEmpty());
+}
+
+TEST_F(Browser, TakesTheExposureAsArithmetic) {
+  const ScreenControls& controls = browser_.controls();
+  auto* box = controls.findChild<NumberBox*>();
+  auto* slider = controls.findChild<QSlider*>();
+  ASSERT_TRUE(box != nullptr && slider != nullptr);
+  EXPECT_EQ(box->accessibleName(), "Exposure in stops");
+  auto* line = box->findChild<QLineEdit*>();
+  line->setText("-3/2");
+  box->commit();
+  EXPECT_EQ(controls.settings().exposure, -1.5F);
+  EXPECT_EQ(slider->value(), -15);
+  QTest::keyClick(box, Qt::Key_Up);
+  EXPECT_EQ(controls.settings().exposure, -1) << "at once";
+  slider->setValue(3);
+  EXPECT_EQ(line->text(), "0.3");
+  line->setText("17");
+  box->commit();
+  EXPECT_EQ(controls.settings().exposure, 0.3F) << "the last number, since that one is out of range";
 }
 
 TEST_F(Browser, SavesAndCopies) {

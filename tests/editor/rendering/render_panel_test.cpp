@@ -2,16 +2,16 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QSpinBox>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/controls/number_box.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/render_files.h"
@@ -21,6 +21,7 @@
 
 namespace {
 
+using editor::NumberBox;
 using editor::RenderPanel;
 using testing::HasSubstr;
 
@@ -40,6 +41,11 @@ class RenderPanelTest : public testing::Test {
       if (one->accessibleName() == name) return one;
     }
     throw std::runtime_error(name);
+  }
+  QLineEdit& text_of(const char* name) { return *control<NumberBox>(name)->findChild<QLineEdit*>(); }
+  void type(const char* name, const QString& text) {
+    text_of(name).setText(text);
+    control<NumberBox>(name)->commit();
   }
   QString path(const char* name) const { return QString::fromStdString(folder_.path(name)); }
   /// A scene whose OP file asks for few samples of a small image.
@@ -68,8 +74,8 @@ TEST_F(RenderPanelTest, TakesCameraAndOptionsFromTheFileBesideTheScene) {
   open(24);
   EXPECT_EQ(changed.size(), 1);
   EXPECT_EQ(panel_.options().viewer, grf::Vec3f(0, 2, 6));
-  EXPECT_EQ(control<QSpinBox>("Samples")->value(), 24);
-  EXPECT_EQ(control<QSpinBox>("Width")->value(), 96);
+  EXPECT_EQ(control<NumberBox>("Samples")->value(), 24);
+  EXPECT_EQ(control<NumberBox>("Width")->value(), 96);
 }
 
 TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
@@ -130,9 +136,9 @@ TEST_F(RenderPanelTest, MarksARenderThatWasStopped) {
 TEST_F(RenderPanelTest, WritesTheOpFileWhereThereIsNoneOrWhereItIsTold) {
   panel_.open_scene(test::scene_of_text(test::Corner), path("new.grf"));
   QSignalSpy differs(&panel_, &RenderPanel::op_file_differs);
-  control<QSpinBox>("Width")->setValue(40);
-  control<QSpinBox>("Height")->setValue(30);
-  control<QSpinBox>("Samples")->setValue(2);
+  type("Width", "40");
+  type("Height", "30");
+  type("Samples", "2");
   panel_.render_action()->trigger();
   ASSERT_TRUE(render_ends());
   EXPECT_TRUE(differs.empty());
@@ -140,7 +146,7 @@ TEST_F(RenderPanelTest, WritesTheOpFileWhereThereIsNoneOrWhereItIsTold) {
   auto read = options::read_op_file(folder_.path("new.op"), diagnostics);
   ASSERT_TRUE(read) << diagnostics.to_text();
   EXPECT_EQ(read->samples, 2);
-  control<QSpinBox>("Samples")->setValue(3);
+  type("Samples", "3");
   panel_.render_action()->trigger();
   ASSERT_TRUE(render_ends());
   ASSERT_EQ(differs.size(), 1);
@@ -151,9 +157,9 @@ TEST_F(RenderPanelTest, WritesTheOpFileWhereThereIsNoneOrWhereItIsTold) {
 
 TEST_F(RenderPanelTest, ControlsAreThoseOfTheTable) {
   QSignalSpy changed(&panel_, &RenderPanel::options_changed);
-  control<QDoubleSpinBox>("Target error")->setValue(2.5);
+  type("Target error", "2.5");
   control<QComboBox>("Sampling scheme")->setCurrentText("Hemisphere");
-  control<QSpinBox>("Depth")->setValue(7);
+  type("Depth", "7");
   EXPECT_EQ(changed.size(), 3);
   EXPECT_EQ(panel_.options().target_error, 0.025F);
   EXPECT_EQ(panel_.options().name, "Hemisphere");
@@ -163,6 +169,46 @@ TEST_F(RenderPanelTest, ControlsAreThoseOfTheTable) {
   panel_.set_options(render_options);
   EXPECT_EQ(control<QComboBox>("Sampling scheme")->currentText(), "Reject");
   EXPECT_EQ(changed.size(), 3) << "not by hand";
+}
+
+TEST_F(RenderPanelTest, TakesArithmeticAndNothingForWhatIsNotGiven) {
+  type("Width", "1920 / 7 px");
+  EXPECT_EQ(panel_.options().size.width, 274);
+  EXPECT_EQ(text_of("Width").text(), "274 px");
+  EXPECT_EQ(text_of("Samples").placeholderText(), "auto");
+  for (const char* nothing : {"", "0"}) {
+    type("Samples", "2^6");
+    EXPECT_EQ(panel_.options().samples, 64);
+    type("Samples", nothing);
+    EXPECT_EQ(panel_.options().samples, std::nullopt);
+    EXPECT_EQ(text_of("Samples").text(), "");
+    type("Target error", "0.3 %");
+    EXPECT_EQ(panel_.options().target_error, 0.003F);
+    type("Depth", "3");
+    EXPECT_EQ(panel_.options().target_error, 0.003F) << "of another control";
+    EXPECT_EQ(text_of("Target error").text(), "0.3 %");
+    type("Target error", nothing);
+    EXPECT_EQ(panel_.options().target_error, std::nullopt);
+    type("Time limit", "1.5*60 s");
+    EXPECT_EQ(panel_.options().max_seconds, 90.0F);
+    type("Time limit", nothing);
+    EXPECT_EQ(panel_.options().max_seconds, std::nullopt);
+  }
+  type("Height", "20000");
+  EXPECT_EQ(panel_.options().size.height, options::RenderOptions().size.height);
+  EXPECT_THAT(control<NumberBox>("Height")->toolTip().toStdString(),
+              HasSubstr("<p>Range: 1 px to 16384 px.</p>"));
+  EXPECT_THAT(control<NumberBox>("Height")->accessibleDescription().toStdString(),
+              HasSubstr("Range: 1 px to 16384 px.\nWidth and height in pixels."));
+}
+
+// The buttons of tool bars take no focus.
+TEST_F(RenderPanelTest, RendersWithWhatIsBeingTyped) {
+  open(4);
+  text_of("Samples").setText("2");
+  panel_.render_action()->trigger();
+  ASSERT_TRUE(render_ends());
+  EXPECT_THAT(status(), HasSubstr("Done · 2 samples"));
 }
 
 TEST_F(RenderPanelTest, AllHaveNamesAndHelp) {
