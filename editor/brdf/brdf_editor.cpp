@@ -13,6 +13,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
+#include "editor/controls/tab_order.h"
 #include "editor/document/brdf_mime.h"
 
 namespace editor {
@@ -82,14 +83,13 @@ BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
   grid->setSpacing(Grid);
   plots_ = new BrdfPlots;
   library_ = new BrdfLibrary;
-  grid->addWidget(new_view(View::Sphere, "sphere", "Sphere", "The BRDF on a sphere", sphere_with_exposure()),
-                  0, 0);
-  grid->addWidget(new_view(View::Lobe, "lobe", "Lobe", "The lobe in three dimensions", lobe_with_choices()),
-                  0, 1);
-  grid->addWidget(
-      new_view(View::Plots, "curve", "Plots", "Plots in the plane of incidence, and albedo", plots_), 1, 0);
-  grid->addWidget(
-      new_view(View::Library, "library", "Library", "Presets, the scene's BRDFs, and yours", library_), 1, 1);
+  add_view(View::Sphere, "sphere", "Sphere", "The BRDF on a sphere", sphere_with_exposure());
+  add_view(View::Lobe, "lobe", "Lobe", "The lobe in three dimensions", lobe_with_choices());
+  add_view(View::Plots, "curve", "Plots", "Plots in the plane of incidence, and albedo", plots_);
+  add_view(View::Library, "library", "Library", "Presets, the scene's BRDFs, and yours", library_);
+  // Only now, so that Tab leads through the buttons of all views before it leads into one.
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    grid->addWidget(views_[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
   auto* scroll = new QScrollArea(splitter_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -113,8 +113,8 @@ BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
   arrange();
 }
 
-QWidget* BrdfEditor::new_view(View view, const char* icon_name, const QString& name, const QString& tip,
-                              QWidget* contents) {
+void BrdfEditor::add_view(View view, const char* icon_name, const QString& name, const QString& tip,
+                          QWidget* contents) {
   auto* button = new QToolButton(bar_);
   button->setIcon(icon(icon_name));
   button->setText(name);
@@ -126,7 +126,6 @@ QWidget* BrdfEditor::new_view(View view, const char* icon_name, const QString& n
   buttons_->addButton(button, static_cast<int>(view));
   bar_->layout()->addWidget(button);
   views_[static_cast<std::size_t>(view)] = contents;
-  return contents;
 }
 
 QWidget* BrdfEditor::sphere_with_exposure() {
@@ -183,6 +182,7 @@ void BrdfEditor::arrange() {
   // The form is beside the views on the left, or under them.
   QWidget* form = form_->parentWidget()->parentWidget();
   splitter_->insertWidget(is_unfolded_ ? 0 : 1, form);
+  lead_tab_through({is_unfolded_ ? bar_ : splitter_->widget(0), form});
   form->setMinimumWidth(is_unfolded_ ? 40 * Grid : 0);
   form->setMaximumWidth(is_unfolded_ ? 50 * Grid : QWIDGETSIZE_MAX);
   // In a dock both have about half of the height; a form that needs more is scrolled.

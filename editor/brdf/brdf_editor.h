@@ -59,8 +59,7 @@ class BrdfEditor : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  QWidget* new_view(View view, const char* icon_name, const QString& name, const QString& tip,
-                    QWidget* contents);
+  void add_view(View view, const char* icon_name, const QString& name, const QString& tip, QWidget* contents);
   QWidget* sphere_with_exposure();
   QWidget* lobe_with_choices();
   void arrange();

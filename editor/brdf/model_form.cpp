@@ -2,7 +2,7 @@
 
 #include <QComboBox>
 #include <QCompleter>
-#include <QEvent>
+#include <QFocusEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -12,6 +12,7 @@
 #include "editor/brdf/data_file_row.h"
 #include "editor/brdf/parameter_row.h"
 #include "editor/brdf/terms_editor.h"
+#include "editor/controls/tab_order.h"
 #include "grf/keywords.h"
 #include "renderer/reflectance/scheme.h"
 
@@ -166,6 +167,7 @@ void ModelForm::add_rows() {
     row->set_name_width(name_width);
     row->show();
   }
+  lead_tab_through({chooser_, rows_holder_});
 }
 
 void ModelForm::change(const grf::ParameterInfo& parameter, const grf::Value& value, bool is_done) {
@@ -223,6 +225,7 @@ void ModelForm::refresh_extras() {
         std::all_of(models_.begin(), models_.end(), [&](const auto& model) { return model.terms == first; });
     terms_->set_names(brdf_names(definitions_));
     terms_->set_terms(is_common ? first : std::vector<grf::CombineTerm>(), !is_common);
+    lead_tab_through({chooser_, rows_holder_});  // its rows are new
   }
   if (data_file_ != nullptr) {
     const auto& first = models_.front().data_file;
@@ -262,6 +265,8 @@ void ModelForm::show_mistakes() {
   paint(hint_, colours.faint_text);
   emit mistakes_changed();
 }
+
+void ModelForm::focusInEvent(QFocusEvent* event) { chooser_->setFocus(event->reason()); }
 
 void ModelForm::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) show_mistakes();

@@ -44,6 +44,8 @@ class ModelForm : public QWidget {
   virtual std::vector<QString> check(const grf::BrdfModel& model) const = 0;
   virtual void report(bool is_done) = 0;
 
+  /// It has no focus of its own: the list of models takes it.
+  void focusInEvent(QFocusEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:

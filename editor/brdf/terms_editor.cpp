@@ -10,6 +10,7 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/tab_order.h"
 
 namespace editor {
 
@@ -54,6 +55,7 @@ void TermsEditor::rebuild() {
     old->deleteLater();
   }
   for (std::size_t i = 0; i < terms_.size(); ++i) add_row(i);
+  lead_tab_through({holder_, add_});
   if (names_.empty()) {
     hint_->setText("Define BRDFs by name in the scene first: a sum is made of those.");
   } else if (are_mixed_) {

@@ -48,9 +48,9 @@ QString absolute(const QString& path) { return QDir::cleanPath(QFileInfo(path).a
 
 ImageBrowser::ImageBrowser(QWidget* parent)
     : QWidget(parent),
-      pane_(new ImagePane(this)),
-      controls_(new ScreenControls(this)),
-      scale_bar_(new ScaleBar(this)) {
+      pane_(new ImagePane),  // parts of it once they are laid out: Tab leads through them in that order
+      controls_(new ScreenControls),
+      scale_bar_(new ScaleBar) {
   setAcceptDrops(true);
   pane_->set_hint(tr("Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg or tga."));
   make_actions();

@@ -31,9 +31,10 @@ ColourFields::ColourFields(const QString& name, const QString& help, double maxi
     take_colour(colour);
     emit finished();
   });
-  setFocusProxy(channels_.front());
   show_blank({});
 }
+
+QWidget* ColourFields::field() const { return channels_.front(); }
 
 void ColourFields::show_colour(const grf::Colour& colour) {
   colour_ = colour;

@@ -23,6 +23,8 @@ class ColourFields : public QWidget {
   /// Shows that there is none, or `mixed`.
   void show_blank(const QString& text);
   const std::optional<grf::Colour>& colour() const { return colour_; }
+  /// The first of the numbers, where typing begins.
+  QWidget* field() const;
 
  signals:
   void edited(const grf::Colour& colour);

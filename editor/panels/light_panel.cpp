@@ -77,6 +77,7 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  QWidget* buttons = make_buttons();
   pages_->addWidget(hint_label(tr("Choose a light to change it, or add one."), pages_));
   about_ = hint_label({}, pages_);
   pages_->addWidget(about_);
@@ -85,7 +86,7 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   layout->setContentsMargins(Grid, Grid, Grid, Grid);
   layout->setSpacing(Grid);
   layout->addWidget(list_, 1);
-  layout->addWidget(make_buttons());
+  layout->addWidget(buttons);
   layout->addWidget(pages_);
   layout->addWidget(problem_);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &LightPanel::choose_item);

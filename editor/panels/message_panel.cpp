@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/counted.h"
 #include "editor/document/definitions.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/message_list.h"
@@ -22,10 +23,6 @@ bool is_same(const grf::Diagnostic& a, const grf::Diagnostic& b) {
   };
   return a.message == b.message && a.location.line == b.location.line &&
          a.location.column == b.location.column && path(a) == path(b);
-}
-
-QString counted(std::size_t number, const QString& one, const QString& many) {
-  return number == 1 ? one : many.arg(number);
 }
 
 }  // namespace

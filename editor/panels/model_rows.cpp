@@ -87,9 +87,10 @@ BrdfRow::BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* p
       "reset", tr("Reset the BRDF"), {},
       [this] { assign(tr("Reset BRDF"), AttributeEdit<grf::BrdfAttribute>::remove()); }, this);
   for (QToolButton* button : {edit_, define_, pick_, reset_}) layout->addWidget(button);
-  setFocusProxy(choice_);
   connect(choice_, &QComboBox::activated, this, &BrdfRow::choose);
 }
+
+QWidget* BrdfRow::field() const { return choice_; }
 
 void BrdfRow::show_facts(const SurfaceFacts& facts) {
   common_ = facts.surface.brdf;
@@ -180,7 +181,6 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
       document_(document),
       catalogue_(catalogue),
       choice_(choice_list(tr("Sampling scheme"), this)),
-      parameters_(new QLineEdit(this)),
       problem_(problem_label(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -193,6 +193,7 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
       [this] { assign(tr("Reset PDF"), AttributeEdit<grf::PdfAttribute>::remove()); }, this);
   line->addWidget(reset_);
   layout->addLayout(line);
+  parameters_ = new QLineEdit(this);
   parameters_->setAccessibleName(tr("Parameters of the sampling scheme"));
   parameters_->setPlaceholderText(tr("parameters, such as exp=20"));
   auto* below = new QHBoxLayout;
@@ -200,10 +201,11 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
   below->addWidget(parameters_);
   layout->addLayout(below);
   layout->addWidget(problem_);
-  setFocusProxy(choice_);
   connect(choice_, &QComboBox::activated, this, &PdfRow::choose);
   connect(parameters_, &QLineEdit::editingFinished, this, &PdfRow::take_parameters);
 }
+
+QWidget* PdfRow::field() const { return choice_; }
 
 void PdfRow::show_facts(const SurfaceFacts& facts) {
   fill(facts);

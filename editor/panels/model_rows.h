@@ -21,6 +21,8 @@ class BrdfRow : public QWidget {
  public:
   BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
  signals:
   void edit_requested();
@@ -50,6 +52,8 @@ class PdfRow : public QWidget {
  public:
   PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
  private:
   void fill(const SurfaceFacts& facts);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "editor/controls/counted.h"
 #include "editor/document/definitions.h"
 #include "grf/write.h"
 
@@ -19,9 +20,7 @@ using Kind = SceneEntry::Kind;
 
 QString tr(const char* text) { return QCoreApplication::translate("SceneTree", text); }
 
-QString counted(std::size_t number, const char* one, const char* many) {
-  return number == 1 ? tr(one) : tr(many).arg(number);
-}
+QString face_count(const grf::Mesh& mesh) { return counted(mesh.face_count(), tr("1 face"), tr("%1 faces")); }
 
 QString text_of(const grf::Vec3f& v, int digits = 4) {
   const auto number = [digits](float value) {
@@ -108,11 +107,11 @@ class Builder {
 
   void add(const grf::Shared<grf::Mesh>& mesh, SceneEntry& parent) {
     const QString name = mesh->name.empty() ? tr("mesh") : QString::fromStdString(mesh->name);
-    parent.add(entry(Kind::Mesh, name, counted(mesh->face_count(), "1 face", "%1 faces"), tr("A mesh")));
+    parent.add(entry(Kind::Mesh, name, face_count(*mesh), tr("A mesh")));
   }
   void add(const grf::MeshLight& light, SceneEntry& parent) {
-    parent.add(entry(Kind::MeshLight, tr("mesh light"),
-                     counted(light.mesh->face_count(), "1 face", "%1 faces"), tr("Faces that emit light")));
+    parent.add(
+        entry(Kind::MeshLight, tr("mesh light"), face_count(*light.mesh), tr("Faces that emit light")));
   }
   void add(const grf::AreaLight&, SceneEntry& parent) {
     parent.add(entry(Kind::AreaLight, tr("light"), {}, tr("A parallelogram that emits light")));
@@ -131,7 +130,7 @@ class Builder {
                            made->children.front()->kind != Kind::Include;
     if (is_of_one) made = std::move(made->children.front());
     if (is_of_one) made->help += ", " + text;
-    if (!is_of_one) made->detail = counted(made->children.size(), "1 object", "%1 objects");
+    if (!is_of_one) made->detail = counted(made->children.size(), tr("1 object"), tr("%1 objects"));
     parent.add(std::move(made));
   }
   void add(const grf::DefinitionScope& scope, SceneEntry& parent) {
@@ -160,7 +159,7 @@ class Builder {
   void add_definition(const grf::Definition& definition) {
     const auto found = uses_.find(&definition);
     const std::size_t uses = found == uses_.end() ? 0 : found->second;
-    const QString detail = uses == 0 ? tr("unused") : counted(uses, "1 use", "%1 uses");
+    const QString detail = uses == 0 ? tr("unused") : counted(uses, tr("1 use"), tr("%1 uses"));
     const QString name = QString::fromStdString(definition.name);
     static constexpr std::array Kinds = {Kind::Colour, Kind::Brdf, Kind::Pdf, Kind::Texture,
                                          Kind::DefinedMesh};
@@ -172,9 +171,7 @@ class Builder {
   static QString about(const grf::BrdfModel& brdf) { return QString::fromStdString(grf::to_text(brdf)); }
   static QString about(const grf::PdfModel& pdf) { return QString::fromStdString(grf::to_text(pdf)); }
   static QString about(const grf::Texture& texture) { return QString::fromStdString(texture.file); }
-  static QString about(const grf::Shared<grf::Mesh>& mesh) {
-    return counted(mesh->face_count(), "1 face", "%1 faces");
-  }
+  static QString about(const grf::Shared<grf::Mesh>& mesh) { return face_count(*mesh); }
 
   const Document& document_;
   std::unordered_map<const grf::Definition*, std::size_t> uses_;

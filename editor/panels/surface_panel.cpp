@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/counted.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/brdf_assignment.h"
@@ -103,7 +104,7 @@ QWidget* SurfacePanel::make_rows() {
   layout->addWidget(make_header(), 0, 0, 1, 2);
   const auto add = [rows, layout](const QString& name, auto* row) {
     auto* label = new QLabel(name, rows);
-    label->setBuddy(row);
+    label->setBuddy(row->field());
     label->setMinimumHeight(3 * Grid);
     const int line = layout->rowCount();
     layout->addWidget(label, line, 0, Qt::AlignTop);
@@ -111,13 +112,13 @@ QWidget* SurfacePanel::make_rows() {
     return row;
   };
   brdf_ = add(tr("&BRDF"), new BrdfRow(document_, catalogue_, rows));
-  pdf_ = add(tr("&Sampling"), new PdfRow(document_, catalogue_, rows));
-  colour_ = add(tr("&Colour"), new ColourRow(document_, rows));
-  texture_ = add(tr("&Texture"), new TextureRow(document_, rows));
+  pdf_ = add(tr("Sa&mpling"), new PdfRow(document_, catalogue_, rows));
+  colour_ = add(tr("C&olour"), new ColourRow(document_, rows));
+  texture_ = add(tr("Te&xture"), new TextureRow(document_, rows));
   emission_ = add(tr("&Light"), new EmissionRow(document_, rows));
   normals_ = add(tr("&Normals"), new NormalsRow(document_, rows));
-  vertex_colours_ = add(tr("&Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));
-  irradiance_ = add(tr("&Irradiance"), new VertexRow(document_, VertexRow::Kind::Irradiance, rows));
+  vertex_colours_ = add(tr("Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));
+  irradiance_ = add(tr("Irr&adiance"), new VertexRow(document_, VertexRow::Kind::Irradiance, rows));
   problem_ = problem_label(rows);
   layout->addWidget(problem_, layout->rowCount(), 0, 1, 2);
   layout->setRowStretch(layout->rowCount(), 1);
@@ -142,8 +143,7 @@ void SurfacePanel::show_selection() {
   pages_->setCurrentIndex(facts.faces == 0 ? 0 : 1);
   report({});
   if (facts.faces == 0) return;
-  count_->setText(tr("%n face(s) selected", nullptr, static_cast<int>(facts.faces))
-                      .replace("face(s)", facts.faces == 1 ? "face" : "faces"));
+  count_->setText(counted(facts.faces, tr("1 face selected"), tr("%1 faces selected")));
   area_->setText(area_text(facts.area));
   brdf_->show_facts(facts);
   pdf_->show_facts(facts);

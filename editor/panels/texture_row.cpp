@@ -66,10 +66,11 @@ TextureRow::TextureRow(Document& document, QWidget* parent)
   lines->addLayout(line);
   lines->addWidget(preview_);
   lines->addWidget(hint_);
-  setFocusProxy(choice_);
   connect(choice_, &QComboBox::activated, this, [this] { take_text(); });
   connect(choice_->lineEdit(), &QLineEdit::editingFinished, this, &TextureRow::take_text);
 }
+
+QWidget* TextureRow::field() const { return choice_; }
 
 void TextureRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.texture;

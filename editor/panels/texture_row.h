@@ -19,6 +19,8 @@ class TextureRow : public QWidget {
  public:
   explicit TextureRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
   /// Puts the image of a file on the selected faces.
   void assign_file(const QString& path);

@@ -64,13 +64,14 @@ ColourRow::ColourRow(Document& document, QWidget* parent)
   line->addWidget(fields_, 1);
   line->addWidget(reset_);
   lines->addLayout(line);
-  setFocusProxy(fields_);
   connect(choice_, &QComboBox::activated, this, &ColourRow::choose);
   connect(fields_, &ColourFields::edited, this, [this](const grf::Colour& colour) {
     assign(AttributeEdit<grf::ColourAttribute>::set(colour), "colour");
   });
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
+
+QWidget* ColourRow::field() const { return fields_->field(); }
 
 void ColourRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.colour;
@@ -117,8 +118,6 @@ void ColourRow::assign(const AttributeEdit<grf::ColourAttribute>& colour, const 
 }
 
 EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
-  radiance_ =
-      new ColourFields(tr("Radiance"), tr("what the fronts of the faces emit, W/(sr m²)"), Largest, this);
   power_ = number_box({tr("Power"),
                        tr("What all selected faces emit together: π times their area times the mean "
                           "of the radiance's three numbers"),
@@ -132,6 +131,8 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
         document_.edit_surfaces(tr("Emit nothing"), edit);
       },
       this);
+  radiance_ =
+      new ColourFields(tr("Radiance"), tr("what the fronts of the faces emit, W/(sr m²)"), Largest, this);
   auto* lines = lines_of(this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
@@ -140,7 +141,6 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
   lines->addLayout(line);
   radiance_->setContentsMargins(0, 0, reset_->sizeHint().width() + Grid / 4, 0);
   lines->addWidget(radiance_);
-  setFocusProxy(power_);
   connect(radiance_, &ColourFields::edited, this, [this](const grf::Colour& radiance) {
     SurfaceEdit edit;
     edit.emission = AttributeEdit<grf::Colour>::set(radiance);
@@ -156,6 +156,8 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
   connect_number(power_, this, take_power, finish);
   connect(radiance_, &ColourFields::finished, this, finish);
 }
+
+QWidget* EmissionRow::field() const { return power_; }
 
 void EmissionRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.emission;
@@ -181,9 +183,6 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
                 : new ColourFields(tr("Irradiance"),
                                    tr("what arrives at the faces' vertices from all directions, W/m²"),
                                    Largest, this);
-  clear_ = tool_button(
-      "reset", is_colour ? tr("Clear the vertex colours") : tr("Clear the irradiance"), {},
-      [this] { put(std::nullopt); }, this);
   auto* line = line_of(this);
   line->addWidget(fields_, 1);
   if (!is_colour) {
@@ -192,11 +191,15 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
         [this] { emit bake_requested(); }, this);
     line->addWidget(bake_);
   }
+  clear_ = tool_button(
+      "reset", is_colour ? tr("Clear the vertex colours") : tr("Clear the irradiance"), {},
+      [this] { put(std::nullopt); }, this);
   line->addWidget(clear_);
-  setFocusProxy(fields_);
   connect(fields_, &ColourFields::edited, this, [this](const grf::Colour& colour) { put(colour); });
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
+
+QWidget* VertexRow::field() const { return fields_->field(); }
 
 void VertexRow::show_facts(const SurfaceFacts& facts) {
   const bool is_colour = kind_ == Kind::Colour;
@@ -244,8 +247,9 @@ NormalsRow::NormalsRow(Document& document, QWidget* parent)
   line->addWidget(tool_button(
       "flip", tr("Flip the faces"), tr("Flip: fronts become backs, and normals point to the other side"),
       [this] { apply(Change::Flip); }, this));
-  setFocusProxy(angle_);
 }
+
+QWidget* NormalsRow::field() const { return angle_; }
 
 void NormalsRow::show_facts(const SurfaceFacts& facts) {
   state_->setText(facts.vertices.have_normals ? tr("smooth") : tr("flat"));

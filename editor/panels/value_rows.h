@@ -21,6 +21,8 @@ class ColourRow : public QWidget {
  public:
   explicit ColourRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
  private:
   void choose(int index);
@@ -39,6 +41,8 @@ class EmissionRow : public QWidget {
  public:
   explicit EmissionRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
  private:
   Document& document_;
@@ -56,6 +60,8 @@ class VertexRow : public QWidget {
 
   VertexRow(Document& document, Kind kind, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
  signals:
   void bake_requested();
@@ -78,6 +84,8 @@ class NormalsRow : public QWidget {
  public:
   explicit NormalsRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
+  /// What the row's label leads to.
+  QWidget* field() const;
 
  signals:
   void problem_found(const QString& problem);

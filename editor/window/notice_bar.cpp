@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/tab_order.h"
 
 namespace editor {
 
@@ -42,6 +43,7 @@ void NoticeBar::show_notice(Kind kind, const QString& text, const std::vector<Ch
   };
   for (const Choice& choice : choices) add(choice);
   add({tr("Close"), tr("Hide this line"), {}});
+  lead_tab_through({this});
   update();
   show();
 }

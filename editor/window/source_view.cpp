@@ -60,7 +60,6 @@ SourceView::SourceView(QWidget* parent)
       text_(new SourceText),
       reading_(this) {
   setAccessibleName(tr("Source text"));
-  setFocusProxy(text_);
   title_->setAccessibleName(tr("Path of the file"));
   title_->setTextFormat(Qt::PlainText);
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -1,13 +1,13 @@
 #include "editor/window/status_line.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolButton>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/counted.h"
 #include "editor/document/document.h"
 
 namespace editor {
@@ -51,16 +51,11 @@ StatusLine::StatusLine(const Document& document, QStatusBar& bar)
 }
 
 void StatusLine::count() {
-  const QLocale locale = QLocale::c();
-  const auto text = [&locale](std::size_t number) {
-    return QString::number(number).size() > 4
-               ? locale.toString(static_cast<qulonglong>(number)).replace(',', ' ')
-               : QString::number(number);
-  };
   const SceneObjects& objects = document_.objects();
-  counts_->setText(
-      tr("%1 of %2 faces selected  ·  %3 triangles")
-          .arg(text(document_.selection().count()), text(objects.faces), text(objects.triangles)));
+  counts_->setText(tr("%1 of %2 selected  ·  %3")
+                       .arg(count_text(document_.selection().count()),
+                            counted(objects.faces, tr("1 face"), tr("%1 faces")),
+                            counted(objects.triangles, tr("1 triangle"), tr("%1 triangles"))));
 }
 
 void StatusLine::tell(const QString& message) {

@@ -5,7 +5,6 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLocale>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
@@ -17,6 +16,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/counted.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/notice_bar.h"
@@ -32,12 +32,6 @@ QString dropped_file(const QMimeData& data) {
     if (url.isLocalFile()) return url.toLocalFile();
   }
   return {};
-}
-
-QString number(std::size_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
-
-QString counted(std::size_t value, const QString& one, const QString& many) {
-  return value == 1 ? one : many.arg(number(value));
 }
 
 QString counts_of(const SceneObjects& objects) {
@@ -219,7 +213,7 @@ void ViewerWindow::show_line(const grf::SourceLocation& location) {
 
 void ViewerWindow::show_selection() {
   const std::size_t count = view_->selection().count();
-  selected_->setText(count == 0 ? QString() : tr("%1 selected").arg(number(count)));
+  selected_->setText(count == 0 ? QString() : tr("%1 selected").arg(count_text(count)));
   selected_->setVisible(count > 0);
 }
 

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include "editor/controls/colour_button.h"
+#include "editor/controls/counted.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
 
@@ -28,6 +29,13 @@ TEST(Expression, TakesArithmetic) {
   EXPECT_DOUBLE_EQ(read(" -1e-3 "), -1e-3);
   EXPECT_DOUBLE_EQ(read("sqrt(2)/pi"), std::sqrt(2) / std::numbers::pi);
   EXPECT_DOUBLE_EQ(read("2^10 - (3 + 4)"), 1017);
+}
+
+TEST(Counted, SaysHowMany) {
+  EXPECT_EQ(counted(0, "1 face", "%1 faces"), "0 faces");
+  EXPECT_EQ(counted(1, "1 face", "%1 faces"), "1 face");
+  EXPECT_EQ(counted(9999, "1 face", "%1 faces"), "9999 faces");
+  EXPECT_EQ(counted(1234567, "1 face", "%1 faces"), QString::fromUtf8("1\u00a0234\u00a0567 faces"));
 }
 
 TEST(Expression, TakesUnits) {

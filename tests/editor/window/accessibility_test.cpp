@@ -6,26 +6,38 @@
 #include <QAccessible>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
+#include <QMainWindow>
 #include <QMenu>
+#include <QMenuBar>
+#include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QToolBar>
 #include <QWidgetAction>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "editor/brdf/brdf_editor.h"
+#include "editor/image/image_browser.h"
 #include "editor/image/image_pane.h"
 #include "editor/options/options_window.h"
 #include "editor/panels/light_panel.h"
+#include "editor/panels/message_panel.h"
 #include "editor/rendering/render_panel.h"
+#include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
+#include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
+#include "editor/window/source_view.h"
 #include "editor/window/tools.h"
+#include "grf/read.h"
 #include "tests/editor/window/window_driver.h"
 
 namespace editor {
@@ -102,17 +114,101 @@ bool is_control(const QWidget& widget) {
          qobject_cast<const QAbstractSpinBox*>(owner) == nullptr && !widget.isWindow();
 }
 
+/// Whether Tab has to lead there. Of buttons of which one is chosen it leads to that one, and arrows lead to
+/// the others: Qt takes their policy away once one has the focus.
+bool is_led_to(const QWidget& widget) {
+  return is_control(widget) && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0;
+}
+
+/// The dock where a control is, or another part of the window.
+const QWidget* part_of(const QWidget& widget) {
+  const QWidget* each = &widget;
+  while (qobject_cast<const QDockWidget*>(each) == nullptr && !each->parentWidget()->isWindow())
+    each = each->parentWidget();
+  return each;
+}
+
+/// On the right of another one or under it, as one reads, or at the top of the next column.
+bool is_read_after(const QWidget& next, const QWidget& before) {
+  const auto place = [](const QWidget& widget) {
+    return QRect(widget.mapTo(widget.window(), QPoint()), widget.size());
+  };
+  return place(next).top() >= place(before).center().y() || place(next).left() >= place(before).center().x();
+}
+
+/// Whether the window's last control is before one.
+bool begins_anew(const QWidget& next, const QWidget& before) {
+  const QWidget* each = &before;
+  while (each != &next && !each->isWindow()) each = each->nextInFocusChain();
+  return each != &next;
+}
+
+/// What Tab leads to, once around, in the order of reading within each dock; or Tab with Shift.
+std::vector<QWidget*> tab_around(QWidget& start, Qt::KeyboardModifiers modifiers = {}) {
+  std::vector<QWidget*> way;
+  const auto most = start.window()->findChildren<QWidget*>().size();
+  start.setFocus(Qt::OtherFocusReason);
+  for (QWidget* each = &start; way.empty() || each != &start; each = QApplication::focusWidget()) {
+    if (!way.empty() && modifiers == Qt::NoModifier && part_of(*each) == part_of(*way.back())) {
+      EXPECT_TRUE(is_read_after(*each, *way.back()) || begins_anew(*each, *way.back()))
+          << "Tab leads back, from " << described(*way.back()) << " to " << described(*each);
+    }
+    way.push_back(each);
+    QTest::keyClick(each, Qt::Key_Tab, modifiers);
+    if (QApplication::focusWidget() == each || std::ssize(way) > most) {
+      ADD_FAILURE() << "Tab does not lead from " << described(*each) << " on to " << described(start);
+      break;
+    }
+  }
+  return way;
+}
+
+/// From a control to all that is seen, dock after dock, and with Shift back again.
+void expect_tab_leads_to_all(QWidget& start) {
+  QTest::qWait(1);
+  const std::vector<QWidget*> way = tab_around(start);
+  const std::set<const QWidget*> reached(way.begin(), way.end());
+  for (const QWidget* widget : start.window()->findChildren<QWidget*>()) {
+    if (!is_led_to(*widget) || widget->window() != start.window()) continue;
+    EXPECT_TRUE(reached.contains(widget)) << "Tab does not lead to " << described(*widget);
+  }
+  std::set<const QWidget*> left;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (part_of(*way[i]) == part_of(*way[i - 1])) continue;
+    left.insert(part_of(*way[i - 1]));
+    const bool is_of_the_first = part_of(*way[i]) == part_of(start);  // which began in its middle
+    EXPECT_TRUE(is_of_the_first || !left.contains(part_of(*way[i])))
+        << described(*way[i]) << " comes apart from what is beside it";
+  }
+  std::vector<QWidget*> back = tab_around(start, Qt::ShiftModifier);
+  std::reverse(back.begin() + 1, back.end());
+  EXPECT_TRUE(back == way) << "Shift and Tab do not lead the same way";
+}
+
+/// No two of the letters that lead with Alt to a menu or to the field of a label are the same.
+void expect_letters_apart(const QMainWindow& window) {
+  std::map<QString, QString> known;
+  const auto add = [&known](const QString& text) {
+    const QString letter = QKeySequence::mnemonic(text).toString();
+    if (letter.isEmpty()) return;
+    const auto [other, is_new] = known.try_emplace(letter, text);
+    EXPECT_TRUE(is_new) << text.toStdString() << " and " << other->second.toStdString();
+  };
+  for (const QAction* menu : window.menuBar()->actions()) add(menu->text());
+  for (const QLabel* label : window.findChildren<QLabel*>()) {
+    if (label->isVisible() && label->buddy() != nullptr) add(label->text());
+  }
+}
+
 class Accessibility : public testing::Test {
  protected:
   Accessibility() { QSettings().clear(); }
 
-  /// The controls that are seen now have names and tool tips, and Tab leads away from each of them.
+  /// The controls that are seen now have names and tool tips, and Tab leads to each of them.
   void check_controls(QWidget& window) {
     QTest::qWait(1);
-    std::size_t controls = 0;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
       if (!is_control(*widget) || widget->window() != &window) continue;
-      ++controls;
       if (!seen_.insert(described(*widget)).second) continue;
       const auto* interface = QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
       EXPECT_TRUE(interface != nullptr && !interface->text(QAccessible::Name).isEmpty())
@@ -124,12 +220,10 @@ class Accessibility : public testing::Test {
     }
     window.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-    if (window.focusWidget() == nullptr) window.setFocus();
-    for (std::size_t i = 0; controls > 1 && i < controls + 20 && QApplication::focusWidget() != nullptr;
-         ++i) {
-      QWidget* before = QApplication::focusWidget();
-      QTest::keyClick(before, Qt::Key_Tab);
-      ASSERT_NE(QApplication::focusWidget(), before) << "Tab does not leave " << described(*before);
+    const auto all = window.findChildren<QWidget*>();
+    const auto is_seen = [](const QWidget* each) { return is_led_to(*each); };
+    if (std::count_if(all.begin(), all.end(), is_seen) > 1) {
+      expect_tab_leads_to_all(**std::find_if(all.begin(), all.end(), is_seen));
     }
   }
 
@@ -175,6 +269,7 @@ TEST_F(Accessibility, OfTheMainWindow) {
   auto& lights = *window.findChild<LightPanel*>();
   lights.choose(window.document().objects().lights.front().path);
   check_docks();
+  expect_letters_apart(window);
   window.image_browser();
   check_controls(window);
   expect_words_of_actions(window);
@@ -199,6 +294,155 @@ TEST_F(Accessibility, OfTheTools) {
     expect_words_of_actions(*window);
     check_tabs(*window);
   }
+}
+
+/// Faces whose rows of the docks are as different as they can be.
+const std::string ManyRows = R"(def gold = brdf ward sx=0.2
+def dull = brdf diffuse kd=0.3
+def red = rgb (1, 0, 0)
+begin
+begin mesh
+  begin vertexs
+    (0, 0, 0) (2, 0, 0) (2, 1, 0) (0, 1, 0)
+  end vertexs
+  begin faces
+    brdf phong n=20 ks=(0.1, 0.2, 0.3)
+    pdf adaptive mode=reject
+    rgb red
+    (0, 1, 2)
+    brdf combine 0.4 gold, 0.6 dull
+    light rgb (1, 2, 3)
+    (0, 2, 3)
+    brdf ashikhmin ex=20
+    light none
+    (0, 1, 3)
+    brdf diffuse
+    (1, 2, 3)
+  end faces
+end mesh
+end
+)";
+
+/// What Tab leads to in the whole window.
+class TabOrder : public testing::Test {
+ protected:
+  TabOrder() : window_(QString::fromStdString(folder_.path("sessions"))) {
+    QSettings().clear();
+    window_.resize(1900, 1150);
+    window_.show();
+    window_.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+  }
+
+  void open() {
+    QSignalSpy taken(&window_.document(), &Document::taken);
+    window_.files().open(QString::fromStdString(folder_.add("rows.grf", ManyRows)));
+    if (taken.empty() && !taken.wait(60'000)) throw std::runtime_error("the scene cannot be read");
+  }
+
+  void select_face(std::uint32_t face) {
+    FaceSelection selection(window_.document().objects());
+    selection.set({0, face});
+    window_.document().select(std::move(selection));
+  }
+
+  QDockWidget& dock(const QString& name) { return *window_.findChild<QDockWidget*>(name); }
+
+  void expect_all_views_of_brdfs() {
+    using View = BrdfEditor::View;
+    for (const View view : {View::Lobe, View::Plots, View::Library, View::Sphere}) {
+      SCOPED_TRACE(static_cast<int>(view));
+      window_.brdf_editor().set_view(view);
+      expect_tab_leads_to_all(window_.view());
+    }
+  }
+
+  test::TemporaryFolder folder_;
+  MainWindow window_;
+};
+
+TEST_F(TabOrder, LeadsToAllOfAFreshWindow) {
+  expect_tab_leads_to_all(window_.view());
+  for (const char* name : {"render", "messages"}) {
+    SCOPED_TRACE(name);
+    Docks::show(&dock(name));
+    expect_tab_leads_to_all(window_.view());
+  }
+}
+
+TEST_F(TabOrder, LeadsToAllOfWhatFacesHave) {
+  open();
+  expect_tab_leads_to_all(window_.view());
+  test::action(window_, "All").trigger();
+  expect_tab_leads_to_all(window_.view());
+  for (std::uint32_t face = 0; face < 4; ++face) {  // each with a form of its own, which comes and goes
+    SCOPED_TRACE(face);
+    select_face(face);
+    expect_tab_leads_to_all(window_.view());
+  }
+  grf::Diagnostics diagnostics;
+  window_.brdf_editor().set_models({*grf::read_brdf("measured \"a.binary\"", "test", diagnostics)});
+  expect_tab_leads_to_all(window_.view());
+  test::action(window_, "Add a light").trigger();
+  window_.findChild<LightPanel*>()->choose(window_.document().objects().lights.back().path);
+  expect_tab_leads_to_all(window_.view());
+}
+
+TEST_F(TabOrder, LeadsToAllOfTheBrdfEditorInEachOfItsShapes) {
+  open();
+  select_face(0);
+  expect_all_views_of_brdfs();
+  ASSERT_FALSE(window_.brdf_editor().is_unfolded());
+  window_.resizeDocks({&dock("brdf")}, {1000}, Qt::Horizontal);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_.brdf_editor().is_unfolded(); }));
+  expect_all_views_of_brdfs();
+  select_face(1);
+  expect_tab_leads_to_all(window_.view());
+  window_.resizeDocks({&dock("brdf")}, {360}, Qt::Horizontal);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_.brdf_editor().is_unfolded(); }));
+  expect_all_views_of_brdfs();
+}
+
+TEST_F(TabOrder, LeadsToAllOfNoticesAndPages) {
+  open();
+  window_.notice().show_notice(NoticeBar::Kind::Information, "Something", {{"Mend it", "Mends it", {}}});
+  expect_tab_leads_to_all(window_.view());
+  expect_tab_leads_to_all(window_.image_browser().pane());
+  const std::string path = folder_.path("rows.grf");
+  emit window_.message_panel().place_requested(grf::whole_file(path));
+  QPlainTextEdit& text = *window_.findChild<SourceView*>()->text();
+  ASSERT_TRUE(QTest::qWaitFor([&text] { return text.isVisible(); }));
+  expect_tab_leads_to_all(text);
+}
+
+TEST_F(TabOrder, BeginsWhereAltAndALetterLead) {
+  open();
+  select_face(0);
+  for (const auto& [letter, name] : {std::pair(Qt::Key_B, "BRDF"), std::pair(Qt::Key_O, "Colour, red"),
+                                     std::pair(Qt::Key_A, "Irradiance, red")}) {
+    window_.show_scene();
+    QTest::keyClick(&window_.view(), letter, Qt::AltModifier);
+    ASSERT_NE(QApplication::focusWidget(), nullptr);
+    EXPECT_EQ(QApplication::focusWidget()->accessibleName(), name);
+  }
+}
+
+TEST_F(TabOrder, StaysWhereDocksAreMoved) {
+  open();
+  select_face(0);
+  for (const char* name : {"scene", "brdf"}) {
+    SCOPED_TRACE(name);
+    dock(name).setFloating(true);
+    window_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+    expect_tab_leads_to_all(window_.view());
+    dock(name).setFloating(false);
+    expect_tab_leads_to_all(window_.view());
+  }
+  window_.tabifyDockWidget(&dock("scene"), &dock("surface"));
+  expect_tab_leads_to_all(window_.view());
+  test::action(window_, "Reset the layout").trigger();
+  expect_tab_leads_to_all(window_.view());
 }
 
 }  // namespace
