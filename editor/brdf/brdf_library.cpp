@@ -105,6 +105,7 @@ LibraryList::LibraryList(QWidget* parent) : QListWidget(parent) {
   setTextElideMode(Qt::ElideRight);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setAccessibleName("BRDFs of the library");
+  setToolTip("A double click or Return gives a BRDF to the selected faces, and so does a drag");
 }
 
 void LibraryList::set_entries(std::vector<LibraryEntry> entries) {

@@ -71,6 +71,7 @@ BrdfPlots::BrdfPlots(QWidget* parent) : QWidget(parent) {
   plot_ = new QCustomPlot(this);
   plot_->setMinimumSize(25 * Grid, 22 * Grid);
   plot_->setAccessibleName("Plot of the BRDF");
+  plot_->setToolTip("The button with the arrow saves it");
   plot_->plotLayout()->addElement(1, 0, new QCPLayoutGrid);
   auto* below = static_cast<QCPLayoutGrid*>(plot_->plotLayout()->element(1, 0));
   below->addElement(0, 0, plot_->legend);

@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "editor/appearance/theme.h"
@@ -32,23 +33,49 @@ constexpr std::pair<const char*, const char*> Gestures[] = {
     {"Escape", "Gives up a gesture"},
 };
 
+void add_row(QTreeWidgetItem& group, const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& each : action.shortcuts()) keys.append(each.toString(QKeySequence::NativeText));
+  auto* row = new QTreeWidgetItem(&group, {keys.join(", "), action.text().remove('&')});
+  row->setToolTip(1, action.statusTip().isEmpty() ? action.toolTip() : action.statusTip());
+}
+
 void add_actions(QTreeWidgetItem& group, const QMenu& menu) {
   for (const QAction* action : menu.actions()) {
     if (action->menu() != nullptr) add_actions(group, *action->menu());
-    if (action->isSeparator() || action->menu() != nullptr || action->shortcut().isEmpty()) continue;
-    QStringList keys;
-    for (const QKeySequence& each : action->shortcuts()) keys.append(each.toString(QKeySequence::NativeText));
-    auto* row = new QTreeWidgetItem(&group, {keys.join(", "), action->text().remove('&')});
-    row->setToolTip(1, action->statusTip());
+    if (!action->isSeparator() && action->menu() == nullptr && !action->shortcut().isEmpty())
+      add_row(group, *action);
+  }
+}
+
+/// Whether its key holds in one control alone, and no menu says it.
+bool is_of_control(const QAction& action) {
+  const QObjectList places = action.associatedObjects();
+  const bool has_menu = std::any_of(places.begin(), places.end(), [](const QObject* place) {
+    return qobject_cast<const QMenu*>(place) != nullptr;
+  });
+  return !has_menu && !action.shortcut().isEmpty() && action.shortcutContext() != Qt::WindowShortcut;
+}
+
+void add_keys_of_controls(QTreeWidget& list, const QMainWindow& window) {
+  for (const QWidget* control : window.findChildren<QWidget*>()) {
+    if (control->accessibleName().isEmpty()) continue;
+    auto* group = new QTreeWidgetItem(&list, {control->accessibleName()});
+    for (const QAction* action : control->actions()) {
+      if (is_of_control(*action)) add_row(*group, *action);
+    }
+    if (group->childCount() == 0) delete group;
   }
 }
 
 void fill(QTreeWidget& list, const QMainWindow& window) {
+  list.clear();
   for (const QAction* entry : window.menuBar()->actions()) {
     auto* group = new QTreeWidgetItem(&list, {entry->text().remove('&')});
     add_actions(*group, *entry->menu());
     if (group->childCount() == 0) delete group;
   }
+  add_keys_of_controls(list, window);
   auto* gestures = new QTreeWidgetItem(&list, {QDialog::tr("3D view")});
   for (const auto& [keys, what] : Gestures)
     new QTreeWidgetItem(gestures, {QDialog::tr(keys), QDialog::tr(what)});
@@ -70,34 +97,39 @@ void filter(const QTreeWidget& list, const QString& words) {
   }
 }
 
+QDialog* make_dialog(QMainWindow& window) {
+  auto* dialog = new QDialog(&window);
+  dialog->setObjectName(ListName);
+  dialog->setWindowTitle(QDialog::tr("Keyboard shortcuts"));
+  auto* search = new QLineEdit(dialog);
+  search->setPlaceholderText(QDialog::tr("Search"));
+  search->setAccessibleName(QDialog::tr("Search the shortcuts"));
+  search->setToolTip(QDialog::tr("Shows the lines alone that have these letters"));
+  search->setClearButtonEnabled(true);
+  auto* list = new QTreeWidget(dialog);
+  list->setAccessibleName(QDialog::tr("Shortcuts"));
+  list->setToolTip(QDialog::tr("Keys, and what they do"));
+  list->setHeaderLabels({QDialog::tr("Keys"), QDialog::tr("What they do")});
+  list->setRootIsDecorated(false);
+  list->setIndentation(2 * Grid);
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(search);
+  column->addWidget(list, 1);
+  QObject::connect(search, &QLineEdit::textChanged, list,
+                   [list](const QString& words) { filter(*list, words); });
+  dialog->resize(80 * Grid, 90 * Grid);
+  return dialog;
+}
+
 }  // namespace
 
 void show_shortcuts(QMainWindow& window) {
   auto* dialog = window.findChild<QDialog*>(ListName);
-  if (dialog == nullptr) {
-    dialog = new QDialog(&window);
-    dialog->setObjectName(ListName);
-    dialog->setWindowTitle(QDialog::tr("Keyboard shortcuts"));
-    auto* search = new QLineEdit(dialog);
-    search->setPlaceholderText(QDialog::tr("Search"));
-    search->setAccessibleName(QDialog::tr("Search the shortcuts"));
-    search->setToolTip(QDialog::tr("Shows the lines alone that have these letters"));
-    search->setClearButtonEnabled(true);
-    auto* list = new QTreeWidget(dialog);
-    list->setAccessibleName(QDialog::tr("Shortcuts"));
-    list->setToolTip(QDialog::tr("Keys, and what they do"));
-    list->setHeaderLabels({QDialog::tr("Keys"), QDialog::tr("What they do")});
-    list->setRootIsDecorated(false);
-    list->setIndentation(2 * Grid);
-    fill(*list, window);
-    list->resizeColumnToContents(0);
-    auto* column = new QVBoxLayout(dialog);
-    column->addWidget(search);
-    column->addWidget(list, 1);
-    QObject::connect(search, &QLineEdit::textChanged, list,
-                     [list](const QString& words) { filter(*list, words); });
-    dialog->resize(80 * Grid, 90 * Grid);
-  }
+  if (dialog == nullptr) dialog = make_dialog(window);
+  auto* list = dialog->findChild<QTreeWidget*>();
+  fill(*list, window);  // pages that came since have keys, too
+  list->resizeColumnToContents(0);
+  filter(*list, dialog->findChild<QLineEdit*>()->text());
   dialog->show();
   dialog->raise();
 }

@@ -5,6 +5,7 @@
 #include <QAbstractSlider>
 #include <QAccessible>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
@@ -16,6 +17,7 @@
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QTreeWidget>
 #include <QWidgetAction>
 #include <algorithm>
 #include <map>
@@ -296,6 +298,41 @@ TEST_F(Accessibility, OfTheTools) {
   }
 }
 
+TEST_F(Accessibility, OfTheToolsWithFiles) {
+  const std::map<QString, QString> files = {
+      {"grfviewer", "cornell_box.grf"}, {"op", "cornell_box.op"}, {"image", "cornell_box.png"}};
+  for (const Tool& tool : tools()) {
+    SCOPED_TRACE(tool.name.toStdString());
+    const std::unique_ptr<QWidget> window(
+        tool.open({GRANADA_SOURCE_DIR "/samples/cornell_box/" + files.at(tool.name)}));
+    window->show();
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    const auto* view = window->findChild<SceneView*>();
+    const auto* images = window->findChild<ImageBrowser*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+      return (view == nullptr || view->isVisible()) && (images == nullptr || !images->names().empty());
+    }));
+    expect_words_of_actions(*window);
+    check_tabs(*window);
+  }
+}
+
+TEST_F(Accessibility, OfTheListOfShortcuts) {
+  const test::TemporaryFolder folder;
+  MainWindow window(QString::fromStdString(folder.path("sessions")));
+  window.show();
+  test::action(window, "Keyboard shortcuts").trigger();
+  auto* list = window.findChild<QDialog*>("shortcuts");
+  ASSERT_NE(list, nullptr);
+  check_controls(*list);
+  for (const char* keys : {"Ctrl+O", "F2", "Ctrl+Del"}) {  // of a menu, and of the scene's list
+    EXPECT_FALSE(
+        list->findChild<QTreeWidget*>()->findItems(keys, Qt::MatchExactly | Qt::MatchRecursive, 0).isEmpty())
+        << keys;
+  }
+}
+
 /// Faces whose rows of the docks are as different as they can be.
 const std::string ManyRows = R"(def gold = brdf ward sx=0.2
 def dull = brdf diffuse kd=0.3
@@ -324,10 +361,9 @@ end
 )";
 
 /// What Tab leads to in the whole window.
-class TabOrder : public testing::Test {
+class TabOrder : public Accessibility {
  protected:
   TabOrder() : window_(QString::fromStdString(folder_.path("sessions"))) {
-    QSettings().clear();
     window_.resize(1900, 1150);
     window_.show();
     window_.activateWindow();
@@ -353,7 +389,7 @@ class TabOrder : public testing::Test {
     for (const View view : {View::Lobe, View::Plots, View::Library, View::Sphere}) {
       SCOPED_TRACE(static_cast<int>(view));
       window_.brdf_editor().set_view(view);
-      expect_tab_leads_to_all(window_.view());
+      check_controls(window_);
     }
   }
 
@@ -378,11 +414,11 @@ TEST_F(TabOrder, LeadsToAllOfWhatFacesHave) {
   for (std::uint32_t face = 0; face < 4; ++face) {  // each with a form of its own, which comes and goes
     SCOPED_TRACE(face);
     select_face(face);
-    expect_tab_leads_to_all(window_.view());
+    check_controls(window_);
   }
   grf::Diagnostics diagnostics;
   window_.brdf_editor().set_models({*grf::read_brdf("measured \"a.binary\"", "test", diagnostics)});
-  expect_tab_leads_to_all(window_.view());
+  check_controls(window_);
   test::action(window_, "Add a light").trigger();
   window_.findChild<LightPanel*>()->choose(window_.document().objects().lights.back().path);
   expect_tab_leads_to_all(window_.view());

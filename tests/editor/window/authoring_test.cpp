@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
@@ -255,48 +256,111 @@ TEST_F(Authoring, GivesAFaceABrdfThatIsDroppedOnIt) {
             1U);
 }
 
+/// What a person presses goes to what has the focus, in the list or dialog that is open.
+void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+  const QWidget* open = QApplication::activePopupWidget();
+  if (open == nullptr) open = QApplication::activeModalWidget();
+  QWidget* focused = open == nullptr ? QApplication::focusWidget() : open->focusWidget();
+  ASSERT_NE(focused, nullptr);
+  QTest::keyClick(focused, key, modifiers);
+}
+
+/// Names a file in the dialog that comes up, and returns when it is gone.
+class FileTyping {
+ public:
+  explicit FileTyping(const QString& file) {
+    timer_.callOnTimeout([file] {
+      const auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
+      if (name == nullptr) return;
+      // The first Return may only close the list of names that fit.
+      if (name->text().isEmpty()) {
+        QTest::keyClicks(name, file);
+      } else {
+        QTest::keyClick(name, Qt::Key_Return);
+      }
+    });
+    timer_.start(50);
+  }
+
+ private:
+  QTimer timer_;
+};
+
 TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
   QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
-  // Once the dialog is there; the first Return may only close the list of names that fit.
-  QTimer typing;
-  typing.callOnTimeout([&] {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
-    if (name == nullptr) return;
-    if (name->text().isEmpty()) {
-      QTest::keyClicks(name, path("box.grf"));
-    } else {
-      QTest::keyClick(name, Qt::Key_Return);
-    }
-  });
-  typing.start(50);
-  QTest::keyClick(&window_, Qt::Key_O, Qt::ControlModifier);
-  typing.stop();
+  folder_.add("box.op", "BPT_Scene box.grf\nBPT_Image_Resolution 80 64\nBPT_Samples 4\n");
+  {
+    const FileTyping typing(path("box.grf"));
+    press(Qt::Key_O, Qt::ControlModifier);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document().objects().faces == 18; }, Minute));
+  }
   window_.activateWindow();  // as a window manager does
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
-  ASSERT_EQ(document().objects().faces, 18U);
-  QTest::keyClick(&window_, Qt::Key_A, Qt::ControlModifier);
+  press(Qt::Key_A, Qt::ControlModifier);
   ASSERT_EQ(document().selection().count(), 18U);
-  QTest::keyClick(&window_, Qt::Key_3, Qt::ControlModifier);
-  auto* list = &test::named<QComboBox>(window_.surface_panel(), "BRDF");
-  for (int i = 0; i < 20 && QApplication::focusWidget() != list; ++i) {
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-  }
+  // To the Surface dock, and in it to the list of BRDFs.
+  press(Qt::Key_3, Qt::ControlModifier);
+  const auto* list = &test::named<QComboBox>(window_.surface_panel(), "BRDF");
+  for (int i = 0; i < 3 && QApplication::focusWidget() != list; ++i) press(Qt::Key_Tab);
   ASSERT_EQ(QApplication::focusWidget(), list);
-  QTest::keyClick(list, Qt::Key_Down, Qt::AltModifier);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return list->view()->isVisible(); }, Minute));
+  press(Qt::Key_Down, Qt::AltModifier);
+  ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, Minute));
   for (int i = 0; i < list->count() && !list->view()->currentIndex().data().toString().contains("ward");
        ++i) {
-    QTest::keyClick(list->view(), Qt::Key_Down);
+    press(Qt::Key_Down);
   }
-  QTest::keyClick(list->view(), Qt::Key_Return);
+  press(Qt::Key_Return);
   EXPECT_EQ(faces_where(is_ward), 18U);
   QSignalSpy shown(&window_.render_panel().preview(), &Preview::image_changed);
-  QTest::keyClick(&window_, Qt::Key_F5);
+  press(Qt::Key_F5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.empty(); }, Minute));
-  QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier);
+  QSignalSpy finished(&window_.render_panel().final_render(), &FinalRender::finished);
+  press(Qt::Key_F6);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.empty(); }, Minute));
+  EXPECT_TRUE(QFile::exists(path("box.exr")));
+  press(Qt::Key_S, Qt::ControlModifier);
   EXPECT_FALSE(document().is_modified());
   EXPECT_THAT(test::bytes_of(folder_.path("box.grf")), HasSubstr("ward"));
+}
+
+/// Without a BRDF.
+const char OneFace[] =
+    "begin mesh begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces (0, 1, 2) end faces end "
+    "mesh\n";
+
+/// From the BRDF dock's library: Ctrl+4, arrows to its page, Tab to its list, Return.
+TEST_F(Authoring, TakesABrdfOutOfTheLibraryByKeyboardAlone) {
+  folder_.add("one.grf", OneFace);
+  open(path("one.grf"));
+  press(Qt::Key_A, Qt::ControlModifier);
+  press(Qt::Key_4, Qt::ControlModifier);
+  const auto name = [] { return QApplication::focusWidget()->accessibleName(); };
+  ASSERT_EQ(name(), "Sphere");
+  for (int i = 0; i < 3 && name() != "Library"; ++i) press(Qt::Key_Right);
+  ASSERT_EQ(name(), "Library");
+  press(Qt::Key_Space);
+  for (int i = 0; i < 5 && name() != "BRDFs of the library"; ++i) press(Qt::Key_Tab);
+  ASSERT_EQ(name(), "BRDFs of the library");
+  press(Qt::Key_Home);
+  press(Qt::Key_Down);
+  press(Qt::Key_Return);
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.brdf.has_value(); }), 1U);
+}
+
+TEST_F(Authoring, SaysHowManyFacesAreSelected) {
+  const auto counts = [this] {
+    for (const QLabel* label : window_.findChildren<QLabel*>()) {
+      if (label->accessibleName() == "Counts") return label->text().toStdString();
+    }
+    return std::string();
+  };
+  open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
+  EXPECT_THAT(counts(), HasSubstr("0 of 18 faces selected"));
+  folder_.add("one.grf", OneFace);
+  open(path("one.grf"));
+  press(Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(counts(), "1 of 1 face selected  \u00b7  1 triangle");
 }
 
 }  // namespace
