@@ -1,12 +1,31 @@
 #include "editor/appearance/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <array>
 
 namespace editor {
 namespace {
+
+/// Fusion, with a line in the accent's colour under a button that is on, which else is a little darker alone.
+class EditorStyle : public QProxyStyle {
+ public:
+  EditorStyle() : QProxyStyle("Fusion") {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_PanelButtonTool || !option->state.testFlag(State_On)) return;
+    constexpr int Width = Grid / 4;
+    const QRect& button = option->rect;
+    painter->fillRect(
+        QRect(button.left() + Width, button.bottom() + 1 - Width, button.width() - 2 * Width, Width),
+        option->palette.brush(QPalette::Highlight));
+  }
+};
 
 QPalette palette_of(Theme theme) {
   const ThemeColours colours = colours_of(theme);
@@ -20,6 +39,8 @@ QPalette palette_of(Theme theme) {
   palette.setColor(QPalette::PlaceholderText, colours.faint_text);
   palette.setColor(QPalette::Button, is_dark ? QColor(0x3a, 0x3d, 0x43) : QColor(0xe9, 0xeb, 0xee));
   palette.setColor(QPalette::ButtonText, colours.text);
+  // Fusion's lines at bars and tabs.
+  palette.setColor(QPalette::Light, is_dark ? colours.line : QColor(0xff, 0xff, 0xff));
   palette.setColor(QPalette::BrightText, colours.error);
   palette.setColor(QPalette::ToolTipBase, is_dark ? QColor(0x45, 0x48, 0x4f) : QColor(0xff, 0xff, 0xff));
   palette.setColor(QPalette::ToolTipText, colours.text);
@@ -68,7 +89,7 @@ QColor series_colour(Theme theme, int number) {
 }
 
 void apply(Theme theme, QApplication& application) {
-  application.setStyle(QStyleFactory::create("Fusion"));
+  application.setStyle(new EditorStyle);
   application.setPalette(palette_of(theme));
 }
 

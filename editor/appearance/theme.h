@@ -30,7 +30,7 @@ ThemeColours colours_of(Theme theme);
 /// Colours of lines in one plot, apart for the colour-blind too (Okabe and Ito, 2008), by their number.
 QColor series_colour(Theme theme, int number);
 
-/// Qt's Fusion style, with the palette of a theme.
+/// A style like Qt's Fusion, with the palette of a theme.
 void apply(Theme theme, QApplication& application);
 
 /// The theme that a palette belongs to.

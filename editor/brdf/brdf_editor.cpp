@@ -28,6 +28,12 @@ QHBoxLayout* new_row(QWidget* parent) {
   return row;
 }
 
+/// What views say that cannot show a BRDF with mistakes.
+QString hint_of(const std::vector<QString>& mistakes) {
+  if (mistakes.empty()) return {};
+  return "This BRDF cannot be shown:\n" + QStringList(mistakes.begin(), mistakes.end()).join('\n');
+}
+
 /// A slider and a box for one number of a view.
 template <class Take>
 void add_number(QHBoxLayout& row, const QString& name, const QString& help, const QString& unit,
@@ -213,22 +219,23 @@ void BrdfEditor::set_definitions(const Definitions& definitions) {
 
 void BrdfEditor::show_brdf() {
   making_.stop();
-  const auto show = [this](const SharedBrdf& brdf) {
-    sphere_->set_brdf(brdf);
-    lobe_->set_brdf(brdf);
-    plots_->set_brdf(brdf);
+  const auto show = [this](const SharedBrdf& brdf, const QString& hint) {
+    sphere_->set_brdf(brdf, hint);
+    lobe_->set_brdf(brdf, hint);
+    plots_->set_brdf(brdf, hint);
   };
   if (models().empty()) {
     library_->set_current(std::nullopt);
-    return show(nullptr);
+    return show(nullptr, "Select faces to see their BRDF.");
   }
+  const auto show_made = [show](const MadeBrdf& made) { show(made.brdf, hint_of(made.mistakes)); };
   const grf::BrdfModel& model = models().front();
   library_->set_current(model);
-  if (!form_->mistakes().empty()) return show(nullptr);
-  if (!reads_data(model, definitions_)) return show(made_brdf(model, definitions_).brdf);
+  if (!form_->mistakes().empty()) return show(nullptr, hint_of(form_->mistakes()));
+  if (!reads_data(model, definitions_)) return show_made(made_brdf(model, definitions_));
   making_.start(
       [model, definitions = definitions_](const StopFlag&) { return made_brdf(model, definitions); },
-      [show](const MadeBrdf& made) { show(made.brdf); });
+      show_made);
 }
 
 void BrdfEditor::replace(const grf::BrdfModel& brdf) {

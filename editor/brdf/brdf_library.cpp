@@ -94,14 +94,18 @@ QIcon icon_of(QPixmap picture) {
 LibraryList::LibraryList(QWidget* parent) : QListWidget(parent) {
   setViewMode(QListView::IconMode);
   setIconSize({TileSide, TileSide});
-  setGridSize({TileSide + 2 * Grid, TileSide + 3 * Grid});
+  QFont small = font();
+  small.setPixelSize(11);
+  setFont(small);
+  const int lines = 2;  // of names with several words
+  setGridSize({TileSide + 2 * Grid, TileSide + lines * QFontMetrics(small).height() + Grid});
   setItemDelegate(new PictureTiles(this));
   setResizeMode(QListView::Adjust);
   setMovement(QListView::Static);
   setDragEnabled(true);
   setDragDropMode(QAbstractItemView::DragOnly);
   setUniformItemSizes(true);
-  setWordWrap(false);
+  setWordWrap(true);
   setTextElideMode(Qt::ElideRight);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setAccessibleName("BRDFs of the library");

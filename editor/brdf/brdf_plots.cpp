@@ -152,8 +152,9 @@ void BrdfPlots::build_views(QHBoxLayout& row) {
   row.addWidget(scheme_, 1);
 }
 
-void BrdfPlots::set_brdf(SharedBrdf brdf) {
+void BrdfPlots::set_brdf(SharedBrdf brdf, const QString& hint) {
   brdf_ = std::move(brdf);
+  hint_ = hint;
   curves_are_old_ = albedo_is_old_ = true;
   compute();
 }
@@ -251,9 +252,11 @@ void BrdfPlots::draw() {
   lobe_controls_->setVisible(!is_albedo && !is_empty);
   layout()->activate();  // a polar plot follows the shape of its place
   if (is_empty) {
-    show_words(brdf_ ? "" : "Choose a BRDF, and its plots appear here.", false);
+    words_->setAlignment(Qt::AlignCenter);
+    show_words(brdf_ ? QString() : hint_, false);
     return;
   }
+  words_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   if (is_albedo) {
     draw_albedo(*plot_, albedo_);
     const EnergyWords words = energy_words(*brdf_, albedo_.largest);

@@ -41,8 +41,8 @@ class BrdfPlots : public QWidget {
 
   explicit BrdfPlots(QWidget* parent = nullptr);
 
-  /// Null: none, and the plot says so.
-  void set_brdf(SharedBrdf brdf);
+  /// Null: none, and the hint is shown instead: why not, or what to do.
+  void set_brdf(SharedBrdf brdf, const QString& hint = {});
   /// The scheme whose density is drawn, none for none. The person may choose another one.
   void set_scheme(const std::optional<grf::PdfModel>& scheme);
   void set_kind(Kind kind);
@@ -97,6 +97,7 @@ class BrdfPlots : public QWidget {
   QComboBox* scheme_ = nullptr;
   std::optional<grf::PdfModel> own_scheme_;  ///< with parameters, as the caller set it
   QCustomPlot* plot_ = nullptr;
+  QString hint_;  // instead of plots
   QLabel* words_ = nullptr;
   QWidget* lobe_controls_ = nullptr;
   BackgroundJob<LobeCurves> curves_job_{this};

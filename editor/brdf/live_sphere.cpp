@@ -32,8 +32,10 @@ LiveSphere::LiveSphere(QWidget* parent) : QWidget(parent) {
 
 QSize LiveSphere::sizeHint() const { return {25 * Grid, 25 * Grid}; }
 
-void LiveSphere::set_brdf(SharedBrdf brdf) {
+void LiveSphere::set_brdf(SharedBrdf brdf, const QString& hint) {
   scene_.brdf = std::move(brdf);
+  hint_ = hint;
+  setAccessibleDescription(hint);
   request();
 }
 
@@ -75,8 +77,8 @@ void LiveSphere::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), colours.base);
   if (picture_.isNull()) {
     painter.setPen(colours.faint_text);
-    const QString text = scene_.brdf ? "" : "Choose a BRDF to see it on a sphere.";
-    painter.drawText(rect().adjusted(Grid, Grid, -Grid, -Grid), Qt::AlignCenter | Qt::TextWordWrap, text);
+    const QRect place = rect().adjusted(Grid, Grid, -Grid, -Grid);
+    if (!scene_.brdf) painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap, hint_);
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);

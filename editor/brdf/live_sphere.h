@@ -15,8 +15,8 @@ class LiveSphere : public QWidget {
  public:
   explicit LiveSphere(QWidget* parent = nullptr);
 
-  /// Null: none, and the widget says what to do.
-  void set_brdf(SharedBrdf brdf);
+  /// Null: none, and the hint is shown instead: why not, or what to do.
+  void set_brdf(SharedBrdf brdf, const QString& hint = {});
   /// In powers of two.
   void set_exposure(double stops);
   double exposure() const { return exposure_; }
@@ -49,6 +49,7 @@ class LiveSphere : public QWidget {
   void move_highlight(const QPointF& pointer);
 
   SphereScene scene_;
+  QString hint_;
   SphereImage image_;
   QImage picture_;
   double exposure_ = 0;

@@ -101,8 +101,10 @@ LobeView::~LobeView() {
 
 QSize LobeView::sizeHint() const { return {40 * Grid, 25 * Grid}; }
 
-void LobeView::set_brdf(SharedBrdf brdf) {
+void LobeView::set_brdf(SharedBrdf brdf, const QString& hint) {
   brdf_ = std::move(brdf);
+  hint_ = hint;
+  setAccessibleDescription(hint);
   is_old_ = true;
   compute();
 }
@@ -242,15 +244,14 @@ void LobeView::paint_over(QPainter& painter) const {
   const ThemeColours colours = colours_of(theme_of(palette()));
   const Theme theme = theme_of(palette());
   painter.setRenderHint(QPainter::Antialiasing);
+  if (!brdf_) {
+    painter.setPen(colours.faint_text);
+    painter.drawText(rect().adjusted(Grid, Grid, -Grid, -Grid), Qt::AlignCenter | Qt::TextWordWrap, hint_);
+    return;
+  }
   QFont font = this->font();
   font.setPixelSize(11);
   painter.setFont(font);
-  if (!brdf_) {
-    painter.setPen(colours.faint_text);
-    painter.drawText(rect().adjusted(Grid, Grid, -Grid, -Grid), Qt::AlignCenter | Qt::TextWordWrap,
-                     "Choose a BRDF to see its lobe.");
-    return;
-  }
   QPolygonF rim;
   for (int degrees = 0; degrees <= 360; degrees += 3) {
     const double phi = degrees * std::numbers::pi / 180;

@@ -22,7 +22,7 @@ class LobeView : public QOpenGLWidget {
   ~LobeView() override;
 
   /// Null: none, and the widget says what to do.
-  void set_brdf(SharedBrdf brdf);
+  void set_brdf(SharedBrdf brdf, const QString& hint = {});
   /// Degrees from the normal, from 0 to under 90.
   void set_view(double degrees);
   double view() const { return view_; }
@@ -63,6 +63,7 @@ class LobeView : public QOpenGLWidget {
   QPointF place_of(const reflectance::Vec3f& point, const QMatrix4x4& matrix) const;
 
   SharedBrdf brdf_;
+  QString hint_;  // instead of a lobe
   LobeMesh mesh_;
   double view_ = 45;
   bool with_cosine_ = true;

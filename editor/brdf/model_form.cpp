@@ -81,14 +81,16 @@ void ModelForm::build_chooser() {
   });
 }
 
-const grf::ModelInfo* ModelForm::info() const {
-  if (models_.empty()) return nullptr;
+std::string ModelForm::common_keyword() const {
+  if (models_.empty()) return {};
   const std::string& keyword = models_.front().keyword;
   const bool is_common = std::all_of(models_.begin(), models_.end(), [&](const grf::BrdfModel& model) {
     return grf::same_keyword(model.keyword, keyword);
   });
-  return is_common ? grf::find_model(infos_, keyword) : nullptr;
+  return is_common ? keyword : std::string();
 }
+
+const grf::ModelInfo* ModelForm::info() const { return grf::find_model(infos_, common_keyword()); }
 
 void ModelForm::show_models(std::vector<grf::BrdfModel> models) {
   models_ = std::move(models);
@@ -193,13 +195,18 @@ void ModelForm::refresh() {
   } else {
     chooser_->setCurrentIndex(-1);
   }
-  chooser_->lineEdit()->setPlaceholderText(models_.empty() ? "no " + kind_ : "mixed");
+  const QString unknown = shown_info_ == nullptr ? QString::fromStdString(common_keyword()) : QString();
+  chooser_->lineEdit()->setPlaceholderText(models_.empty()     ? "no " + kind_
+                                           : unknown.isEmpty() ? "mixed"
+                                                               : unknown + " (unknown)");
   const QString paper = shown_info_ != nullptr ? to_qt(shown_info_->paper) : QString();
   paper_->setText(paper);
   paper_->setVisible(!paper.isEmpty());
   QString hint;
   if (models_.empty())
     hint = QString("Select faces to see and edit their %1.").arg(kind_);
+  else if (!unknown.isEmpty())
+    hint = "There is no such model. Choose one here.";
   else if (shown_info_ == nullptr)
     hint = "The models differ. Choose one here to give it to all.";
   else if (shown_info_->parameters.empty() && terms_ == nullptr && data_file_ == nullptr)

@@ -59,6 +59,8 @@ class ModelForm : public QWidget {
   void show_mistakes();
   void change(const grf::ParameterInfo& parameter, const grf::Value& value, bool is_done);
   /// The model that all have in common, or null.
+  /// That all models have; empty: there is none.
+  std::string common_keyword() const;
   const grf::ModelInfo* info() const;
 
   std::vector<grf::ModelInfo> infos_;

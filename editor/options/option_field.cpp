@@ -63,9 +63,10 @@ class NumbersField : public OptionField {
   NumbersField(const OptionInfo& option, NumberRange range, QWidget* parent)
       : OptionField(parent), defaults_(default_words(option)) {
     QHBoxLayout* row = row_of(this);
+    // Words of a default that is no numbers stand under the boxes; in one of several they have no room.
+    const QString in_words = word_count(option) > 1 ? tr("auto") : text_of(option.default_value);
     for (std::size_t i = 0; i < word_count(option); ++i) {
-      auto* number = number_box(
-          range, defaults_.value(qsizetype(i), i == 0 ? text_of(option.default_value) : QString()), this);
+      auto* number = number_box(range, defaults_.value(qsizetype(i), in_words), this);
       number->setAccessibleName(text_of(option.key) +
                                 (word_count(option) > 1 ? " " + QString::number(i + 1) : ""));
       connect(number, &NumberBox::changing, this, [this] { emit edited(words()); });

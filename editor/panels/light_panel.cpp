@@ -24,7 +24,11 @@ namespace {
 
 constexpr double Largest = std::numeric_limits<float>::max();
 
-QString text_of(double number) { return QLocale::c().toString(number, 'g', 4); }
+/// With four digits; large numbers are whole ones, as they are read more easily than with an exponent.
+QString text_of(double number) {
+  const bool is_large = number >= 1e4 && number < 1e7;
+  return is_large ? QLocale::c().toString(number, 'f', 0).remove(',') : QLocale::c().toString(number, 'g', 4);
+}
 
 QString name_of(const Emitter& emitter) {
   QString name = QString::fromStdString(emitter.name);
@@ -78,7 +82,8 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   QWidget* buttons = make_buttons();
-  pages_->addWidget(hint_label(tr("Choose a light to change it, or add one."), pages_));
+  hint_ = hint_label({}, pages_);
+  pages_->addWidget(hint_);
   about_ = hint_label({}, pages_);
   pages_->addWidget(about_);
   pages_->addWidget(make_form());
@@ -205,6 +210,9 @@ void LightPanel::show_chosen() {
   enable(remove_, tr("Delete: takes the light away"),
          light == nullptr ? tr("Choose a light first; faces are changed in the surface panel.") : QString());
   pages_->setCurrentIndex(light != nullptr ? 2 : emitter != nullptr ? 1 : 0);
+  hint_->setText(emitters_.empty() ? tr("Nothing emits light yet.\n\nAdd a lamp with +, or select faces and "
+                                        "give them light in the Surface dock.")
+                                   : tr("Choose a light to change it, or add one."));
   if (emitter != nullptr && light == nullptr) {
     about_->setText(emitter->count == 1
                         ? tr("One face of a mesh emits. It is selected: the surface panel has its light.")

@@ -55,6 +55,7 @@ class LightPanel : public QWidget {
   std::optional<grf::ScenePath> path_;  // of the chosen one
   QTreeWidget* list_;
   QStackedWidget* pages_;
+  QLabel* hint_ = nullptr;  ///< while no light is chosen
   QLabel* about_ = nullptr;
   QLabel* problem_;
   QToolButton* remove_ = nullptr;

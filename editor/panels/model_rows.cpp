@@ -118,7 +118,9 @@ void BrdfRow::fill(const SurfaceFacts& facts) {
   if (common_.value && !common_.is_mixed) model = std::get_if<grf::BrdfModel>(&*common_.value);
   if (model != nullptr) {
     const QString text = QString::fromStdString(grf::to_text(*model));
-    add_choice(choice_, Choice::OnTheSpot, text, {}, tr("Of these faces alone: %1").arg(text), icon("brdf"));
+    const bool is_known = grf::find_model(catalogue_.brdfs, model->keyword) != nullptr;
+    add_choice(choice_, Choice::OnTheSpot, text, {}, tr("Of these faces alone: %1").arg(text),
+               icon(is_known ? "brdf" : "error"));
   }
   for (const QString& name : facts.brdfs) {
     add_choice(choice_, Choice::Named, name, name, tr("The BRDF '%1' of the scene").arg(name), icon("brdf"));
@@ -208,6 +210,7 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
 QWidget* PdfRow::field() const { return choice_; }
 
 void PdfRow::show_facts(const SurfaceFacts& facts) {
+  show_problem(problem_, {});
   fill(facts);
   const QString lit = why_not_reflecting(facts);
   enable(choice_, tr("How directions of reflected light are drawn; none: in the BRDF's own way"), lit);
@@ -220,7 +223,6 @@ void PdfRow::show_facts(const SurfaceFacts& facts) {
   parameters_->setVisible(model != nullptr);
   parameters_->setToolTip(
       tr("Parameters of %1: name=value, with spaces between them").arg(QString::fromStdString(keyword_)));
-  show_problem(problem_, {});
   enable(reset_, tr("Reset: each BRDF has its own scheme"),
          common.is_mixed || common.value ? QString() : tr("The faces have no sampling scheme of their own."));
 }
@@ -242,15 +244,26 @@ void PdfRow::fill(const SurfaceFacts& facts) {
   } else if (const auto* reference = std::get_if<grf::Reference>(&*common.value)) {
     select_choice(choice_, Choice::Named, QString::fromStdString(reference->name));
   } else {
-    const grf::ModelInfo* info =
-        grf::find_model(catalogue_.pdfs, std::get<grf::PdfModel>(*common.value).keyword);
-    const std::string keyword(info == nullptr ? std::string_view() : info->keyword);
-    select_choice(choice_, Choice::Model, QString::fromStdString(keyword));
-    const int index = choice_->currentIndex();
-    if (index < 0) return;
-    choice_->setItemText(index, QString::fromStdString(keyword));
-    choice_->setItemIcon(index, icon("pdf"));
+    select_model(std::get<grf::PdfModel>(*common.value));
   }
+}
+
+void PdfRow::select_model(const grf::PdfModel& model) {
+  grf::Diagnostics diagnostics;
+  if (!grf::check(model, catalogue_.pdfs, "PDF", diagnostics)) {
+    show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
+  }
+  const grf::ModelInfo* info = grf::find_model(catalogue_.pdfs, model.keyword);
+  if (info == nullptr) {
+    const QString keyword = QString::fromStdString(model.keyword);
+    add_choice(choice_, Choice::OnTheSpot, tr("%1 (unknown)").arg(keyword), {},
+               tr("There is no sampling scheme '%1'").arg(keyword), icon("error"));
+    return select_choice(choice_, Choice::OnTheSpot, {});
+  }
+  const QString keyword = QString::fromStdString(std::string(info->keyword));
+  select_choice(choice_, Choice::Model, keyword);
+  choice_->setItemText(choice_->currentIndex(), keyword);
+  choice_->setItemIcon(choice_->currentIndex(), icon("pdf"));
 }
 
 void PdfRow::choose(int index) {
@@ -261,7 +274,7 @@ void PdfRow::choose(int index) {
   } else if (choice == Choice::Named) {
     assign(tr("Sample by %1").arg(name),
            AttributeEdit<grf::PdfAttribute>::set(grf::Reference{name.toStdString(), {}}));
-  } else {
+  } else if (choice == Choice::Model) {
     grf::PdfModel model;
     model.keyword = name.toStdString();
     assign(tr("Sample by %1").arg(name), AttributeEdit<grf::PdfAttribute>::set(model));

@@ -57,6 +57,8 @@ class PdfRow : public QWidget {
 
  private:
   void fill(const SurfaceFacts& facts);
+  /// Also one that the catalogue does not have, or with mistakes, and says so.
+  void select_model(const grf::PdfModel& model);
   void choose(int index);
   void assign(const QString& text, const AttributeEdit<grf::PdfAttribute>& pdf);
   void take_parameters();

@@ -33,19 +33,28 @@ constexpr std::pair<const char*, const char*> Gestures[] = {
     {"Escape", "Gives up a gesture"},
 };
 
-void add_row(QTreeWidgetItem& group, const QAction& action) {
+void add_row(QTreeWidgetItem& group, const QAction& action, const QString& before = {}) {
   QStringList keys;
   for (const QKeySequence& each : action.shortcuts()) keys.append(each.toString(QKeySequence::NativeText));
-  auto* row = new QTreeWidgetItem(&group, {keys.join(", "), action.text().remove('&')});
+  auto* row = new QTreeWidgetItem(&group, {keys.join(", "), before + action.text().remove('&')});
   row->setToolTip(1, action.statusTip().isEmpty() ? action.toolTip() : action.statusTip());
 }
 
-void add_actions(QTreeWidgetItem& group, const QMenu& menu) {
+/// Those of menus in it have the menu's name before their own, which alone says little.
+void add_actions(QTreeWidgetItem& group, const QMenu& menu, const QString& before = {}) {
   for (const QAction* action : menu.actions()) {
-    if (action->menu() != nullptr) add_actions(group, *action->menu());
+    if (action->menu() != nullptr) add_actions(group, *action->menu(), action->text().remove('&') + ": ");
     if (!action->isSeparator() && action->menu() == nullptr && !action->shortcut().isEmpty())
-      add_row(group, *action);
+      add_row(group, *action, before);
   }
+}
+
+QTreeWidgetItem* new_group(QTreeWidget& list, const QString& name) {
+  auto* group = new QTreeWidgetItem(&list, {name});
+  QFont bold = list.font();
+  bold.setBold(true);
+  group->setFont(0, bold);
+  return group;
 }
 
 /// Whether its key holds in one control alone, and no menu says it.
@@ -60,7 +69,7 @@ bool is_of_control(const QAction& action) {
 void add_keys_of_controls(QTreeWidget& list, const QMainWindow& window) {
   for (const QWidget* control : window.findChildren<QWidget*>()) {
     if (control->accessibleName().isEmpty()) continue;
-    auto* group = new QTreeWidgetItem(&list, {control->accessibleName()});
+    auto* group = new_group(list, control->accessibleName());
     for (const QAction* action : control->actions()) {
       if (is_of_control(*action)) add_row(*group, *action);
     }
@@ -71,12 +80,12 @@ void add_keys_of_controls(QTreeWidget& list, const QMainWindow& window) {
 void fill(QTreeWidget& list, const QMainWindow& window) {
   list.clear();
   for (const QAction* entry : window.menuBar()->actions()) {
-    auto* group = new QTreeWidgetItem(&list, {entry->text().remove('&')});
+    auto* group = new_group(list, entry->text().remove('&'));
     add_actions(*group, *entry->menu());
     if (group->childCount() == 0) delete group;
   }
   add_keys_of_controls(list, window);
-  auto* gestures = new QTreeWidgetItem(&list, {QDialog::tr("3D view")});
+  auto* gestures = new_group(list, QDialog::tr("3D view"));
   for (const auto& [keys, what] : Gestures)
     new QTreeWidgetItem(gestures, {QDialog::tr(keys), QDialog::tr(what)});
   list.expandAll();

@@ -36,6 +36,12 @@ QString note_of(const SourceExcerpt& excerpt) {
   return parts.join(' ');
 }
 
+/// With the user's folder as `~`, as people know it.
+QString path_text(const QString& path) {
+  const QString home = QDir::homePath() + '/';
+  return QDir::toNativeSeparators(path.startsWith(home) ? "~/" + path.mid(home.size()) : path);
+}
+
 QLabel* make_hint() {
   auto* hint = new QLabel;
   hint->setAlignment(Qt::AlignCenter);
@@ -147,9 +153,9 @@ void SourceView::show_excerpt(const SourceExcerpt& excerpt) {
 
 void SourceView::show_path() {
   const bool is_there = !place_.path.isEmpty();
-  const QString path = is_there ? QDir::toNativeSeparators(place_.path) : tr("No file");
+  const QString path = is_there ? path_text(place_.path) : tr("No file");
   title_->setText(title_->fontMetrics().elidedText(path, Qt::ElideMiddle, title_->width()));
-  title_->setToolTip(is_there ? path : QString());
+  title_->setToolTip(is_there ? QDir::toNativeSeparators(place_.path) : QString());
   const QString why_not = tr("There is no file yet: choose a message first");
   open_->setEnabled(is_there);
   open_->setToolTip(is_there ? tr("Open the file in the program that the desktop has for it") : why_not);

@@ -1,6 +1,7 @@
 #include "editor/brdf/brdf_editor.h"
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QTest>
 
 #include <gmock/gmock.h>
@@ -86,6 +87,21 @@ TEST_F(Editor, TakesABrdfFromTheLibraryForAll) {
   emit editor.library().chosen(brdf("oren s=0.5"), {});
   EXPECT_THAT(taken, testing::ElementsAre(brdf("oren s=0.5"), brdf("oren s=0.5")));
   EXPECT_EQ(editor.models(), taken);
+}
+
+TEST_F(Editor, SaysWhyABrdfIsNotShown) {
+  const auto said = [this] { return editor.sphere().accessibleDescription(); };
+  editor.set_models({});
+  EXPECT_EQ(said(), "Select faces to see their BRDF.");
+  editor.set_models({brdf("ward sx=-2")});
+  EXPECT_TRUE(said().contains("'sx' of 'ward'")) << said().toStdString();
+  EXPECT_EQ(editor.lobe().accessibleDescription(), said());
+  editor.set_models({brdf("wrad")});
+  EXPECT_TRUE(said().contains("'wrad'")) << said().toStdString();
+  const auto* chooser = editor.form().findChild<QComboBox*>();
+  EXPECT_EQ(chooser->lineEdit()->placeholderText(), "wrad (unknown)");
+  editor.set_models({brdf("ward")});
+  EXPECT_EQ(said(), "");
 }
 
 TEST_F(Editor, IsEmptyWithoutASelection) {

@@ -194,6 +194,21 @@ TEST_F(SurfacePanels, CheckParametersOfASamplingScheme) {
   EXPECT_TRUE(says("exponent"));
 }
 
+TEST_F(SurfacePanels, ShowAnUnknownSamplingSchemeAsOne) {
+  select({{1, 0}});
+  QApplication::setDoubleClickInterval(1);
+  SurfaceEdit edit;
+  edit.pdf = AttributeEdit<grf::PdfAttribute>::set(grf::PdfModel{{"Owm", {}, {}}});
+  document_.edit_surfaces("Sample by Owm", edit);
+  EXPECT_EQ(find<QComboBox>("Sampling scheme")->currentText(), "Owm (unknown)");
+  EXPECT_TRUE(says("unknown PDF 'Owm'"));
+  const grf::Scene before = document_.scene();
+  choose("Sampling scheme", "Owm (unknown)");
+  EXPECT_EQ(document_.scene(), before);
+  choose("Sampling scheme", "the BRDF's own");
+  EXPECT_FALSE(says("unknown PDF"));
+}
+
 TEST_F(SurfacePanels, GiveColoursAndWhatVerticesHave) {
   select({{1, 0}});
   type(find<NumberBox>("Colour, green"), "0.5");
