@@ -1,0 +1,178 @@
+// The pictures of the editor's manual: the real window in the states that the manual speaks of.
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+#include <utility>
+
+#include "editor/appearance/theme.h"
+#include "editor/image/image_browser.h"
+#include "editor/image/screen_controls.h"
+#include "editor/options/options_window.h"
+#include "editor/rendering/render_panel.h"
+#include "editor/window/viewer_window.h"
+#include "tests/editor/screenshots/pictures.h"
+#include "tests/editor/screenshots/stage.h"
+#include "tests/editor/window/window_driver.h"
+
+namespace screenshots {
+namespace {
+
+using editor::BrdfEditor;
+using editor::DisplayMode;
+
+const QString Bunny = "/usr/share/glmark2/models/bunny.obj";
+
+QPixmap window_with(BrdfEditor::View view, QSize size) {
+  Stage stage(size);
+  stage.show_models();
+  stage.show_brdf(view);
+  stage.draw_as(DisplayMode::Brdf);
+  return stage.picture();
+}
+
+QPixmap empty_window() {
+  Stage stage;
+  return stage.picture();
+}
+
+QPixmap render_window() {
+  Stage stage;
+  stage.open_as_rendered(Samples + "plaza/plaza.grf");
+  stage.preview({480, 320}, 48);
+  return stage.picture();
+}
+
+QPixmap dock_with_models(const QString& name) {
+  Stage stage;
+  stage.show_models();
+  return stage.dock(name).grab();
+}
+
+QPixmap brdf_dock(BrdfEditor::View view) {
+  Stage stage;
+  stage.show_models();
+  stage.show_brdf(view);
+  return stage.dock("brdf").grab();
+}
+
+QPixmap lights_dock() {
+  Stage stage;
+  stage.open(Samples + "cornell_box/cornell_box.grf");
+  auto& list = *stage.window().findChild<QDockWidget*>("lights")->findChild<QAbstractItemView*>();
+  list.setCurrentIndex(list.model()->index(0, 0));
+  stage.settle();
+  return stage.dock("lights").grab();
+}
+
+QPixmap messages() {
+  Stage stage({1280, 800});
+  stage.show_mistake();
+  return stage.picture();
+}
+
+/// The eight ways to draw a scene, each with its name.
+QPixmap display_modes() {
+  Stage stage({1100, 800});
+  stage.hide_docks({"scene", "lights", "surface", "brdf"});
+  const std::pair<const char*, QString> modes[] = {
+      {"Points", "bunny/scene.grf"},         {"Wireframe", "shapes/knot.grf"},
+      {"Solid", "teapot/teapot.grf"},        {"Solid with edges", "shapes/sphere.grf"},
+      {"Textured", "garden/garden.grf"},     {"Vertex colours", "garden/garden.grf"},
+      {"Irradiance", "baked_room/room.grf"}, {"BRDF", "models/models.grf"}};
+  constexpr int Columns = 4;
+  const QSize tile(400, 300);
+  QPixmap sheet(Columns * tile.width(), 2 * tile.height());
+  QPainter painter(&sheet);
+  int number = 0;
+  for (const auto& [mode, file] : modes) {
+    stage.open(number == 0 ? Bunny : Samples + file);
+    const QString options = QString(Samples + file).replace(".grf", ".op");
+    if (number > 0 && QFile::exists(options)) stage.act("Look through the camera");
+    stage.draw_as(static_cast<DisplayMode>(number));
+    const QRect place(QPoint(number % Columns * tile.width(), number / Columns * tile.height()), tile);
+    const QPixmap shown =
+        stage.window().view().grab().scaled(tile, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    painter.drawPixmap(place.topLeft(), shown, QRect({(shown.width() - tile.width()) / 2, 0}, tile));
+    const editor::ThemeColours colours = editor::colours_of(editor::theme_of(QApplication::palette()));
+    const QRect label = place.adjusted(0, tile.height() - 3 * editor::Grid, 0, 0);
+    painter.fillRect(label, colours.window);
+    painter.setPen(colours.text);
+    painter.drawText(label, Qt::AlignCenter, mode);
+    ++number;
+  }
+  return sheet;
+}
+
+}  // namespace
+
+QPixmap compared_images() {
+  Stage stage;
+  stage.open(Samples + "plaza/plaza.grf");
+  editor::ImageBrowser& images = stage.window().image_browser();
+  stage.preview({480, 320}, 4);
+  images.show_image("4 samples", stage.window().render_panel().preview().image());
+  stage.window().render_panel().stop_action()->trigger();
+  stage.preview({480, 320}, 64);
+  images.show_image("64 samples", stage.window().render_panel().preview().image());
+  images.select_image("64 samples");
+  images.select_reference("4 samples");
+  images.set_comparison(editor::Comparison::Wipe);
+  stage.hide_docks({"scene", "lights", "surface", "brdf", "render"});
+  return stage.picture();
+}
+
+QPixmap option_window() {
+  editor::OptionsWindow window;
+  expect(window.editor().open(Samples + "plaza/plaza.op"), "no options");
+  window.resize(1200, 800);
+  window.show();
+  expect(QTest::qWaitForWindowExposed(&window), "the window did not show");
+  QTest::qWait(100);
+  return window.grab();
+}
+
+QPixmap viewer_window() {
+  editor::ViewerWindow window;
+  window.resize(1100, 720);
+  window.show();
+  QSignalSpy opened(&window, &editor::ViewerWindow::opened);
+  window.open(Samples + "teapot/teapot.grf");
+  expect(!opened.empty() || opened.wait(Minute), "the viewer opened nothing");
+  test::action(window, "BRDF").trigger();
+  expect(QTest::qWaitFor([&] { return window.view().is_complete(); }, Minute), "the viewer shows nothing");
+  return window.grab();
+}
+
+QPixmap shortcut_list() {
+  Stage stage;
+  stage.act("Keyboard shortcuts");
+  return stage.window().findChild<QDialog*>("shortcuts")->grab();
+}
+
+std::vector<Picture> manual_pictures() {
+  const auto window = [] { return window_with(BrdfEditor::View::Lobe, {1600, 1000}); };
+  return {
+      {"window", window},
+      {"window_empty", empty_window},
+      {"render", render_window},
+      {"images", compared_images},
+      {"options", option_window},
+      {"viewer", viewer_window},
+      {"shortcuts", shortcut_list},
+      {"modes", display_modes},
+      {"messages", messages},
+      {"scene", [] { return dock_with_models("scene"); }},
+      {"lights", lights_dock},
+      {"surface", [] { return dock_with_models("surface"); }},
+      {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},
+      {"brdf_lobe", [] { return brdf_dock(BrdfEditor::View::Lobe); }},
+      {"brdf_plots", [] { return brdf_dock(BrdfEditor::View::Plots); }},
+      {"brdf_library", [] { return brdf_dock(BrdfEditor::View::Library); }},
+  };
+}
+
+}  // namespace screenshots
