@@ -98,7 +98,7 @@ LibraryList::LibraryList(QWidget* parent) : QListWidget(parent) {
   small.setPixelSize(11);
   setFont(small);
   const int lines = 2;  // of names with several words
-  setGridSize({TileSide + 2 * Grid, TileSide + lines * QFontMetrics(small).height() + Grid});
+  setGridSize({TileSide + 2 * Grid + Grid / 4, TileSide + lines * QFontMetrics(small).height() + Grid});
   setItemDelegate(new PictureTiles(this));
   setResizeMode(QListView::Adjust);
   setMovement(QListView::Static);
