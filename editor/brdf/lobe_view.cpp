@@ -265,7 +265,11 @@ void LobeView::paint_over(QPainter& painter) const {
     const QPointF end = place_of(direction, matrix);
     painter.setPen(QPen(series_colour(theme, series), 1.5, style));
     painter.drawLine(place_of(Vec3f(0), matrix), end);
-    painter.drawText(QRectF(end.x() - 30, end.y() - (end.y() < 16 ? 0 : 16), 60, 14), Qt::AlignCenter, name);
+    const QRectF place(end.x() - 30, end.y() - (end.y() < 16 ? 0 : 16), 60, 14);
+    QColor plate = colours.base;  // over the lobe its colour would not be read
+    plate.setAlphaF(0.8F);
+    painter.fillRect(painter.boundingRect(place, Qt::AlignCenter, name), plate);
+    painter.drawText(place, Qt::AlignCenter, name);
   };
   line(u, 0, Qt::SolidLine, "view");
   line(r, 3, Qt::DashLine, "mirror");

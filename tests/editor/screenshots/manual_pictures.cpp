@@ -1,6 +1,7 @@
 // The pictures of the editor's manual: the real window in the states that the manual speaks of.
 #include <QApplication>
 #include <QDialog>
+#include <QDir>
 #include <QDockWidget>
 #include <QPainter>
 #include <QSignalSpy>
@@ -79,10 +80,10 @@ QPixmap display_modes() {
   Stage stage({1100, 800});
   stage.hide_docks({"scene", "lights", "surface", "brdf"});
   const std::pair<const char*, QString> modes[] = {
-      {"Points", "bunny/scene.grf"},         {"Wireframe", "shapes/knot.grf"},
-      {"Solid", "teapot/teapot.grf"},        {"Solid with edges", "shapes/sphere.grf"},
-      {"Textured", "garden/garden.grf"},     {"Vertex colours", "garden/garden.grf"},
-      {"Irradiance", "baked_room/room.grf"}, {"BRDF", "models/models.grf"}};
+      {"Points", "bunny/scene.grf"},          {"Wireframe", "shapes/knot.grf"},
+      {"Solid", "teapot/teapot.grf"},         {"Solid with edges", "shapes/sphere.grf"},
+      {"Textured", "garden/garden.grf"},      {"Vertex colours", "garden/garden.grf"},
+      {"Irradiance", "baked_room/room.igrf"}, {"BRDF", "models/models.grf"}};
   constexpr int Columns = 4;
   const QSize tile(400, 300);
   QPixmap sheet(Columns * tile.width(), 2 * tile.height());
@@ -90,8 +91,9 @@ QPixmap display_modes() {
   int number = 0;
   for (const auto& [mode, file] : modes) {
     stage.open(number == 0 ? Bunny : Samples + file);
-    const QString options = QString(Samples + file).replace(".grf", ".op");
-    if (number > 0 && QFile::exists(options)) stage.act("Look through the camera");
+    const QFileInfo scene(Samples + file);
+    const bool has_camera = scene.dir().exists(scene.completeBaseName() + ".op");
+    if (number > 0 && has_camera) stage.act("Look through the camera");
     stage.draw_as(static_cast<DisplayMode>(number));
     const QRect place(QPoint(number % Columns * tile.width(), number / Columns * tile.height()), tile);
     const QPixmap shown =
