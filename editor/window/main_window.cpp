@@ -18,6 +18,7 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/brdf/brdf_editor.h"
+#include "editor/controls/tab_order.h"
 #include "editor/image/image_browser.h"
 #include "editor/image/image_server.h"
 #include "editor/panels/light_panel.h"
@@ -279,21 +280,21 @@ ImageBrowser& MainWindow::image_browser() {
     }
     image_menu_->menuAction()->setVisible(true);
   }
-  if (pages_->indexOf(images_) < 0) {
-    const int page = pages_->addTab(images_, tr("Images"));
-    pages_->setTabToolTip(page, tr("Images of renders and files, to look at and to compare"));
-  }
-  pages_->setCurrentWidget(images_);
+  show_page(*images_, tr("Images"), tr("Images of renders and files, to look at and to compare"));
   return *images_;
+}
+
+void MainWindow::show_page(QWidget& page, const QString& title, const QString& tip) {
+  if (pages_->indexOf(&page) < 0) {
+    pages_->setTabToolTip(pages_->addTab(&page, title), tip);
+    lead_tab_through({pages_});
+  }
+  pages_->setCurrentWidget(&page);
 }
 
 void MainWindow::show_source(const grf::SourceLocation& location) {
   if (source_ == nullptr) source_ = new SourceView(this);
-  if (pages_->indexOf(source_) < 0) {
-    const int page = pages_->addTab(source_, tr("Source"));
-    pages_->setTabToolTip(page, tr("The text of the file that a message is about"));
-  }
-  pages_->setCurrentWidget(source_);
+  show_page(*source_, tr("Source"), tr("The text of the file that a message is about"));
   source_->show(location);
 }
 

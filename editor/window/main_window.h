@@ -86,6 +86,7 @@ class MainWindow : public QMainWindow {
   void tell(const QString& message);
   void fail(const QString& message);
   void fail_file(const QString& message);
+  void show_page(QWidget& page, const QString& title, const QString& tip);
   void show_source(const grf::SourceLocation& location);
   void bake();
   void recover(const LostWork& work);
