@@ -42,6 +42,9 @@ ScreenControls::ScreenControls(QWidget* parent)
   add_exposure();
   add_curve();
   add_view();
+  // In a wide window the controls stay together.
+  row->setStretchFactor(slider_, 3);
+  row->addStretch(1);
 }
 
 void ScreenControls::add_exposure() {
