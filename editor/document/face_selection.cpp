@@ -146,11 +146,14 @@ FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects)
   FaceSelection result = selection;
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const Neighbours neighbours(mesh);
-    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      if (!selection.has({i, face})) continue;
-      for (const std::uint32_t other : neighbours.of(face)) result.set({i, other});
-    }
+    const auto edges = grf::edges_of_faces(mesh, grf::first_at_place(mesh));
+    grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
+      const bool is_selected = std::any_of(of_faces.begin(), of_faces.end(), [&](const grf::FaceEdge& edge) {
+        return selection.has({i, edge.face});
+      });
+      if (!is_selected) return;
+      for (const grf::FaceEdge& edge : of_faces) result.set({i, edge.face});
+    });
   }
   return result;
 }

@@ -14,8 +14,8 @@ namespace {
 
 /// So long the view has to rest before a picture that takes long is begun, in milliseconds.
 constexpr int RestTime = 50;
-/// One slice of work on a picture, in seconds.
-constexpr double Slice = 0.025;
+/// One slice of work on a picture, in seconds: there is time for it beside showing the last one.
+constexpr double Slice = 0.012;
 
 bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
   if (a.meshes.size() != selection.mesh_count()) return false;
@@ -87,7 +87,8 @@ void SceneView::show(const SceneObjects& objects) {
   is_scene_loaded_ = false;
   is_geometry_loaded_ = false;
   place_handles();
-  update();
+  // Not at once: between an edit and its picture there is a turn for the pointer and the keyboard.
+  QTimer::singleShot(0, this, [this] { update(); });
 }
 
 void SceneView::set_selection(const FaceSelection& selection) {

@@ -9,8 +9,8 @@ namespace {
 /// A full picture that takes longer waits for the view to rest.
 constexpr double QuickEnough = 0.03;
 /// Of a quick picture: above and below, the next one has fewer or more pixels.
-constexpr double TooLong = 0.03;
-constexpr double Short = 0.012;
+constexpr double TooLong = 0.02;
+constexpr double Short = 0.007;
 constexpr int LargestScale = 4;
 
 bool is_same(const PictureRequest& a, const PictureRequest& b) {
@@ -88,12 +88,12 @@ void ViewPictures::begin_pass() {
   request.shift = {std::fmod(0.5 + 0.7548776662 * passes_, 1) - 0.5,
                    std::fmod(0.5 + 0.5698402910 * passes_, 1) - 0.5};
   steps_ = painter_.steps(scene_, *picture, request);
+  steps_.emplace_back([this] { accumulate(); });
   next_step_ = 0;
   if (passes_ == 0) first_pass_seconds_ = 0;
 }
 
-void ViewPictures::end_pass() {
-  steps_.clear();
+void ViewPictures::accumulate() {
   if (!sum_) {
     sum_ = std::make_unique<GlObject>(gl_, GlKind::Texture);
     sum_target_ = std::make_unique<GlObject>(gl_, GlKind::Framebuffer);
@@ -115,7 +115,6 @@ void ViewPictures::end_pass() {
   gl_.glBindVertexArray(no_vertices_.name());
   gl_.glDrawArrays(GL_TRIANGLES, 0, 3);
   gl_.glDisable(GL_BLEND);
-  ++passes_;
 }
 
 bool ViewPictures::work(double limit) {
@@ -129,7 +128,8 @@ bool ViewPictures::work(double limit) {
   }
   if (passes_ == 0) first_pass_seconds_ += seconds(clock);
   if (next_step_ < steps_.size()) return false;
-  end_pass();
+  steps_.clear();
+  ++passes_;
   // The next one, of an edited scene say, will take about as long: it is not tried before the quick one.
   if (passes_ == 1) is_slow_ = first_pass_seconds_ > 1.5 * QuickEnough;
   return true;

@@ -54,7 +54,7 @@ class ViewPictures {
 
   void paint_quick();
   void begin_pass();
-  void end_pass();
+  void accumulate();
 
   Gl& gl_;
   SceneBuffers& scene_;
