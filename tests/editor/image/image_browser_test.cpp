@@ -15,6 +15,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -286,7 +287,9 @@ TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
     EXPECT_EQ(converted.pixel(960, 540), colours(Rgb(0.5F, 0.5F, 0)));
   }
   RecordProperty("milliseconds", std::to_string(best));
-  EXPECT_LT(best, 60);
+  // Sanitizers make all several times as slow.
+  const bool has_sanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
+  EXPECT_LT(best, has_sanitizers ? 300 : 60);
 }
 
 TEST(ImageWindow, ShowsWhatIsSent) {
