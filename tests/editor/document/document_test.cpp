@@ -8,6 +8,7 @@
 #include "grf/read.h"
 #include "grf/scene_path.h"
 #include "grf/write.h"
+#include "tests/editor/scene_of.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
@@ -41,13 +42,6 @@ begin
   end mesh
 end
 )";
-
-grf::Scene scene_of(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  auto scene = grf::read_text(text, "scene.grf", diagnostics);
-  if (!scene) throw std::runtime_error(diagnostics.to_text());
-  return std::move(*scene);
-}
 
 class Documents : public testing::Test {
  protected:
