@@ -40,7 +40,7 @@ class SphereRenderer::Worker : public QObject {
       shader_ = SphereShader::create(surface_);
     }
     if (shader_) {
-      if (auto image = shader_->shade(scene, samples)) return *std::move(image);
+      if (auto image = shader_->shade(scene, samples, stop)) return *std::move(image);
     }
     return shade_by_cpp(scene, samples, stop);
   }

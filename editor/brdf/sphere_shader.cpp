@@ -1,4 +1,5 @@
 // The sphere by GLSL: a triangle over the picture, whose fragments find what is seen at their place.
+#include <QElapsedTimer>
 #include <QFile>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -6,6 +7,7 @@
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
+#include <algorithm>
 #include <map>
 
 #include "editor/brdf/sphere_shading.h"
@@ -18,6 +20,9 @@ namespace editor {
 namespace {
 
 constexpr std::size_t MostPrograms = 24;
+/// Seconds of drawing at a time: a software rasteriser draws nothing else meanwhile, the window neither.
+constexpr double MostDrawing = 0.004;
+constexpr int FewestRows = 4;
 
 const char* const VertexText = R"(#version 330 core
 void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }
@@ -91,7 +96,7 @@ struct SphereShader::Parts {
   }
 
   void draw(QOpenGLShaderProgram& program, const SphereScene& scene, const reflectance::Shader& shader,
-            int samples) {
+            int samples, const StopFlag& stop) {
     auto* gl = context.extraFunctions();
     target->bind();
     gl->glViewport(0, 0, scene.side, scene.side);
@@ -106,8 +111,29 @@ struct SphereShader::Parts {
     program.setUniformValueArray("mirror_weights", &mirror[0].x, static_cast<int>(mirror.size()), 3);
     program.setUniformValueArray("brdf_parameters", &shader.parameters[0].x,
                                  static_cast<int>(shader.parameters.size()), 3);
-    gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+    draw_by_bands(scene.side, stop);
     program.release();
+  }
+
+  void draw_by_bands(int side, const StopFlag& stop) {
+    auto* gl = context.extraFunctions();
+    gl->glEnable(GL_SCISSOR_TEST);
+    int rows = FewestRows;
+    for (int row = 0; row < side && !stop.is_set();) {
+      QElapsedTimer clock;
+      clock.start();
+      gl->glScissor(0, row, side, rows);
+      gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+      gl->glFinish();
+      row += rows;
+      const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+      if (seconds > MostDrawing) {
+        rows = std::max(rows / 2, FewestRows);
+      } else if (seconds < MostDrawing / 4) {
+        rows *= 2;
+      }
+    }
+    gl->glDisable(GL_SCISSOR_TEST);
   }
 
   SphereImage read(int side) {
@@ -139,7 +165,7 @@ std::unique_ptr<SphereShader> SphereShader::create(QOffscreenSurface& surface) {
   return std::unique_ptr<SphereShader>(new SphereShader(std::move(parts)));
 }
 
-std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples) {
+std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples, const StopFlag& stop) {
   const auto shader = reflectance::shader_of(*scene.brdf);
   if (!shader || !parts_->context.makeCurrent(&parts_->surface)) return std::nullopt;
   QOpenGLShaderProgram* program = parts_->program_of(shader->text);
@@ -150,7 +176,7 @@ std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int sam
     parts_->target = std::make_unique<QOpenGLFramebufferObject>(scene.side, scene.side, format);
     if (!parts_->target->isValid()) return std::nullopt;
   }
-  parts_->draw(*program, scene, *shader, samples);
+  parts_->draw(*program, scene, *shader, samples, stop);
   return parts_->read(scene.side);
 }
 

@@ -50,8 +50,9 @@ class SphereShader {
   static std::unique_ptr<SphereShader> create(QOffscreenSurface& surface);
   ~SphereShader();
 
-  /// Nothing for BRDFs that have no shader, and if the driver refuses it.
-  std::optional<SphereImage> shade(const SphereScene& scene, int samples);
+  /// Nothing for BRDFs that have no shader, and if the driver refuses it. Not all of it after the flag is
+  /// set.
+  std::optional<SphereImage> shade(const SphereScene& scene, int samples, const StopFlag& stop);
 
  private:
   struct Parts;

@@ -131,7 +131,7 @@ bool ViewPictures::work(double limit) {
   steps_.clear();
   ++passes_;
   // The next one, of an edited scene say, will take about as long: it is not tried before the quick one.
-  if (passes_ == 1) is_slow_ = first_pass_seconds_ > 1.5 * QuickEnough;
+  if (passes_ == 1) is_slow_ = first_pass_seconds_ > QuickEnough;
   return true;
 }
 

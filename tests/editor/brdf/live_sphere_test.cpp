@@ -26,7 +26,7 @@ int differing(SphereShader& shader, const std::string& text) {
   scene.brdf = brdf(text);
   scene.side = 48;
   scene.light.normalize();
-  const auto by_glsl = shader.shade(scene, 16);
+  const auto by_glsl = shader.shade(scene, 16, StopFlag());
   EXPECT_TRUE(by_glsl) << text;
   if (!by_glsl) return 0;
   EXPECT_TRUE(by_glsl->is_by_glsl);
@@ -70,7 +70,7 @@ TEST(SphereShader, LeavesMeasurementsToCpp) {
   scene.brdf = std::make_shared<const reflectance::Brdf>(reflectance::Measured());
   scene.side = 32;
   ASSERT_TRUE(shader);
-  EXPECT_FALSE(shader->shade(scene, 16));
+  EXPECT_FALSE(shader->shade(scene, 16, StopFlag()));
   EXPECT_EQ(shade_by_cpp(scene, 16, {}).radiance.size(), 32U * 32U);
 }
 

@@ -121,7 +121,12 @@ TEST_F(Responsiveness, OfSelections) {
   };
   expect_quick("click", one, trigger("None"));
   expect_quick(
-      "box", [&] { test::drag(view(), corner, QPoint(5, 5)); }, [] {});
+      "box",
+      [&] {
+        test::drag(view(), corner, QPoint(5, 5), Qt::ShiftModifier);
+        EXPECT_GT(document().selection().count(), 1000U);
+      },
+      trigger("None"));
   expect_quick("all", trigger("All"), trigger("None"));
   expect_quick("inverse", trigger("Inverse"), half);
   expect_quick("grow", trigger("Grow"), half);

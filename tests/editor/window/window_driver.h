@@ -55,11 +55,11 @@ inline QPoint place_of(const editor::SceneView& view, editor::FaceId face) {
   throw std::runtime_error("the face is not in front of the eye");
 }
 
-inline void drag(QWidget& widget, QPoint from, QPoint to) {
-  QTest::mousePress(&widget, Qt::LeftButton, {}, from);
+inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
+  QTest::mousePress(&widget, Qt::LeftButton, modifiers, from);
   QTest::mouseMove(&widget, (from + to) / 2);
   QTest::mouseMove(&widget, to);
-  QTest::mouseRelease(&widget, Qt::LeftButton, {}, to);
+  QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
 }
 
 /// How long the window did not answer, at most: the longest time between two turns of its event loop.
