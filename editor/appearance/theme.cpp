@@ -10,7 +10,8 @@
 namespace editor {
 namespace {
 
-/// Fusion, with a line in the accent's colour under a button that is on, which else is a little darker alone.
+/// Fusion, with a line in the accent's colour under a button that is on, which else is a little darker alone,
+/// and with an ellipsis where the text of a list's choice does not fit.
 class EditorStyle : public QProxyStyle {
  public:
   EditorStyle() : QProxyStyle("Fusion") {}
@@ -24,6 +25,20 @@ class EditorStyle : public QProxyStyle {
     painter->fillRect(
         QRect(button.left() + Width, button.bottom() + 1 - Width, button.width() - 2 * Width, Width),
         option->palette.brush(QPalette::Highlight));
+  }
+
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override {
+    const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (element != CE_ComboBoxLabel || list == nullptr) {
+      return QProxyStyle::drawControl(element, option, painter, widget);
+    }
+    QStyleOptionComboBox elided = *list;
+    const int icon = list->currentIcon.isNull() ? 0 : list->iconSize.width() + Grid / 2;
+    const int width =
+        subControlRect(CC_ComboBox, list, SC_ComboBoxEditField, widget).width() - icon - Grid / 4;
+    elided.currentText = list->fontMetrics.elidedText(list->currentText, Qt::ElideRight, width);
+    QProxyStyle::drawControl(element, &elided, painter, widget);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <algorithm>
 
 #include "editor/appearance/theme.h"
 
@@ -30,6 +31,20 @@ void PictureTiles::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->drawRoundedRect(QRectF(place).adjusted(width / 2, width / 2, -width / 2, -width / 2), 4, 4);
   painter->restore();
   QStyledItemDelegate::paint(painter, option, index);
+}
+
+void PictureTiles::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+  QStyledItemDelegate::initStyleOption(option, index);
+  constexpr int SmallestFont = 9;
+  const int width = option->rect.width() - Grid;
+  const auto is_too_wide = [&](const QString& word) {
+    return QFontMetrics(option->font).horizontalAdvance(word) > width;
+  };
+  const QStringList words = option->text.split(' ');
+  while (option->font.pixelSize() > SmallestFont && std::ranges::any_of(words, is_too_wide)) {
+    option->font.setPixelSize(option->font.pixelSize() - 1);
+  }
+  option->fontMetrics = QFontMetrics(option->font);
 }
 
 }  // namespace editor

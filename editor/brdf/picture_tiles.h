@@ -13,6 +13,10 @@ class PictureTiles : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ protected:
+  /// Names with a word that is too wide for the tile have a smaller font.
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 };
 
 /// What is behind pictures where the palette is this one.

@@ -118,8 +118,8 @@ class Builder {
   }
   void add(const grf::Include& include, SceneEntry& parent) {
     const QString file = QString::fromStdString(include.file);
-    SceneEntry* made =
-        parent.add(entry(Kind::Include, file, tr("file"), tr("The blocks of the file %1").arg(file)));
+    SceneEntry* made = parent.add(entry(Kind::Include, QFileInfo(file).fileName(), tr("file"),
+                                        tr("The blocks of the file %1").arg(file)));
     add_blocks(*include.contents, 0, *made);
   }
   void add(const grf::Transform& transform, SceneEntry& parent) {
@@ -130,8 +130,16 @@ class Builder {
                            made->children.front()->kind != Kind::Include;
     if (is_of_one) made = std::move(made->children.front());
     if (is_of_one) made->help += ", " + text;
-    if (!is_of_one) made->detail = counted(made->children.size(), tr("1 object"), tr("%1 objects"));
+    if (!is_of_one) made->detail = contents_of(*made);
     parent.add(std::move(made));
+  }
+  /// What is in a transform: the name of the only object, through what it is nested in, or how many.
+  static QString contents_of(const SceneEntry& transform) {
+    const SceneEntry* only = &transform;
+    while (only->children.size() == 1) only = only->children.front().get();
+    return only != &transform && only->children.empty()
+               ? only->name
+               : counted(transform.children.size(), tr("1 object"), tr("%1 objects"));
   }
   void add(const grf::DefinitionScope& scope, SceneEntry& parent) {
     path_.push_back(0);

@@ -61,7 +61,7 @@ void RenderHistory::paintEvent(QPaintEvent* event) {
   QPainter painter(viewport());
   painter.setPen(colours_of(theme_of(palette())).faint_text);
   painter.drawText(viewport()->rect().adjusted(Grid, 0, -Grid, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                   tr("Finished renders are kept here until the editor is closed"));
+                   tr("F6 renders. What is finished is kept here until the editor is closed."));
 }
 
 }  // namespace editor

@@ -314,7 +314,7 @@ void RenderPanel::show_progress(double done, std::optional<double> seconds_left,
   progress_->setValue(static_cast<int>(done * progress_->maximum()));
   QString text = final_.is_running() ? tr("Rendering") : tr("Preview");
   text += " · " + tr("%1 %").arg(100 * done, 0, 'f', 0);
-  if (seconds_left) text += " · " + tr("%1 left").arg(duration_text(*seconds_left));
+  if (seconds_left && done < 1) text += " · " + tr("%1 left").arg(duration_text(*seconds_left));
   if (error) text += " · " + tr("error %1").arg(percent_text(*error));
   say(text);
 }

@@ -1,5 +1,7 @@
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
+#include <QFontMetrics>
 #include <QImage>
 #include <QPalette>
 #include <algorithm>
@@ -42,6 +44,24 @@ TEST(Theme, IsThatOfThePalette) {
     apply(theme, *qApp);
     EXPECT_EQ(theme_of(QApplication::palette()), theme);
   }
+}
+
+TEST(Theme, EndsTextThatDoesNotFitInAListWithAnEllipsis) {
+  apply(Theme::Dark, *qApp);
+  const auto picture_with = [](const QString& text) {
+    QComboBox list;
+    list.addItem(text);
+    list.resize(120, 26);
+    return list.grab().toImage();
+  };
+  const QString text = "measured \"a_long_name.binary\"";
+  const QImage picture = picture_with(text);
+  bool is_elided = false;
+  for (int length = 1; QFontMetrics(qApp->font()).horizontalAdvance(text.left(length) + u'…') < 100;
+       ++length) {
+    is_elided = is_elided || picture_with(text.left(length) + u'…') == picture;
+  }
+  EXPECT_TRUE(is_elided);
 }
 
 bool has_pixel(const QPixmap& pixmap, const QColor& colour) {
