@@ -1,8 +1,11 @@
 #include "editor/appearance/theme.h"
 
+#include <QAbstractScrollArea>
 #include <QApplication>
+#include <QFocusFrame>
 #include <QPainter>
 #include <QPalette>
+#include <QPointer>
 #include <QProxyStyle>
 #include <QStyleOption>
 #include <array>
@@ -11,10 +14,14 @@ namespace editor {
 namespace {
 
 /// Fusion, with a line in the accent's colour under a button that is on, which else is a little darker alone,
-/// and with an ellipsis where the text of a list's choice does not fit.
+/// with an ellipsis where the text of a list's choice does not fit, and with a frame around the list or text
+/// that has the focus: Fusion marks fields and buttons alone.
 class EditorStyle : public QProxyStyle {
  public:
-  EditorStyle() : QProxyStyle("Fusion") {}
+  EditorStyle() : QProxyStyle("Fusion") {
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { mark_focus(now); });
+  }
+  ~EditorStyle() override { delete focus_mark_; }
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
@@ -30,6 +37,9 @@ class EditorStyle : public QProxyStyle {
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget) const override {
     const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (element == CE_FocusFrame) {
+      return painter->fillRect(option->rect, option->palette.brush(QPalette::Highlight));
+    }
     if (element != CE_ComboBoxLabel || list == nullptr) {
       return QProxyStyle::drawControl(element, option, painter, widget);
     }
@@ -40,6 +50,33 @@ class EditorStyle : public QProxyStyle {
     elided.currentText = list->fontMetrics.elidedText(list->currentText, Qt::ElideRight, width);
     QProxyStyle::drawControl(element, &elided, painter, widget);
   }
+
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    // Docks leave no room around a list.
+    if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return 0;
+    return QProxyStyle::pixelMetric(metric, option, widget);
+  }
+
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    if (hint == SH_FocusFrame_AboveWidget) return 1;
+    auto* mask = qstyleoption_cast<QStyleHintReturnMask*>(data);
+    if (hint != SH_FocusFrame_Mask || mask == nullptr) {
+      return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+    mask->region = QRegion(option->rect) - option->rect.adjusted(1, 1, -1, -1);
+    return 1;
+  }
+
+ private:
+  void mark_focus(QWidget* now) {
+    auto* area = qobject_cast<QAbstractScrollArea*>(now);
+    if (area != nullptr && area->window()->windowType() == Qt::Popup) area = nullptr;
+    if (focus_mark_ == nullptr && area != nullptr) focus_mark_ = new QFocusFrame;
+    if (focus_mark_ != nullptr) focus_mark_->setWidget(area);
+  }
+
+  QPointer<QFocusFrame> focus_mark_;  // the window of what it marks may delete it
 };
 
 QPalette palette_of(Theme theme) {

@@ -313,6 +313,14 @@ void SceneView::fly() {
   move_camera(camera);
 }
 
+void SceneView::focusInEvent(QFocusEvent* event) {
+  // Who comes by keyboard goes on by keyboard.
+  const Qt::FocusReason reason = event->reason();
+  if (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) shows_middle_ = true;
+  update();
+  QOpenGLWidget::focusInEvent(event);
+}
+
 void SceneView::focusOutEvent(QFocusEvent* event) {
   flying_keys_.clear();
   fly_timer_.stop();

@@ -3,7 +3,10 @@
 #include <QDir>
 #include <QFontMetrics>
 #include <QImage>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPalette>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 
@@ -62,6 +65,29 @@ TEST(Theme, EndsTextThatDoesNotFitInAListWithAnEllipsis) {
     is_elided = is_elided || picture_with(text.left(length) + u'…') == picture;
   }
   EXPECT_TRUE(is_elided);
+}
+
+TEST(Theme, MarksTheListThatHasTheFocus) {
+  apply(Theme::Dark, *qApp);
+  QWidget window;
+  auto* list = new QListWidget(&window);
+  auto* other = new QLineEdit(&window);
+  list->setGeometry(10, 10, 100, 60);
+  list->setFrameShape(QFrame::NoFrame);
+  other->setGeometry(10, 80, 100, 24);
+  other->setFocus();
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  const auto edge = [&] { return window.grab().toImage().pixelColor(list->pos() + QPoint(50, 0)); };
+  EXPECT_EQ(edge(), colours_of(Theme::Dark).base);
+  list->setFocus();
+  EXPECT_EQ(edge(), colours_of(Theme::Dark).accent);
+  apply(Theme::Dark, *qApp);  // a new style, which marks from the next change on
+  other->setFocus();
+  EXPECT_EQ(edge(), colours_of(Theme::Dark).base);
+  list->setFocus();
+  EXPECT_EQ(edge(), colours_of(Theme::Dark).accent);
 }
 
 bool has_pixel(const QPixmap& pixmap, const QColor& colour) {

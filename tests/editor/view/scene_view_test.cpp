@@ -246,6 +246,23 @@ TEST(SceneView, SpaceTogglesTheFaceInTheMiddle) {
   EXPECT_TRUE(shown.view.selection().empty());
 }
 
+TEST(SceneView, TheMiddleIsMarkedForThoseWhoComeByKeyboard) {
+  ShownView shown(cube());
+  shown.view.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.view) && shown.complete());
+  const auto beside_the_middle = [&] {
+    const QImage picture = shown.view.grabFramebuffer();
+    return picture.pixelColor(picture.width() / 2 - 8, picture.height() / 2);
+  };
+  shown.view.setFocus(Qt::MouseFocusReason);
+  const QColor bare = beside_the_middle();
+  shown.view.clearFocus();
+  shown.view.setFocus(Qt::TabFocusReason);
+  EXPECT_NE(beside_the_middle(), bare);
+  shown.view.clearFocus();
+  EXPECT_EQ(beside_the_middle(), bare);
+}
+
 TEST(SceneView, ADoubleClickSetsTheCentreOfTheOrbit) {
   ShownView shown(cube());
   QTest::mouseDClick(&shown.view, Qt::LeftButton, Qt::NoModifier, shown.pixel_of(Vec3d(0.5, 0.5, 1)));
