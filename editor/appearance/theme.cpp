@@ -52,8 +52,9 @@ class EditorStyle : public QProxyStyle {
   }
 
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-    // Docks leave no room around a list.
-    if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return 0;
+    // Docks leave no room around a list. Items of lists have these margins, too: those stay.
+    const bool is_of_mark = widget == nullptr || widget->inherits("QFocusFrame");
+    if (is_of_mark && (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin)) return 0;
     return QProxyStyle::pixelMetric(metric, option, widget);
   }
 

@@ -1,6 +1,7 @@
 #include "editor/brdf/picture_tiles.h"
 
 #include <QApplication>
+#include <QListView>
 #include <QPainter>
 #include <algorithm>
 
@@ -33,16 +34,22 @@ void PictureTiles::paint(QPainter* painter, const QStyleOptionViewItem& option,
   QStyledItemDelegate::paint(painter, option, index);
 }
 
+QSize PictureTiles::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  QSize size = QStyledItemDelegate::sizeHint(option, index);
+  const auto* list = qobject_cast<const QListView*>(option.widget);
+  if (list != nullptr && list->gridSize().isValid()) size.setWidth(list->gridSize().width());
+  return size;
+}
+
 void PictureTiles::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
   QStyledItemDelegate::initStyleOption(option, index);
-  constexpr int SmallestFont = 9;
   const int width = option->rect.width() - Grid;
   const auto is_too_wide = [&](const QString& word) {
     return QFontMetrics(option->font).horizontalAdvance(word) > width;
   };
   const QStringList words = option->text.split(' ');
-  while (option->font.pixelSize() > SmallestFont && std::ranges::any_of(words, is_too_wide)) {
-    option->font.setPixelSize(option->font.pixelSize() - 1);
+  for (int stretch = 95; stretch >= 80 && std::ranges::any_of(words, is_too_wide); stretch -= 5) {
+    option->font.setStretch(stretch);
   }
   option->fontMetrics = QFontMetrics(option->font);
 }

@@ -14,8 +14,11 @@ class PictureTiles : public QStyledItemDelegate {
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
+  /// As wide as the list's grid, if it has one: names have all of that.
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
  protected:
-  /// Names with a word that is too wide for the tile have a smaller font.
+  /// Names with a word that is too wide for the tile have narrower letters: smaller ones are hard to read.
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 };
 
