@@ -229,8 +229,8 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
   const bool has_shift = event->modifiers().testFlag(Qt::ShiftModifier);
   const bool has_other = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
-  static const std::set<int> FlyingKeys = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
-  if (gesture_ == Gesture::Look && FlyingKeys.contains(key)) {
+  static const std::set<int> keys_to_fly = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
+  if (gesture_ == Gesture::Look && keys_to_fly.contains(key)) {
     flying_keys_.insert(key);
     is_click_ = false;
     if (!fly_timer_.isActive()) fly_timer_.start();

@@ -65,7 +65,7 @@ QString ask_for_scene_or_model(QWidget& window, const QString& title) {
       FileActions::tr("Scenes and models (%1);;All files (*)").arg(ModelImport::name_patterns().join(' '));
   QSettings settings;
   const QString folder = settings.value("last_folder").toString();
-  const QString file = QFileDialog::getOpenFileName(&window, title, folder, readable);
+  QString file = QFileDialog::getOpenFileName(&window, title, folder, readable);
   if (!file.isEmpty()) settings.setValue("last_folder", QFileInfo(file).path());
   return file;
 }
