@@ -139,8 +139,7 @@ DefinitionScope SceneGenerator::definitions(int depth) {
   for (int i = 0; i < count; ++i) {
     Definition definition;
     definition.name = definition_name();
-    const bool is_new = names.insert(definition.name).second;
-    if (!is_new) definition.name += std::to_string(i);
+    while (!names.insert(definition.name).second) definition.name += '_';
     const int kind = number_up_to(4);
     if (kind == 4) definition.body = Shared<Mesh>(mesh());
     if (kind == 0) definition.body = colour();
