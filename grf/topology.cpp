@@ -35,24 +35,18 @@ std::size_t count_nonmanifold_vertices(const Mesh& mesh, std::span<const std::ui
   return count;
 }
 
-/// By places, and those of one edge by corner. First they are put where their lower place belongs, in a time
-/// that grows as their number: few are left to be sorted there.
-std::vector<FaceEdge> sorted(const std::vector<FaceEdge>& edges, std::size_t places) {
-  const auto lower_place = [](const FaceEdge& edge) { return static_cast<std::size_t>(edge.places >> 32U); };
-  std::vector<std::size_t> ends(places + 1);
-  for (const FaceEdge& edge : edges) ++ends[lower_place(edge) + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<FaceEdge> result(edges.size());
-  for (const FaceEdge& edge : edges) result[ends[lower_place(edge)]++] = edge;
-  auto begin = result.begin();
-  for (std::size_t place = 0; place < places; ++place) {
-    const auto end = result.begin() + static_cast<std::ptrdiff_t>(ends[place]);
-    std::sort(begin, end, [](const FaceEdge& a, const FaceEdge& b) {
-      return std::tie(a.places, a.corner) < std::tie(b.places, b.corner);
-    });
-    begin = end;
+/// Does something with each edge that has a length, in the order of faces and their corners.
+template <class Action>
+void for_each_face_edge(const Mesh& mesh, std::span<const std::uint32_t> places, const Action& action) {
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    const auto corners = mesh.face(face);
+    for (std::uint32_t k = 0; k < corners.size(); ++k) {
+      const std::uint64_t a = places[corners[k]];
+      const std::uint64_t b = places[corners[(k + 1) % corners.size()]];
+      if (a == b) continue;
+      action(FaceEdge{std::min(a, b) << 32U | std::max(a, b), face, mesh.face_offsets[face] + k});
+    }
   }
-  return result;
 }
 
 }  // namespace
@@ -75,18 +69,23 @@ std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
 }
 
 std::vector<FaceEdge> edges_of_faces(const Mesh& mesh, std::span<const std::uint32_t> places) {
-  std::vector<FaceEdge> edges;
-  edges.reserve(mesh.corners.size());
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-    const auto corners = mesh.face(face);
-    for (std::uint32_t k = 0; k < corners.size(); ++k) {
-      const std::uint64_t a = places[corners[k]];
-      const std::uint64_t b = places[corners[(k + 1) % corners.size()]];
-      if (a == b) continue;
-      edges.push_back({std::min(a, b) << 32U | std::max(a, b), face, mesh.face_offsets[face] + k});
-    }
+  // Each is put where its lower place belongs, in a time that grows as their number: few are left to be
+  // sorted there.
+  const auto lower_place = [](const FaceEdge& edge) { return static_cast<std::size_t>(edge.places >> 32U); };
+  std::vector<std::size_t> ends(places.size() + 1);
+  for_each_face_edge(mesh, places, [&](const FaceEdge& edge) { ++ends[lower_place(edge) + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<FaceEdge> edges(ends.back());
+  for_each_face_edge(mesh, places, [&](const FaceEdge& edge) { edges[ends[lower_place(edge)]++] = edge; });
+  auto begin = edges.begin();
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    const auto end = edges.begin() + static_cast<std::ptrdiff_t>(ends[place]);
+    std::sort(begin, end, [](const FaceEdge& a, const FaceEdge& b) {
+      return std::tie(a.places, a.corner) < std::tie(b.places, b.corner);
+    });
+    begin = end;
   }
-  return sorted(edges, places.size());
+  return edges;
 }
 
 void for_each_edge(std::span<const FaceEdge> edges,
