@@ -2,7 +2,6 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOpenGLFunctions>
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
@@ -11,47 +10,13 @@
 #include <numbers>
 
 #include "editor/appearance/theme.h"
+#include "editor/brdf/lobe_painter.h"
 #include "editor/controls/expression.h"
 
 namespace editor {
 namespace {
 
 using reflectance::Vec3f;
-
-const char* const VertexText = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-uniform mat4 to_clip;
-out vec3 point;
-out vec3 direction;
-void main() {
-  point = position;
-  direction = normal;
-  gl_Position = to_clip * vec4(position, 1);
-}
-)";
-
-const char* const FragmentText = R"(#version 330 core
-in vec3 point;
-in vec3 direction;
-uniform vec3 eye;
-uniform vec3 colour;
-out vec4 result;
-void main() {
-  float facing = abs(dot(normalize(direction), eye));
-  float light = 0.35 + 0.65 * facing;
-  result = vec4(colour * light, 1);
-}
-)";
-
-QSurfaceFormat lobe_format() {
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setSamples(4);
-  return format;
-}
 
 /// Towards the eye.
 QVector3D eye_direction(double azimuth, double elevation) {
@@ -63,27 +28,10 @@ QVector3D eye_direction(double azimuth, double elevation) {
 
 }  // namespace
 
-/// Lines and words over the lobe. A widget of its own, since painters in a core profile draw nothing with
-/// some versions of Qt.
-class LobeView::Overlay : public QWidget {
- public:
-  explicit Overlay(LobeView& view) : QWidget(&view), view_(view) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setFocusPolicy(Qt::NoFocus);
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    view_.paint_over(painter);
-  }
-
- private:
-  LobeView& view_;
-};
-
-LobeView::LobeView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new Overlay(*this)) {
-  setFormat(lobe_format());
+LobeView::LobeView(QWidget* parent)
+    : QWidget(parent),
+      mesh_(std::make_shared<const LobeMesh>()),
+      thread_("lobe", [this] { painter_.reset(); }) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Lobe of the BRDF");
@@ -92,12 +40,7 @@ LobeView::LobeView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new Overla
       "elsewhere; the wheel zooms; Page Up and Page Down move the view direction by 5 degrees");
 }
 
-LobeView::~LobeView() {
-  disconnect(context_end_);
-  makeCurrent();
-  release();
-  doneCurrent();
-}
+LobeView::~LobeView() = default;
 
 QSize LobeView::sizeHint() const { return {40 * Grid, 25 * Grid}; }
 
@@ -130,70 +73,52 @@ void LobeView::set_logarithmic(bool is_logarithmic) {
 void LobeView::compute() {
   if (!brdf_) {
     job_.stop();
-    mesh_ = {};
-    return show_again();
+    mesh_ = std::make_shared<const LobeMesh>();
+    return draw();
   }
   if (!isVisible() || !is_old_) return;
   is_old_ = false;
   job_.start([brdf = brdf_, view = view_, with_cosine = with_cosine_, is_logarithmic = is_logarithmic_](
                  const StopFlag& stop) { return lobe_mesh(*brdf, view, with_cosine, is_logarithmic, stop); },
              [this](LobeMesh mesh) {
-               mesh_ = std::move(mesh);
-               needs_upload_ = true;
-               show_again();
+               mesh_ = std::make_shared<const LobeMesh>(std::move(mesh));
+               draw();
                emit updated();
              });
 }
 
-void LobeView::show_again() {
+LobePicture LobeView::picture() const {
+  const Theme theme = theme_of(palette());
+  return {mesh_,
+          to_clip(),
+          eye_direction(azimuth_, elevation_),
+          series_colour(theme, 1),
+          colours_of(theme).base,
+          (QSizeF(size()) * devicePixelRatioF()).toSize()};
+}
+
+void LobeView::draw() {
   update();
-  overlay_->update();
-}
-
-void LobeView::initializeGL() {
-  program_ = std::make_unique<QOpenGLShaderProgram>();
-  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, VertexText);
-  program_->addShaderFromSourceCode(QOpenGLShader::Fragment, FragmentText);
-  program_->link();
-  layout_.create();
-  vertices_.create();
-  indices_.create();
-  needs_upload_ = true;
-  // The context goes when the widget moves to another window.
-  disconnect(context_end_);
-  context_end_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-    makeCurrent();
-    release();
-    doneCurrent();
+  if (mesh_->peak <= 0) drawn_ = {};
+  if (mesh_->peak <= 0 || !isVisible()) return;
+  // One picture at a time, so that they never pile up.
+  is_drawn_old_ = is_drawing_;
+  if (is_drawing_) return;
+  is_drawing_ = true;
+  thread_.run([this, picture = picture()](QOpenGLContext* context) {
+    if (painter_ == nullptr && context != nullptr) painter_ = std::make_unique<LobePainter>(*context);
+    const QImage image = painter_ != nullptr ? painter_->paint(picture) : QImage();
+    QMetaObject::invokeMethod(
+        this,
+        [this, image, to_clip = picture.to_clip] {
+          is_drawing_ = false;
+          drawn_ = mesh_->peak > 0 ? image : QImage();
+          drawn_to_clip_ = to_clip;
+          update();
+          if (is_drawn_old_) draw();
+        },
+        Qt::QueuedConnection);
   });
-}
-
-void LobeView::release() {
-  program_.reset();
-  vertices_.destroy();
-  indices_.destroy();
-  layout_.destroy();
-}
-
-void LobeView::upload() {
-  needs_upload_ = false;
-  std::vector<Vec3f> vectors;
-  vectors.reserve(2 * mesh_.positions.size());
-  for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
-    vectors.push_back(mesh_.positions[i]);
-    vectors.push_back(mesh_.normals[i]);
-  }
-  layout_.bind();
-  vertices_.bind();
-  vertices_.allocate(vectors.data(), static_cast<int>(vectors.size() * sizeof(Vec3f)));
-  indices_.bind();
-  indices_.allocate(mesh_.triangles.data(), static_cast<int>(mesh_.triangles.size() * sizeof(std::uint32_t)));
-  program_->bind();
-  for (int k = 0; k < 2; ++k) {
-    program_->enableAttributeArray(k);
-    program_->setAttributeBuffer(k, GL_FLOAT, k * static_cast<int>(sizeof(Vec3f)), 3, 2 * sizeof(Vec3f));
-  }
-  layout_.release();
 }
 
 QMatrix4x4 LobeView::to_clip() const {
@@ -207,31 +132,12 @@ QMatrix4x4 LobeView::to_clip() const {
   return matrix;
 }
 
-void LobeView::paintGL() {
-  QOpenGLFunctions* gl = context()->functions();
-  const ThemeColours colours = colours_of(theme_of(palette()));
-  gl->glClearColor(colours.base.redF(), colours.base.greenF(), colours.base.blueF(), 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const QMatrix4x4 matrix = to_clip();
-  if (mesh_.peak > 0 && program_->isLinked()) {
-    if (needs_upload_) upload();
-    draw_lobe(matrix);
-  }
-}
-
-void LobeView::draw_lobe(const QMatrix4x4& matrix) {
-  QOpenGLFunctions* gl = context()->functions();
-  const QColor colour = series_colour(theme_of(palette()), 1);
-  gl->glEnable(GL_DEPTH_TEST);
-  program_->bind();
-  program_->setUniformValue("to_clip", matrix);
-  program_->setUniformValue("eye", eye_direction(azimuth_, elevation_));
-  program_->setUniformValue("colour", QVector3D(colour.redF(), colour.greenF(), colour.blueF()));
-  layout_.bind();
-  gl->glDrawElements(GL_TRIANGLES, static_cast<int>(mesh_.triangles.size()), GL_UNSIGNED_INT, nullptr);
-  layout_.release();
-  program_->release();
-  gl->glDisable(GL_DEPTH_TEST);
+void LobeView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), colours_of(theme_of(palette())).base);
+  if (!drawn_.isNull()) painter.drawImage(rect(), drawn_);
+  // What is over the lobe turns with it.
+  paint_over(painter, drawn_.isNull() ? to_clip() : drawn_to_clip_);
 }
 
 QPointF LobeView::place_of(const Vec3f& point, const QMatrix4x4& matrix) const {
@@ -239,8 +145,7 @@ QPointF LobeView::place_of(const Vec3f& point, const QMatrix4x4& matrix) const {
   return {0.5 * (1 + clip.x()) * width(), 0.5 * (1 - clip.y()) * height()};
 }
 
-void LobeView::paint_over(QPainter& painter) const {
-  const QMatrix4x4 matrix = to_clip();
+void LobeView::paint_over(QPainter& painter, const QMatrix4x4& matrix) const {
   const ThemeColours colours = colours_of(theme_of(palette()));
   const Theme theme = theme_of(palette());
   painter.setRenderHint(QPainter::Antialiasing);
@@ -275,8 +180,8 @@ void LobeView::paint_over(QPainter& painter) const {
   line(r, 3, Qt::DashLine, "mirror");
   line((u + r).normalized(), 2, Qt::DotLine, "half");
   QString words = QString("%1: at most %2 1/sr, view %3\u00b0")
-                      .arg(with_cosine_ ? "f cos" : "f", number_text(mesh_.peak), number_text(view_));
-  if (mesh_.mirror > 0) words += QString(", mirror part %1").arg(number_text(mesh_.mirror));
+                      .arg(with_cosine_ ? "f cos" : "f", number_text(mesh_->peak), number_text(view_));
+  if (mesh_->mirror > 0) words += QString(", mirror part %1").arg(number_text(mesh_->mirror));
   painter.setPen(colours.faint_text);
   painter.drawText(rect().adjusted(Grid, 0, -Grid, -Grid / 2), Qt::AlignBottom | Qt::AlignLeft, words);
   if (hasFocus()) {
@@ -288,17 +193,14 @@ void LobeView::paint_over(QPainter& painter) const {
 void LobeView::turn(double azimuth, double elevation) {
   azimuth_ = std::remainder(azimuth_ + azimuth, 360);
   elevation_ = std::clamp(elevation_ + elevation, -10.0, 89.9);
-  show_again();
+  draw();
 }
 
-void LobeView::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
-  overlay_->resize(size());
-}
+void LobeView::resizeEvent(QResizeEvent*) { draw(); }
 
-void LobeView::showEvent(QShowEvent* event) {
-  QOpenGLWidget::showEvent(event);
+void LobeView::showEvent(QShowEvent*) {
   compute();
+  draw();
 }
 
 void LobeView::mousePressEvent(QMouseEvent* event) { grabbed_at_ = event->position(); }
@@ -313,7 +215,7 @@ void LobeView::mouseMoveEvent(QMouseEvent* event) {
 void LobeView::wheelEvent(QWheelEvent* event) {
   if (!hasFocus()) return event->ignore();
   zoom_ = std::clamp(zoom_ * std::exp2(-event->angleDelta().y() / 480.0), 0.1, 4.0);
-  show_again();
+  draw();
 }
 
 void LobeView::keyPressEvent(QKeyEvent* event) {
@@ -332,13 +234,13 @@ void LobeView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown:
       return set_view(view_ - Step);
     default:
-      QOpenGLWidget::keyPressEvent(event);
+      QWidget::keyPressEvent(event);
   }
 }
 
 void LobeView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) show_again();
-  QOpenGLWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) draw();
+  QWidget::changeEvent(event);
 }
 
 }  // namespace editor

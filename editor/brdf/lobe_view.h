@@ -1,20 +1,23 @@
 #pragma once
 
-#include <QOpenGLBuffer>
-#include <QOpenGLShaderProgram>
-#include <QOpenGLVertexArrayObject>
-#include <QOpenGLWidget>
+#include <QImage>
+#include <QWidget>
+#include <memory>
 
 #include <QMatrix4x4>
 
 #include "editor/brdf/background_job.h"
 #include "editor/brdf/lobe_mesh.h"
+#include "editor/graphics/graphics_thread.h"
 
 namespace editor {
 
+class LobePainter;
+struct LobePicture;
+
 /// The lobe of a BRDF in three dimensions, over the disc of the surface, with the directions of view, mirror
 /// and half vector. Orbited by the pointer and the arrow keys.
-class LobeView : public QOpenGLWidget {
+class LobeView : public QWidget {
   Q_OBJECT
 
  public:
@@ -29,8 +32,8 @@ class LobeView : public QOpenGLWidget {
   void set_with_cosine(bool with_cosine);
   void set_logarithmic(bool is_logarithmic);
 
-  const LobeMesh& mesh() const { return mesh_; }
-  bool is_busy() const { return job_.is_busy(); }
+  const LobeMesh& mesh() const { return *mesh_; }
+  bool is_busy() const { return job_.is_busy() || is_drawing_; }
   /// Degrees about the normal, and over the surface.
   double azimuth() const { return azimuth_; }
   double elevation() const { return elevation_; }
@@ -41,8 +44,7 @@ class LobeView : public QOpenGLWidget {
   void updated();
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -53,18 +55,16 @@ class LobeView : public QOpenGLWidget {
 
  private:
   void compute();
-  void upload();
-  void release();
-  void draw_lobe(const QMatrix4x4& matrix);
-  void paint_over(QPainter& painter) const;
+  void draw();
+  LobePicture picture() const;
+  void paint_over(QPainter& painter, const QMatrix4x4& matrix) const;
   void turn(double azimuth, double elevation);
-  void show_again();
   QMatrix4x4 to_clip() const;
   QPointF place_of(const reflectance::Vec3f& point, const QMatrix4x4& matrix) const;
 
   SharedBrdf brdf_;
   QString hint_;  // instead of a lobe
-  LobeMesh mesh_;
+  std::shared_ptr<const LobeMesh> mesh_;
   double view_ = 45;
   bool with_cosine_ = true;
   bool is_logarithmic_ = false;
@@ -73,16 +73,13 @@ class LobeView : public QOpenGLWidget {
   double zoom_ = 1;
   QPointF grabbed_at_;
   bool is_old_ = true;
-  bool needs_upload_ = false;
   BackgroundJob<LobeMesh> job_{this};
-
-  class Overlay;
-  Overlay* overlay_;
-  QMetaObject::Connection context_end_;
-  QOpenGLVertexArrayObject layout_;
-  QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer};
-  QOpenGLBuffer indices_{QOpenGLBuffer::IndexBuffer};
-  std::unique_ptr<QOpenGLShaderProgram> program_;
+  QImage drawn_;
+  QMatrix4x4 drawn_to_clip_;
+  bool is_drawing_ = false;
+  bool is_drawn_old_ = false;             // what is drawn now is not what is to be seen any more
+  std::unique_ptr<LobePainter> painter_;  // of the thread
+  GraphicsThread thread_;
 };
 
 }  // namespace editor

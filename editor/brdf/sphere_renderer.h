@@ -1,10 +1,9 @@
 #pragma once
 
 #include <QObject>
-#include <QOffscreenSurface>
-#include <QThread>
 
 #include "editor/brdf/sphere_shading.h"
+#include "editor/graphics/graphics_thread.h"
 
 namespace editor {
 
@@ -28,14 +27,16 @@ class SphereRenderer : public QObject {
   void shaded(const editor::SphereImage& image, bool is_final);
 
  private:
-  class Worker;
+  SphereImage picture(const SphereScene& scene, int samples, const StopFlag& stop, QOpenGLContext* context);
+  void report(const SphereImage& image, bool is_final, int number);
 
-  QOffscreenSurface surface_;
-  QThread thread_;
-  Worker* worker_;
+  Way way_;
   StopFlag stop_;
   int number_ = 0;  // of the latest request
   bool is_busy_ = false;
+  std::unique_ptr<SphereShader> shader_;  // of the thread
+  bool was_tried_ = false;
+  GraphicsThread thread_;
 };
 
 }  // namespace editor

@@ -1,7 +1,6 @@
 // The sphere by GLSL: a triangle over the picture, whose fragments find what is seen at their place.
 #include <QElapsedTimer>
 #include <QFile>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
@@ -65,22 +64,12 @@ QByteArray sphere_text() {
 }  // namespace
 
 struct SphereShader::Parts {
-  QOffscreenSurface& surface;
-  QOpenGLContext context;
+  QOpenGLContext& context;
   std::unique_ptr<QOpenGLVertexArrayObject> no_vertices;
   std::unique_ptr<QOpenGLFramebufferObject> target;
   std::map<std::string, std::unique_ptr<QOpenGLShaderProgram>> programs;
 
-  explicit Parts(QOffscreenSurface& own_surface) : surface(own_surface) {}
-
-  ~Parts() {
-    if (context.isValid() && context.makeCurrent(&surface)) {
-      programs.clear();
-      target.reset();
-      no_vertices.reset();
-      context.doneCurrent();
-    }
-  }
+  explicit Parts(QOpenGLContext& own_context) : context(own_context) {}
 
   /// Null if the driver refuses the text. Compiling takes long, so programs are kept.
   QOpenGLShaderProgram* program_of(const std::string& brdf_text) {
@@ -155,11 +144,8 @@ struct SphereShader::Parts {
 SphereShader::SphereShader(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 SphereShader::~SphereShader() = default;
 
-std::unique_ptr<SphereShader> SphereShader::create(QOffscreenSurface& surface) {
-  auto parts = std::make_unique<Parts>(surface);
-  parts->context.setFormat(surface.format());
-  if (!parts->context.create() || !parts->context.makeCurrent(&surface)) return nullptr;
-  if (parts->context.format().version() < qMakePair(3, 3)) return nullptr;
+std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context) {
+  auto parts = std::make_unique<Parts>(context);
   parts->no_vertices = std::make_unique<QOpenGLVertexArrayObject>();
   if (!parts->no_vertices->create()) return nullptr;
   return std::unique_ptr<SphereShader>(new SphereShader(std::move(parts)));
@@ -167,7 +153,7 @@ std::unique_ptr<SphereShader> SphereShader::create(QOffscreenSurface& surface) {
 
 std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples, const StopFlag& stop) {
   const auto shader = reflectance::shader_of(*scene.brdf);
-  if (!shader || !parts_->context.makeCurrent(&parts_->surface)) return std::nullopt;
+  if (!shader) return std::nullopt;
   QOpenGLShaderProgram* program = parts_->program_of(shader->text);
   if (program == nullptr) return std::nullopt;
   if (!parts_->target || parts_->target->width() != scene.side) {

@@ -9,7 +9,7 @@
 #include "editor/brdf/background_job.h"
 #include "editor/brdf/lobe_curves.h"
 
-class QOffscreenSurface;
+class QOpenGLContext;
 
 namespace editor {
 
@@ -43,11 +43,11 @@ QImage displayed(const SphereImage& image, double stops);
 /// set.
 SphereImage shade_by_cpp(const SphereScene& scene, int samples, const StopFlag& stop);
 
-/// Shades by GLSL. One thread makes, uses and destroys it.
+/// Shades by GLSL. It is made, used and destroyed while its context is current.
 class SphereShader {
  public:
-  /// The surface must have been made in the GUI's thread, and live as long. Null without OpenGL 3.3.
-  static std::unique_ptr<SphereShader> create(QOffscreenSurface& surface);
+  /// The context is of OpenGL 3.3 or later. Null if it cannot draw.
+  static std::unique_ptr<SphereShader> create(QOpenGLContext& context);
   ~SphereShader();
 
   /// Nothing for BRDFs that have no shader, and if the driver refuses it. Not all of it after the flag is

@@ -44,13 +44,10 @@ int differing(SphereShader& shader, const std::string& text) {
 }
 
 TEST(SphereShader, IsWhatCppIs) {
-  QOffscreenSurface surface;
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  surface.setFormat(format);
-  surface.create();
-  const auto shader = SphereShader::create(surface);
+  OffscreenContext context;
+  QOpenGLContext* const current = context.make_current();
+  ASSERT_NE(current, nullptr);
+  const auto shader = SphereShader::create(*current);
   ASSERT_TRUE(shader);
   for (const reflectance::Preset& preset : reflectance::thesis_models().presets) {
     // A narrow lobe's rim may fall between the two.
@@ -63,9 +60,10 @@ TEST(SphereShader, IsWhatCppIs) {
 }
 
 TEST(SphereShader, LeavesMeasurementsToCpp) {
-  QOffscreenSurface surface;
-  surface.create();
-  const auto shader = SphereShader::create(surface);
+  OffscreenContext context;
+  QOpenGLContext* const current = context.make_current();
+  ASSERT_NE(current, nullptr);
+  const auto shader = SphereShader::create(*current);
   SphereScene scene;
   scene.brdf = std::make_shared<const reflectance::Brdf>(reflectance::Measured());
   scene.side = 32;

@@ -54,7 +54,7 @@ TEST(LobeView, DrawsTheLobeAndIsOrbited) {
   view.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_busy() && view.mesh().peak > 0; }));
-  const QImage picture = view.grabFramebuffer();
+  const QImage picture = view.grab().toImage();
   const QColor colour = series_colour(theme_of(view.palette()), 1);
   int lobe_pixels = 0;
   for (int y = 0; y < picture.height(); ++y) {

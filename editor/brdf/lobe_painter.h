@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <memory>
+
+#include <QMatrix4x4>
+#include <QVector3D>
+
+#include "editor/brdf/lobe_mesh.h"
+
+namespace editor {
+
+struct LobePicture {
+  std::shared_ptr<const LobeMesh> mesh;
+  QMatrix4x4 to_clip;
+  QVector3D eye;  ///< towards it
+  QColor colour;
+  QColor background;
+  QSize size;  ///< in pixels of the screen
+};
+
+/// Draws lobes by OpenGL. It is made, used and destroyed while its context is current.
+class LobePainter {
+ public:
+  explicit LobePainter(QOpenGLContext& context);
+
+  QImage paint(const LobePicture& picture);
+
+ private:
+  void upload(const LobeMesh& mesh);
+  void draw(const LobePicture& picture);
+
+  QOpenGLContext& context_;
+  QOpenGLShaderProgram program_;
+  QOpenGLVertexArrayObject layout_;
+  QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer};
+  QOpenGLBuffer indices_{QOpenGLBuffer::IndexBuffer};
+  std::unique_ptr<QOpenGLFramebufferObject> target_;
+  std::shared_ptr<const LobeMesh> uploaded_;
+};
+
+}  // namespace editor
