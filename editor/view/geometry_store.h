@@ -10,6 +10,15 @@
 
 namespace editor {
 
+/// What a mesh is drawn from.
+struct MeshShape {
+  std::shared_ptr<const MeshGeometry> geometry;  ///< null until it is made
+  /// What is drawn instead while the camera moves; null if that is the mesh itself.
+  std::shared_ptr<const TriangleArrays> quick;
+
+  bool operator==(const MeshShape&) const = default;
+};
+
 /// What meshes are drawn from, made in other threads, and kept while only surfaces change. Small meshes are
 /// there at once, so that none of their edits flickers.
 class GeometryStore : public QObject {
@@ -24,12 +33,8 @@ class GeometryStore : public QObject {
   /// Starts to make what is missing, and forgets what these have not.
   void set_objects(const SceneObjects& objects);
 
-  /// Of a mesh by its index; null until it is made.
-  const std::shared_ptr<const MeshGeometry>& geometry(std::size_t mesh) const {
-    return entries_[mesh].geometry;
-  }
-  /// What is drawn instead while the camera moves; null if that is the mesh itself.
-  const std::shared_ptr<const TriangleArrays>& quick(std::size_t mesh) const { return entries_[mesh].quick; }
+  /// Of the meshes in their order.
+  const std::vector<MeshShape>& shapes() const { return shapes_; }
   /// Whether all meshes are made; stand-ins may still come.
   bool has_all_meshes() const;
   /// Whether nothing more will come.
@@ -42,18 +47,18 @@ class GeometryStore : public QObject {
  private:
   struct Entry {
     grf::Shared<grf::Mesh> mesh;
-    std::shared_ptr<const MeshGeometry> geometry;
-    std::shared_ptr<const TriangleArrays> quick;
     std::size_t quick_triangles = 0;  ///< wanted; 0: no stand-in
     bool has_stand_in = false;
   };
 
-  void reuse(std::vector<Entry>& old, Entry& entry) const;
-  void make_geometry(Entry& entry);
-  void take_geometry(const grf::Shared<grf::Mesh>& mesh, std::shared_ptr<const MeshGeometry> geometry);
-  void make_stand_in(Entry& entry);
+  void reuse(const std::vector<Entry>& old_entries, const std::vector<MeshShape>& old_shapes,
+             std::size_t mesh);
+  void make_geometry(std::size_t mesh);
+  void take_geometry(const grf::Shared<grf::Mesh>& mesh, const std::shared_ptr<const MeshGeometry>& geometry);
+  void make_stand_in(std::size_t mesh);
 
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_;  // a mesh each, as shapes
+  std::vector<MeshShape> shapes_;
 };
 
 }  // namespace editor

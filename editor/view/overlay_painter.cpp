@@ -63,31 +63,34 @@ void OverlayPainter::draw_uploaded(const grf::Matrix44d& to_clip, const Screen& 
   gl_.glDisable(GL_BLEND);
 }
 
-void OverlayPainter::draw(const std::vector<OverlayLine>& lines, const ViewCamera& camera,
-                          const grf::Box3d& bounds, const Screen& screen, double width,
-                          double hidden_opacity) {
-  if (lines.empty()) return;
-  upload(lines, camera.world_to_camera());
+void OverlayPainter::draw(const OverlayLayer& layer, const ViewCamera& camera, const grf::Box3d& bounds,
+                          const Screen& screen) {
+  if (layer.lines.empty()) return;
+  layer.is_flat ? draw_flat(layer, screen) : draw_in_world(layer, camera, bounds, screen);
+}
+
+void OverlayPainter::draw_in_world(const OverlayLayer& layer, const ViewCamera& camera,
+                                   const grf::Box3d& bounds, const Screen& screen) {
+  upload(layer.lines, camera.world_to_camera());
   const grf::Matrix44d to_clip = camera.camera_to_clip(screen.size.x / screen.size.y, bounds);
   gl_.glDepthMask(GL_FALSE);
-  if (hidden_opacity > 0) {
+  if (layer.hidden_opacity > 0) {
     gl_.glDisable(GL_DEPTH_TEST);
-    draw_uploaded(to_clip, screen, width, hidden_opacity);
+    draw_uploaded(to_clip, screen, layer.width, layer.hidden_opacity);
   }
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthFunc(GL_LEQUAL);
-  draw_uploaded(to_clip, screen, width, 1);
+  draw_uploaded(to_clip, screen, layer.width, 1);
   gl_.glDepthMask(GL_TRUE);
   gl_.glDisable(GL_DEPTH_TEST);
 }
 
-void OverlayPainter::draw_flat(const std::vector<OverlayLine>& lines, const Screen& screen, double width) {
-  if (lines.empty()) return;
-  upload(lines, grf::Matrix44d());
+void OverlayPainter::draw_flat(const OverlayLayer& layer, const Screen& screen) {
+  upload(layer.lines, grf::Matrix44d());
   const grf::Matrix44d to_clip = {
       2 / screen.size.x, 0, 0, 0, 0, -2 / screen.size.y, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
   gl_.glDisable(GL_DEPTH_TEST);
-  draw_uploaded(to_clip, screen, width, 1);
+  draw_uploaded(to_clip, screen, layer.width, 1);
 }
 
 }  // namespace editor

@@ -16,6 +16,14 @@ struct OverlayLine {
   QColor colour;
 };
 
+/// Lines that are drawn alike.
+struct OverlayLayer {
+  std::vector<OverlayLine> lines;
+  double width = 1;           ///< pixels of the window
+  double hidden_opacity = 0;  ///< of parts behind the scene: 0 to 1
+  bool is_flat = false;       ///< in pixels, and in front of all
+};
+
 /// Draws smooth lines of one width on the screen.
 class OverlayPainter {
  public:
@@ -26,12 +34,13 @@ class OverlayPainter {
 
   explicit OverlayPainter(Gl& gl);
 
-  /// Hidden parts are drawn with this opacity: 0 to 1.
-  void draw(const std::vector<OverlayLine>& lines, const ViewCamera& camera, const grf::Box3d& bounds,
-            const Screen& screen, double width, double hidden_opacity);
-  void draw_flat(const std::vector<OverlayLine>& lines, const Screen& screen, double width);
+  void draw(const OverlayLayer& layer, const ViewCamera& camera, const grf::Box3d& bounds,
+            const Screen& screen);
 
  private:
+  void draw_in_world(const OverlayLayer& layer, const ViewCamera& camera, const grf::Box3d& bounds,
+                     const Screen& screen);
+  void draw_flat(const OverlayLayer& layer, const Screen& screen);
   void upload(const std::vector<OverlayLine>& lines, const grf::Matrix44d& to_camera);
   void draw_uploaded(const grf::Matrix44d& to_clip, const Screen& screen, double width, double opacity);
 

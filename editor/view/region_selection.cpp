@@ -67,7 +67,7 @@ struct PlacedMesh {
 std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
   std::vector<PlacedMesh> placed;
   for (const MeshInstance& instance : scene.objects.instances) {
-    PlacedMesh mesh{instance.mesh, scene.store.geometry(instance.mesh).get(), instance.to_world,
+    PlacedMesh mesh{instance.mesh, scene.shapes[instance.mesh].geometry.get(), instance.to_world,
                     instance.to_world.inverse().transposed(), 1};
     mesh.scale = std::cbrt(std::abs(instance.to_world.determinant()));
     placed.push_back(mesh);
@@ -123,12 +123,12 @@ class SmallFaces {
 
 }  // namespace
 
-std::optional<SceneHit> intersect(const SceneObjects& objects, const GeometryStore& store,
+std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
                                   const ViewRay& ray) {
   std::optional<SceneHit> nearest;
   for (std::uint32_t i = 0; i < objects.instances.size(); ++i) {
     const MeshInstance& instance = objects.instances[i];
-    const auto& geometry = store.geometry(instance.mesh);
+    const auto& geometry = shapes[instance.mesh].geometry;
     if (geometry == nullptr) continue;
     const auto hit = geometry->intersect(transformed(ray, instance.to_world.inverse()));
     if (!hit || (nearest && hit->distance >= nearest->distance)) continue;

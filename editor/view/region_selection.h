@@ -13,7 +13,7 @@ namespace editor {
 /// A scene as it is seen in an image of so many pixels.
 struct SeenScene {
   const SceneObjects& objects;
-  const GeometryStore& store;
+  const std::vector<MeshShape>& shapes;
   const ViewCamera& camera;
   QSize size;
 };
@@ -24,7 +24,7 @@ struct SceneHit {
   std::uint32_t instance = 0;
   double distance = 0;
 };
-std::optional<SceneHit> intersect(const SceneObjects& objects, const GeometryStore& store,
+std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
                                   const ViewRay& ray);
 
 /// The faces of a region of the image, whose corners are in pixels from the upper left. Those that are seen

@@ -46,17 +46,17 @@ void SceneBuffers::set_objects(const SceneObjects& objects) {
   });
 }
 
-bool SceneBuffers::set_geometry(const GeometryStore& store) {
+bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
   const std::vector<MeshBuffers*> meshes_before = meshes_;
   auto before = std::exchange(geometry_buffers_, {});
   auto quick_before = std::exchange(quick_buffers_, {});
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    geometries_[i] = store.geometry(i);
+    geometries_[i] = shapes[i].geometry;
     if (geometries_[i] == nullptr) continue;
     meshes_[i] = keep_or_make(before, geometry_buffers_, geometries_[i],
                               [&] { return std::make_unique<MeshBuffers>(gl_, geometries_[i]->arrays()); });
     quick_meshes_[i] = meshes_[i];
-    const auto& quick = store.quick(i);
+    const auto& quick = shapes[i].quick;
     if (quick == nullptr) continue;
     quick_meshes_[i] = keep_or_make(quick_before, quick_buffers_, quick,
                                     [&] { return std::make_unique<MeshBuffers>(gl_, *quick); });

@@ -27,9 +27,9 @@ class SceneBuffers {
   explicit SceneBuffers(Gl& gl);
 
   void set_objects(const SceneObjects& objects);
-  /// After the objects; keeps the buffers of geometry that stays. Returns whether a mesh got another one, and
-  /// not only another stand-in.
-  bool set_geometry(const GeometryStore& store);
+  /// Of the objects' meshes, after these; keeps the buffers of geometry that stays. Returns whether a mesh
+  /// got another one, and not only another stand-in.
+  bool set_shapes(const std::vector<MeshShape>& shapes);
   void set_selection(const FaceSelection& selection);
   /// An image that a face of the scene names; none: it cannot be read.
   void set_texture(const std::string& path, const transport::Image* image);

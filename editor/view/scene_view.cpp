@@ -1,21 +1,14 @@
 #include "editor/view/scene_view.h"
 
 #include <QEvent>
-#include <QOpenGLContext>
-#include <QOpenGLVersionFunctionsFactory>
+#include <QPainter>
 #include <algorithm>
 
 #include "editor/appearance/theme.h"
 #include "editor/view/ground_grid.h"
-#include "editor/view/scene_view_graphics.h"
 
 namespace editor {
 namespace {
-
-/// So long the view has to rest before a picture that takes long is begun, in milliseconds.
-constexpr int RestTime = 50;
-/// One slice of work on a picture, in seconds: there is time for it beside showing the last one.
-constexpr double Slice = 0.012;
 
 bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
   if (a.meshes.size() != selection.mesh_count()) return false;
@@ -27,12 +20,11 @@ bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  setFormat(format);
+SceneView::SceneView(QWidget* parent)
+    : QWidget(parent),
+      objects_(std::make_shared<const SceneObjects>()),
+      selection_(std::make_shared<const FaceSelection>()) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(160, 120);
@@ -41,69 +33,45 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
       "The scene. Arrow keys orbit, with Shift they pan, plus and minus zoom, Space selects the face in the "
       "middle, F frames the selection, Home frames all, 1, 3, 7 and 9 are standard views, 5 changes "
       "perspective."));
-  work_timer_.setSingleShot(true);
   hover_timer_.setSingleShot(true);
   hover_timer_.setInterval(30);
   fly_timer_.setInterval(16);
-  connect(&work_timer_, &QTimer::timeout, this, &SceneView::work);
   connect(&hover_timer_, &QTimer::timeout, this, &SceneView::tell_hovered);
   connect(&fly_timer_, &QTimer::timeout, this, &SceneView::fly);
-  connect(&geometry_, &GeometryStore::changed, this, [this] {
-    is_geometry_loaded_ = false;
-    update();
-  });
+  connect(&geometry_, &GeometryStore::changed, this, &SceneView::draw);
   connect(&textures_, &TextureStore::failed, this, &SceneView::message);
-  connect(&textures_, &TextureStore::changed, this, [this] {
-    is_scene_loaded_ = false;
-    update();
-  });
-}
-
-SceneView::~SceneView() {
-  // The context ends after this: nothing is left then to hear of it.
-  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
-  release_graphics();
-}
-
-void SceneView::release_graphics() {
-  if (graphics_ == nullptr) return;
-  makeCurrent();
-  graphics_.reset();
-  doneCurrent();
+  connect(&textures_, &TextureStore::changed, this, &SceneView::draw);
+  connect(&renderer_, &ViewRenderer::drawn, this, &SceneView::take_image);
+  connect(&renderer_, &ViewRenderer::selected, this, &SceneView::take_region);
+  connect(&renderer_, &ViewRenderer::message, this, &SceneView::message);
 }
 
 void SceneView::show(const SceneObjects& objects) {
   cancel_gesture();
-  objects_ = objects;
-  if (!has_as_many_faces(objects_, selection_)) selection_ = FaceSelection(objects_);
-  geometry_.set_objects(objects_);
+  objects_ = std::make_shared<const SceneObjects>(objects);
+  if (!has_as_many_faces(objects, *selection_)) {
+    selection_ = std::make_shared<const FaceSelection>(objects);
+  }
+  geometry_.set_objects(objects);
   std::vector<std::string> paths;
-  for (const MeshObject& mesh : objects_.meshes) {
+  for (const MeshObject& mesh : objects.meshes) {
     for (const Look& look : mesh.looks) {
       if (!look.texture.empty()) paths.push_back(look.texture);
     }
   }
   textures_.set_paths(paths);
-  is_scene_loaded_ = false;
-  is_geometry_loaded_ = false;
   place_handles();
-  // Not at once: between an edit and its picture there is a turn for the pointer and the keyboard.
-  QTimer::singleShot(0, this, [this] { update(); });
+  draw();
 }
 
 void SceneView::set_selection(const FaceSelection& selection) {
-  selection_ = selection;
-  if (graphics_ != nullptr && is_scene_loaded_) {
-    makeCurrent();
-    graphics_->scene.set_selection(selection_);
-    doneCurrent();
-  }
-  update();
+  selection_ = std::make_shared<const FaceSelection>(selection);
+  draw();
 }
 
 void SceneView::set_camera(const ViewCamera& camera) {
   camera_ = camera;
-  update();
+  draw();
 }
 
 void SceneView::move_camera(const ViewCamera& camera) {
@@ -114,16 +82,16 @@ void SceneView::move_camera(const ViewCamera& camera) {
 
 void SceneView::frame_all() {
   ViewCamera camera = camera_;
-  camera.frame(objects_.bounds, aspect());
+  camera.frame(objects_->bounds, aspect());
   move_camera(camera);
 }
 
 void SceneView::frame_selection() {
-  if (selection_.empty()) return frame_all();
+  if (selection_->empty()) return frame_all();
   grf::Box3d box;
-  for (const MeshInstance& instance : objects_.instances) {
-    const grf::Mesh& mesh = *objects_.meshes[instance.mesh].mesh;
-    const std::vector<bool>& faces = selection_.of_mesh(instance.mesh);
+  for (const MeshInstance& instance : objects_->instances) {
+    const grf::Mesh& mesh = *objects_->meshes[instance.mesh].mesh;
+    const std::vector<bool>& faces = selection_->of_mesh(instance.mesh);
     for (std::size_t face = 0; face < faces.size(); ++face) {
       if (!faces[face]) continue;
       for (const std::uint32_t corner : mesh.face(face)) {
@@ -138,44 +106,42 @@ void SceneView::frame_selection() {
 
 void SceneView::set_mode(DisplayMode mode) {
   mode_ = mode;
-  is_scene_loaded_ = false;
-  update();
+  draw();
 }
 
 void SceneView::set_vertex_normals(bool are_shown) {
   has_vertex_normals_ = are_shown;
-  update();
+  draw();
 }
 
 void SceneView::set_face_normals(bool are_shown) {
   has_face_normals_ = are_shown;
-  update();
+  draw();
 }
 
 void SceneView::set_grid(bool is_shown) {
   has_grid_ = is_shown;
-  update();
+  draw();
 }
 
 void SceneView::set_render_camera(const std::optional<transport::View>& camera, double image_aspect) {
   render_camera_ = camera;
   render_aspect_ = image_aspect;
   place_handles();
-  update();
+  draw();
 }
 
 void SceneView::place_handles() {
-  const double size = objects_.bounds.isEmpty() ? 0.2 : objects_.bounds.size().length() / 30;
-  handles_ = handles_of(objects_, render_camera_, render_aspect_, std::max(size, 1e-6));
+  const double size = objects_->bounds.isEmpty() ? 0.2 : objects_->bounds.size().length() / 30;
+  handles_ = handles_of(*objects_, render_camera_, render_aspect_, std::max(size, 1e-6));
 }
 
 bool SceneView::is_full() const {
-  return graphics_ != nullptr && is_scene_loaded_ && is_full_on_screen_ && geometry_.has_all_meshes() &&
-         textures_.is_complete() && graphics_->pictures.is_of(request(), picture_size());
+  return shown_.is_full && shown_.state == number_ && geometry_.has_all_meshes() && textures_.is_complete();
 }
 
 bool SceneView::is_complete() const {
-  return is_full() && is_geometry_loaded_ && geometry_.is_complete() && graphics_->pictures.is_done();
+  return is_full() && shown_.is_done && geometry_.is_complete() && !is_selecting();
 }
 
 double SceneView::aspect() const { return window_size().x / window_size().y; }
@@ -212,7 +178,7 @@ QSize SceneView::picture_size() const {
 
 /// All that has a depth: the scene, its lights and the grid.
 grf::Box3d SceneView::drawn_bounds() const {
-  grf::Box3d box = objects_.bounds;
+  grf::Box3d box = objects_->bounds;
   for (const SceneHandle& handle : handles_) {
     for (const auto& [from, to] : handle.lines) {
       box.extendBy(from);
@@ -220,78 +186,68 @@ grf::Box3d SceneView::drawn_bounds() const {
     }
   }
   if (has_grid_) {
-    const GroundGrid grid = ground_grid(objects_.bounds);
+    const GroundGrid grid = ground_grid(objects_->bounds);
     box.extendBy(grf::Vec3d(-grid.half_size, 0, -grid.half_size));
     box.extendBy(grf::Vec3d(grid.half_size, 0, grid.half_size));
   }
   return box;
 }
 
-void SceneView::initializeGL() {
-  graphics_.reset();
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::release_graphics,
-          Qt::UniqueConnection);
-  auto* gl = QOpenGLVersionFunctionsFactory::get<Gl>(context());
-  if (gl == nullptr) {
-    emit message(tr("The 3D view needs OpenGL 3.3, which this screen has not."));
-    return;
+void SceneView::draw() {
+  ++number_;
+  if (is_ordered_ || !isVisible()) return;
+  // Of all changes of one turn of the event loop there is one picture.
+  is_ordered_ = true;
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        is_ordered_ = false;
+        if (isVisible()) renderer_.show(state());
+      },
+      Qt::QueuedConnection);
+}
+
+ViewState SceneView::state() const {
+  ViewState state;
+  state.number = number_;
+  state.objects = objects_;
+  state.selection = selection_;
+  state.shapes = geometry_.shapes();
+  state.textures = textures_.textures();
+  state.request = request();
+  state.size = picture_size();
+  state.screen = {window_size(), devicePixelRatioF()};
+  set_background(state);
+  state.overlay = overlay();
+  return state;
+}
+
+void SceneView::take_image(const ViewImage& image) {
+  shown_ = image;
+  update();
+}
+
+void SceneView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (shown_.image.size() == picture_size()) {
+    painter.drawImage(0, 0, shown_.image);
+  } else {
+    // In the middle, until that of this size comes.
+    const QSizeF size = shown_.image.deviceIndependentSize();
+    paint_background(painter);
+    painter.drawImage(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2), shown_.image);
   }
-  gl->initializeOpenGLFunctions();
-  graphics_ = std::make_unique<Graphics>(*gl);
-  is_scene_loaded_ = false;
-  is_geometry_loaded_ = false;
+  paint_gesture(painter);
+  // The window may have gone to a screen of other pixels.
+  if (!shown_.image.isNull() && shown_.image.devicePixelRatio() != devicePixelRatioF()) draw();
 }
 
-void SceneView::load_scene() {
-  SceneBuffers& scene = graphics_->scene;
-  if (is_scene_loaded_ && is_geometry_loaded_) return;
-  if (!is_scene_loaded_) {
-    scene.set_objects(objects_);
-    scene.set_selection(selection_);
-    textures_.for_each(
-        [&](const std::string& path, const transport::Image* image) { scene.set_texture(path, image); });
-    if (mode_ == DisplayMode::Brdf && !scene.tables().not_shown.empty()) {
-      emit message(tr("Shown as matte: %1.").arg(QString::fromStdString(*scene.tables().not_shown.begin())));
-    }
-  }
-  const bool has_other_meshes = scene.set_geometry(geometry_);
-  if (has_other_meshes || !is_scene_loaded_) graphics_->pictures.invalidate();
-  graphics_->pictures.invalidate_quick();
-  is_scene_loaded_ = true;
-  is_geometry_loaded_ = true;
-}
-
-void SceneView::resizeGL(int, int) { update(); }
-
-void SceneView::paintGL() {
-  if (graphics_ == nullptr) return;
-  load_scene();
-  ViewPictures& pictures = graphics_->pictures;
-  pictures.request(request(), picture_size());
-  pictures.prepare();
-  compose();
-  draw_overlay();
-  is_full_on_screen_ = pictures.is_full();
-  // While the pointer turns a heavy scene, all time is for quick pictures.
-  if (!pictures.is_done()) work_timer_.start(pictures.is_slow() && !pictures.is_full() ? RestTime : 0);
-}
-
-void SceneView::work() {
-  if (graphics_ == nullptr || !isVisible()) return;
-  makeCurrent();
-  const bool has_news = graphics_->pictures.work(Slice);
-  const bool is_done = graphics_->pictures.is_done();
-  doneCurrent();
-  if (has_news) {
-    update();
-  } else if (!is_done) {
-    work_timer_.start(0);
-  }
-}
+void SceneView::resizeEvent(QResizeEvent*) { draw(); }
+void SceneView::showEvent(QShowEvent*) { draw(); }
 
 void SceneView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) update();
-  QOpenGLWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) draw();
+  QWidget::changeEvent(event);
 }
 
 }  // namespace editor

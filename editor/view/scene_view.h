@@ -1,9 +1,9 @@
 // The 3D view of a scene.
 #pragma once
 
-#include <QOpenGLWidget>
 #include <QPolygonF>
 #include <QTimer>
+#include <QWidget>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,13 +15,15 @@
 #include "editor/view/scene_handles.h"
 #include "editor/view/texture_store.h"
 #include "editor/view/view_camera.h"
+#include "editor/view/view_renderer.h"
 
 namespace editor {
 
 struct SceneHit;
 
 /// Shows a scene and lets faces be selected and things be moved. It edits nothing: what gestures ask for is
-/// said by signals, and what has become of it comes back by `show` and `set_selection`.
+/// said by signals, and what has become of it comes back by `show` and `set_selection`. What it shows is
+/// drawn in a thread of its own, and comes when it is ready; a box or lasso is read from it there.
 ///
 /// Pointer: a click selects a face, a drag from a face those in a box (with Alt or `set_lasso` in a lasso);
 /// Shift adds, Ctrl takes away. A drag from empty ground or with the middle button orbits, Shift and the
@@ -31,20 +33,19 @@ struct SceneHit;
 /// Keys: arrows orbit (with Shift pan), + and - zoom, F frames the selection, Home all, 1 3 7 are the front,
 /// the right and the top, 9 the opposite, 5 perspective or parallel, Space toggles the face in the middle,
 /// Escape gives up a gesture.
-class SceneView : public QOpenGLWidget {
+class SceneView : public QWidget {
   Q_OBJECT
 
  public:
   explicit SceneView(QWidget* parent = nullptr);
-  ~SceneView() override;
 
   using QWidget::show;
   /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.
   void show(const SceneObjects& objects);
-  const SceneObjects& objects() const { return objects_; }
+  const SceneObjects& objects() const { return *objects_; }
   /// Of the objects that are shown.
   void set_selection(const FaceSelection& selection);
-  const FaceSelection& selection() const { return selection_; }
+  const FaceSelection& selection() const { return *selection_; }
   void set_camera(const ViewCamera& camera);
   const ViewCamera& camera() const { return camera_; }
   /// As by a gesture: with `camera_moved`.
@@ -69,6 +70,8 @@ class SceneView : public QOpenGLWidget {
   /// Whether full detail of the scene as it is now is on the screen, perhaps with edges that are still being
   /// smoothed.
   bool is_full() const;
+  /// Whether a box or a lasso was made, and what it selects is not known yet.
+  bool is_selecting() const { return region_order_.has_value(); }
   /// What a click at this place of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
   /// The lights, observers and the camera as they stand now.
@@ -87,9 +90,9 @@ class SceneView : public QOpenGLWidget {
   void message(const QString& text);
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -104,12 +107,17 @@ class SceneView : public QOpenGLWidget {
 
  private:
   enum class Gesture { None, Orbit, Pan, Look, Region, Handle };
-  struct Graphics;  // what lives in the OpenGL context
+  /// A box or lasso that was made.
+  struct RegionOrder {
+    std::int64_t number = 0;
+    std::shared_ptr<const SceneObjects> objects;
+    Qt::KeyboardModifiers modifiers;
+  };
 
   // scene_view.cpp
-  void release_graphics();
-  void load_scene();
-  void work();
+  void draw();
+  ViewState state() const;
+  void take_image(const ViewImage& image);
   void place_handles();
   double aspect() const;
   grf::Vec2d window_size() const;
@@ -119,11 +127,12 @@ class SceneView : public QOpenGLWidget {
   grf::Box3d drawn_bounds() const;
 
   // scene_view_overlay.cpp
-  void compose();
-  void draw_overlay();
-  void draw_grid();
-  void draw_handles();
-  void draw_gesture();
+  void set_background(ViewState& state) const;
+  std::vector<OverlayLayer> overlay() const;
+  void add_grid(std::vector<OverlayLayer>& layers) const;
+  void add_handles(std::vector<OverlayLayer>& layers) const;
+  void paint_background(QPainter& painter) const;
+  void paint_gesture(QPainter& painter) const;
 
   // scene_view_input.cpp
   std::optional<SceneHit> hit_at(const QPointF& pixel) const;
@@ -132,6 +141,7 @@ class SceneView : public QOpenGLWidget {
   void drag_handle(const QPointF& pixel, bool along_axis);
   void end_handle();
   void end_region(Qt::KeyboardModifiers modifiers);
+  void take_region(const FaceSelection& selected, std::int64_t number);
   void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void toggle_middle();
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
@@ -141,8 +151,8 @@ class SceneView : public QOpenGLWidget {
   void tell_hovered();
   void cancel_gesture();
 
-  SceneObjects objects_;
-  FaceSelection selection_;
+  std::shared_ptr<const SceneObjects> objects_;  // never null, as the selection
+  std::shared_ptr<const FaceSelection> selection_;
   GeometryStore geometry_;
   TextureStore textures_;
   ViewCamera camera_;
@@ -155,11 +165,12 @@ class SceneView : public QOpenGLWidget {
   std::optional<transport::View> render_camera_;
   double render_aspect_ = 1.25;
   std::vector<SceneHandle> handles_;
-  std::unique_ptr<Graphics> graphics_;
-  bool is_scene_loaded_ = false;
-  bool is_geometry_loaded_ = false;
-  bool is_full_on_screen_ = false;  // of what was drawn last
-  QTimer work_timer_, hover_timer_, fly_timer_;
+  std::int64_t number_ = 0;  // of what is to be seen
+  bool is_ordered_ = false;  // it will be asked for in the next turn of the event loop
+  ViewImage shown_;
+  std::optional<RegionOrder> region_order_;
+  std::int64_t regions_ = 0;  // were made
+  QTimer hover_timer_, fly_timer_;
 
   Gesture gesture_ = Gesture::None;
   bool is_click_ = false;  // the pointer has not moved since it was pressed
@@ -171,6 +182,7 @@ class SceneView : public QOpenGLWidget {
   std::optional<HandleId> hovered_handle_;
   std::set<int> flying_keys_;
   bool shows_middle_ = false;
+  ViewRenderer renderer_;
 };
 
 }  // namespace editor

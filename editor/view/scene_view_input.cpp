@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "editor/view/region_selection.h"
-#include "editor/view/scene_view_graphics.h"
+#include "editor/view/scene_view.h"
 
 namespace editor {
 namespace {
@@ -41,7 +41,7 @@ grf::Vec2d SceneView::place_at(const QPointF& pixel) const {
 }
 
 std::optional<SceneHit> SceneView::hit_at(const QPointF& pixel) const {
-  return intersect(objects_, geometry_, camera_.ray(place_at(pixel), aspect()));
+  return intersect(*objects_, geometry_.shapes(), camera_.ray(place_at(pixel), aspect()));
 }
 
 std::optional<FaceId> SceneView::face_at(const QPointF& pixel) const {
@@ -136,6 +136,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     end_region(event->modifiers());
   }
   update();
+  draw();
 }
 
 void SceneView::drag_handle(const QPointF& pixel, bool along_axis) {
@@ -144,7 +145,7 @@ void SceneView::drag_handle(const QPointF& pixel, bool along_axis) {
       dragged(handle.grip, camera_, to_vector(pressed_at_), to_vector(pixel), window_size(), along_axis) -
       handle.grip;
   emit object_moving(handle.id, handle.position + taken_offset_);
-  update();
+  draw();
 }
 
 void SceneView::end_handle() {
@@ -157,27 +158,26 @@ void SceneView::end_handle() {
 }
 
 void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
-  if (graphics_ == nullptr || region_.size() < 3) return;
-  const double ratio = devicePixelRatioF();
+  if (region_.size() < 3) return;
   QPolygonF region;
-  for (const QPointF& point : region_) region << point * ratio;
+  for (const QPointF& point : region_) region << point * devicePixelRatioF();
   region_.clear();
-  const SeenScene seen{objects_, geometry_, camera_,
-                       QSize(qRound(width() * ratio), qRound(height() * ratio))};
-  if (selects_through_ || mode_ == DisplayMode::Wireframe || mode_ == DisplayMode::Points) {
-    return make_selection(all_in_region(seen, region), modifiers);
-  }
+  region_order_ = RegionOrder{++regions_, objects_, modifiers};
   // The picture that is read has to be that of this scene and this camera.
-  repaint();
-  makeCurrent();
-  FaceSelection made = seen_in_region(
-      seen, region, [this](const QRect& rectangle) { return graphics_->pictures.faces_in(rectangle); });
-  doneCurrent();
-  make_selection(std::move(made), modifiers);
+  renderer_.show(state());
+  const bool has_faces = mode_ != DisplayMode::Wireframe && mode_ != DisplayMode::Points;
+  renderer_.select({region_order_->number, region, selects_through_ || !has_faces});
+}
+
+void SceneView::take_region(const FaceSelection& selected, std::int64_t number) {
+  if (!region_order_ || region_order_->number != number) return;
+  const RegionOrder order = *std::exchange(region_order_, std::nullopt);
+  // Of a scene that is another one by now nothing is selected.
+  if (order.objects == objects_) make_selection(selected, order.modifiers);
 }
 
 void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
-  FaceSelection made(objects_);
+  FaceSelection made(*objects_);
   const auto hit = hit_at(pixel);
   if (hit) made.set(hit->face);
   // A click beside everything with a modifier changes nothing.
@@ -188,20 +188,20 @@ void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
 void SceneView::toggle_middle() {
   const auto hit = hit_at(QPointF(width() / 2.0, height() / 2.0));
   if (!hit) return;
-  FaceSelection made = selection_;
+  FaceSelection made = *selection_;
   made.set(hit->face, !made.has(hit->face));
   make_selection(std::move(made), Qt::NoModifier);
 }
 
 void SceneView::make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers) {
   if (modifiers.testFlag(Qt::ControlModifier)) {
-    FaceSelection all = selection_;
+    FaceSelection all = *selection_;
     all.remove(made);
     made = std::move(all);
   } else if (modifiers.testFlag(Qt::ShiftModifier)) {
-    made.add(selection_);
+    made.add(*selection_);
   }
-  if (made == selection_) return;
+  if (made == *selection_) return;
   set_selection(made);
   emit selection_made(made);
 }
@@ -209,7 +209,7 @@ void SceneView::make_selection(FaceSelection made, Qt::KeyboardModifiers modifie
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const ViewRay ray = camera_.ray(place_at(event->position()), aspect());
-  const auto hit = intersect(objects_, geometry_, ray);
+  const auto hit = intersect(*objects_, geometry_.shapes(), ray);
   if (!hit) return;
   ViewCamera camera = camera_;
   camera.set_target(ray.at(hit->distance));
@@ -237,7 +237,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   } else if (key == Qt::Key_Escape && gesture_ != Gesture::None) {
     cancel_gesture();
   } else if (has_other || !(navigate_by_key(key, has_shift) || choose_view_by_key(key))) {
-    QOpenGLWidget::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
     return;
   }
   if (!shows_middle_ && gesture_ == Gesture::None) {
@@ -300,7 +300,7 @@ bool SceneView::choose_view_by_key(int key) {
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat()) flying_keys_.erase(event->key());
   if (flying_keys_.empty()) fly_timer_.stop();
-  QOpenGLWidget::keyReleaseEvent(event);
+  QWidget::keyReleaseEvent(event);
 }
 
 void SceneView::fly() {
@@ -318,24 +318,24 @@ void SceneView::focusInEvent(QFocusEvent* event) {
   const Qt::FocusReason reason = event->reason();
   if (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) shows_middle_ = true;
   update();
-  QOpenGLWidget::focusInEvent(event);
+  QWidget::focusInEvent(event);
 }
 
 void SceneView::focusOutEvent(QFocusEvent* event) {
   flying_keys_.clear();
   fly_timer_.stop();
   update();
-  QOpenGLWidget::focusOutEvent(event);
+  QWidget::focusOutEvent(event);
 }
 
 void SceneView::leaveEvent(QEvent* event) {
   hover_timer_.stop();
   if (hovered_handle_.has_value()) {
     hovered_handle_.reset();
-    update();
+    draw();
   }
   emit hovered({});
-  QOpenGLWidget::leaveEvent(event);
+  QWidget::leaveEvent(event);
 }
 
 void SceneView::tell_hovered() {
@@ -343,7 +343,7 @@ void SceneView::tell_hovered() {
   const std::optional<HandleId> id = handle ? std::optional(handles_[*handle].id) : std::nullopt;
   if (id != hovered_handle_) {
     hovered_handle_ = id;
-    update();
+    draw();
   }
   if (handle) {
     emit hovered(QString::fromStdString(handles_[*handle].name));
@@ -354,7 +354,7 @@ void SceneView::tell_hovered() {
     emit hovered({});
     return;
   }
-  const MeshObject& mesh = objects_.meshes[hit->face.mesh];
+  const MeshObject& mesh = objects_->meshes[hit->face.mesh];
   const Look& look = mesh.looks[mesh.mesh->surface_of_face[hit->face.face]];
   emit hovered(QString::fromStdString(fmt::format("{} · face {} · {}",
                                                   mesh.name.empty() ? "mesh without a name" : mesh.name,
@@ -368,6 +368,7 @@ void SceneView::cancel_gesture() {
   flying_keys_.clear();
   fly_timer_.stop();
   update();
+  draw();
 }
 
 }  // namespace editor

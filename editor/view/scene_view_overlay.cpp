@@ -1,16 +1,16 @@
-// What the view draws over the picture: grid and axes, things to take, and the gesture that is being made.
-#include <QVector3D>
+// What the view draws besides the scene: background, grid and axes, things to take, and the gesture that is
+// being made.
+#include <QLinearGradient>
+#include <QPainter>
 
 #include "editor/appearance/theme.h"
 #include "editor/view/ground_grid.h"
-#include "editor/view/scene_view_graphics.h"
+#include "editor/view/scene_view.h"
 
 namespace editor {
 namespace {
 
 using grf::Vec3d;
-
-QVector3D rgb(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
 QColor with_alpha(QColor colour, double alpha) {
   colour.setAlphaF(static_cast<float>(alpha));
@@ -26,45 +26,32 @@ Vec3d flat(const QPointF& point) { return {point.x(), point.y(), 0}; }
 
 }  // namespace
 
-void SceneView::compose() {
-  Gl& gl = graphics_->gl;
+void SceneView::set_background(ViewState& state) const {
   const Theme theme = theme_of(palette());
   const ThemeColours colours = colours_of(theme);
-  const double ratio = devicePixelRatioF();
-  gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  gl.glViewport(0, 0, qRound(width() * ratio), qRound(height() * ratio));
-  gl.glDisable(GL_BLEND);
-  gl.glDisable(GL_SCISSOR_TEST);
-  gl.glEnable(GL_DEPTH_TEST);
-  gl.glDepthFunc(GL_ALWAYS);
-  gl.glDepthMask(GL_TRUE);
-  QOpenGLShaderProgram& program = *graphics_->compose;
-  program.bind();
-  set_picture_units(program);
-  graphics_->pictures.bind_shown(program);
-  program.setUniformValue("background_top",
-                          rgb(theme == Theme::Dark ? colours.base.lighter(135) : colours.base));
-  program.setUniformValue("background_bottom",
-                          rgb(theme == Theme::Dark ? colours.base : colours.base.darker(112)));
-  program.setUniformValue("height", static_cast<float>(height() * ratio));
-  program.setUniformValue("accent", rgb(colours.accent));
-  program.setUniformValue("fill", 0.45F);
-  gl.glBindVertexArray(graphics_->no_vertices.name());
-  gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+  state.background_top = theme == Theme::Dark ? colours.base.lighter(135) : colours.base;
+  state.background_bottom = theme == Theme::Dark ? colours.base : colours.base.darker(112);
+  state.accent = colours.accent;
 }
 
-void SceneView::draw_overlay() {
-  if (has_grid_) draw_grid();
-  draw_handles();
-  draw_gesture();
-  Gl& gl = graphics_->gl;
-  gl.glBindVertexArray(0);
-  gl.glUseProgram(0);
-  gl.glActiveTexture(GL_TEXTURE0);
+void SceneView::paint_background(QPainter& painter) const {
+  ViewState state;
+  set_background(state);
+  QLinearGradient gradient(0, 0, 0, height());
+  gradient.setColorAt(0, state.background_top);
+  gradient.setColorAt(1, state.background_bottom);
+  painter.fillRect(rect(), gradient);
 }
 
-void SceneView::draw_grid() {
-  const GroundGrid grid = ground_grid(objects_.bounds);
+std::vector<OverlayLayer> SceneView::overlay() const {
+  std::vector<OverlayLayer> layers;
+  if (has_grid_) add_grid(layers);
+  add_handles(layers);
+  return layers;
+}
+
+void SceneView::add_grid(std::vector<OverlayLayer>& layers) const {
+  const GroundGrid grid = ground_grid(objects_->bounds);
   const QColor line = with_alpha(colours_of(theme_of(palette())).line, 0.45);
   std::vector<OverlayLine> lines;
   const int steps = qRound(grid.half_size / grid.step);
@@ -74,15 +61,14 @@ void SceneView::draw_grid() {
     lines.push_back({{at, 0, -grid.half_size}, {at, 0, grid.half_size}, line});
     lines.push_back({{-grid.half_size, 0, at}, {grid.half_size, 0, at}, line});
   }
-  const OverlayPainter::Screen screen{window_size(), devicePixelRatioF()};
-  graphics_->overlay.draw(lines, camera_, drawn_bounds(), screen, 1, 0);
+  layers.push_back({std::move(lines), 1, 0, false});
   std::vector<OverlayLine> axes;
   for (int axis = 0; axis < 3; axis += 2) {
     Vec3d end(0);
     end[axis] = grid.half_size;
     axes.push_back({-end, end, with_alpha(axis_colour(axis), 0.8)});
   }
-  graphics_->overlay.draw(axes, camera_, drawn_bounds(), screen, 1.5, 0);
+  layers.push_back({std::move(axes), 1.5, 0, false});
   // The axes' directions, in the lower left corner.
   std::vector<OverlayLine> corner;
   const QPointF middle(40, height() - 40);
@@ -92,10 +78,10 @@ void SceneView::draw_grid() {
     const QPointF end(along.dot(camera_.right()), -along.dot(camera_.up()));
     corner.push_back({flat(middle), flat(middle + end), axis_colour(axis)});
   }
-  graphics_->overlay.draw_flat(corner, screen, 2.5);
+  layers.push_back({std::move(corner), 2.5, 0, true});
 }
 
-void SceneView::draw_handles() {
+void SceneView::add_handles(std::vector<OverlayLayer>& layers) const {
   const ThemeColours colours = colours_of(theme_of(palette()));
   std::vector<OverlayLine> lines;
   std::vector<OverlayLine> grips;
@@ -116,26 +102,19 @@ void SceneView::draw_handles() {
       grips.push_back({at + Vec3d(-half, y, 0), at + Vec3d(half, y, 0), colour});
     }
   }
-  const OverlayPainter::Screen screen{window_size(), devicePixelRatioF()};
-  graphics_->overlay.draw(lines, camera_, drawn_bounds(), screen, 1.5, 0.25);
-  graphics_->overlay.draw_flat(grips, screen, 1);
+  layers.push_back({std::move(lines), 1.5, 0.25, false});
+  layers.push_back({std::move(grips), 1, 0, true});
 }
 
-void SceneView::draw_gesture() {
-  const ThemeColours colours = colours_of(theme_of(palette()));
-  std::vector<OverlayLine> lines;
-  if (gesture_ == Gesture::Region && !is_click_) {
-    for (int i = 0; i < region_.size(); ++i) {
-      lines.push_back({flat(region_[i]), flat(region_[(i + 1) % region_.size()]), colours.accent});
-    }
+void SceneView::paint_gesture(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colours_of(theme_of(palette())).accent, 1.5));
+  if (gesture_ == Gesture::Region && !is_click_) painter.drawPolygon(region_);
+  if (!shows_middle_ || !hasFocus()) return;
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+    painter.drawLine(middle + way * 4, middle + way * 12);
   }
-  if (shows_middle_ && hasFocus()) {
-    const QPointF middle(width() / 2.0, height() / 2.0);
-    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
-      lines.push_back({flat(middle + way * 4), flat(middle + way * 12), colours.accent});
-    }
-  }
-  graphics_->overlay.draw_flat(lines, {window_size(), devicePixelRatioF()}, 1.5);
 }
 
 }  // namespace editor

@@ -30,6 +30,14 @@ bool TextureStore::is_complete() const {
                      [](const auto& entry) { return entry.second.is_read; });
 }
 
+std::vector<ReadTexture> TextureStore::textures() const {
+  std::vector<ReadTexture> textures;
+  for (const auto& [path, entry] : entries_) {
+    if (entry.is_read) textures.push_back({path, entry.image});
+  }
+  return textures;
+}
+
 TextureStore::Result TextureStore::read(const std::string& path) {
   grf::Diagnostics diagnostics;
   auto image = transport::read_image(path, diagnostics);

@@ -10,6 +10,14 @@
 
 namespace editor {
 
+/// An image that faces name; null if it cannot be read.
+struct ReadTexture {
+  std::string path;
+  std::shared_ptr<const transport::Image> image;
+
+  bool operator==(const ReadTexture&) const = default;
+};
+
 /// The images that faces name, read in other threads, each once.
 class TextureStore : public QObject {
   Q_OBJECT
@@ -22,13 +30,8 @@ class TextureStore : public QObject {
   /// Whether nothing more will come.
   bool is_complete() const;
 
-  /// Calls visit(path, image) for each that was read, with null for one that cannot be.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (const auto& [path, entry] : entries_) {
-      if (entry.is_read) visit(path, entry.image.get());
-    }
-  }
+  /// Those that were read.
+  std::vector<ReadTexture> textures() const;
 
  signals:
   /// An image has come.

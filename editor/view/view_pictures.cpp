@@ -1,6 +1,7 @@
 #include "editor/view/view_pictures.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace editor {
@@ -26,12 +27,8 @@ ViewPictures::ViewPictures(Gl& gl, SceneBuffers& scene)
   accumulate_ = program_of("screen.vert", {"picture.glsl", "accumulate.frag"});
 }
 
-bool ViewPictures::is_of(const PictureRequest& request, const QSize& size) const {
-  return request_ && is_same(*request_, request) && size == size_;
-}
-
 void ViewPictures::request(const PictureRequest& request, const QSize& size) {
-  if (is_of(request, size)) return;
+  if (request_ && is_same(*request_, request) && size == size_) return;
   if (size != size_) {
     size_ = size;
     full_.reset();
@@ -55,7 +52,9 @@ void ViewPictures::invalidate() {
 void ViewPictures::prepare() {
   if (passes_ > 0 || has_quick_) return;
   if (!is_slow_) {
-    work(QuickEnough);
+    QElapsedTimer clock;
+    clock.start();
+    work([&clock] { return seconds(clock) > QuickEnough; });
     is_slow_ = is_slow_ || passes_ == 0;
   }
   if (passes_ == 0) paint_quick();
@@ -117,26 +116,27 @@ void ViewPictures::accumulate() {
   gl_.glDisable(GL_BLEND);
 }
 
-bool ViewPictures::work(double limit) {
+bool ViewPictures::work(const std::function<bool()>& is_enough) {
   if (!request_ || size_.isEmpty() || is_done()) return false;
   QElapsedTimer clock;
   clock.start();
   if (steps_.empty()) begin_pass();
-  while (next_step_ < steps_.size() && seconds(clock) <= limit) {
+  do {
     steps_[next_step_++]();
     gl_.glFinish();
-  }
+  } while (next_step_ < steps_.size() && !is_enough());
   if (passes_ == 0) first_pass_seconds_ += seconds(clock);
   if (next_step_ < steps_.size()) return false;
   steps_.clear();
   ++passes_;
   // The next one, of an edited scene say, will take about as long: it is not tried before the quick one.
   if (passes_ == 1) is_slow_ = first_pass_seconds_ > QuickEnough;
-  return true;
+  // The more there are, the less one of them changes.
+  return std::has_single_bit(static_cast<unsigned>(passes_));
 }
 
 void ViewPictures::finish_first_pass() {
-  while (passes_ == 0 && request_ && !size_.isEmpty()) work(1);
+  while (passes_ == 0 && request_ && !size_.isEmpty()) work([] { return false; });
 }
 
 void ViewPictures::bind_shown(QOpenGLShaderProgram& compose) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,13 +31,12 @@ class ViewPictures {
 
   /// Makes that there is a picture for the request: the full one, if that is a matter of milliseconds.
   void prepare();
-  /// Works on the full picture for about `limit` seconds. Returns whether there is something new to show.
-  bool work(double limit);
+  /// Works on the full picture, until there is more to show or it is enough, which is asked after each step
+  /// of some milliseconds. Returns whether there is more.
+  bool work(const std::function<bool()>& is_enough);
   /// Makes the full picture, however long it takes.
   void finish_first_pass();
 
-  /// Whether this is what is to be seen.
-  bool is_of(const PictureRequest& request, const QSize& size) const;
   /// Whether the full picture is there, and whether nothing is left to improve.
   bool is_full() const { return passes_ > 0; }
   bool is_done() const { return passes_ == Passes; }

@@ -32,7 +32,7 @@ double difference(const QImage& a, const QImage& b) {
 QImage grab(ShownView& shown, DisplayMode mode) {
   shown.view.set_mode(mode);
   EXPECT_TRUE(shown.complete());
-  return shown.view.grabFramebuffer();
+  return shown.view.grab().toImage();
 }
 
 /// A cube with a texture, vertices' irradiance, and a BRDF that shines.
@@ -111,12 +111,12 @@ TEST(DisplayModes, NormalsAreDrawnAsLines) {
   const QImage without = grab(shown, DisplayMode::Solid);
   shown.view.set_face_normals(true);
   ASSERT_TRUE(shown.complete());
-  const QImage with = shown.view.grabFramebuffer();
+  const QImage with = shown.view.grab().toImage();
   EXPECT_GT(difference(with, without), 0.01);
   shown.view.set_face_normals(false);
   shown.view.set_vertex_normals(true);  // it has none
   ASSERT_TRUE(shown.complete());
-  EXPECT_LT(difference(shown.view.grabFramebuffer(), without), 0.01);
+  EXPECT_LT(difference(shown.view.grab().toImage(), without), 0.01);
 }
 
 TEST(DisplayModes, EveryModelCompiles) {
@@ -131,10 +131,10 @@ TEST(DisplayModes, EveryModelCompiles) {
 TEST(DisplayModes, TheThemeIsFollowedAtOnce) {
   const QTemporaryDir folder;
   ShownView shown(rich_cube(folder));
-  const QColor dark = shown.view.grabFramebuffer().pixelColor(3, 3);
+  const QColor dark = shown.view.grab().toImage().pixelColor(3, 3);
   apply(Theme::Light, *qApp);
   ASSERT_TRUE(shown.complete());
-  const QColor light = shown.view.grabFramebuffer().pixelColor(3, 3);
+  const QColor light = shown.view.grab().toImage().pixelColor(3, 3);
   apply(Theme::Dark, *qApp);
   EXPECT_LT(dark.lightness(), 80);
   EXPECT_GT(light.lightness(), 180);
@@ -148,10 +148,10 @@ TEST(DisplayModes, AnEditOfSurfacesAloneIsShown) {
   objects.meshes[0].looks[objects.meshes[0].mesh->surface_of_face[0]].colour = grf::Colour(0, 0, 1);
   shown.view.show(objects);
   ASSERT_TRUE(shown.complete());
-  const QColor front = shown.view.grabFramebuffer().pixelColor(shown.pixel_of(Vec3d(0, 0, 1)));
+  const QColor front = shown.view.grab().toImage().pixelColor(shown.pixel_of(Vec3d(0, 0, 1)));
   EXPECT_GT(front.blue(), 100);
   EXPECT_LT(front.red(), 40);
-  EXPECT_GT(difference(shown.view.grabFramebuffer(), before), 1);
+  EXPECT_GT(difference(shown.view.grab().toImage(), before), 1);
 }
 
 }  // namespace

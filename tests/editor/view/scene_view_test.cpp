@@ -118,11 +118,12 @@ TEST(SceneView, SelectedFacesAreInTheAccentColour) {
     shown.view.set_mode(mode);
     ASSERT_TRUE(shown.complete());
     const QPoint inside = shown.pixel_of(Vec3d(0.3, 0.3, 1));
-    const QColor before = shown.view.grabFramebuffer().pixelColor(inside);
+    const QColor before = shown.view.grab().toImage().pixelColor(inside);
     FaceSelection selection(shown.view.objects());
     selection.set(Front);
     shown.view.set_selection(selection);
-    const QColor after = shown.view.grabFramebuffer().pixelColor(inside);
+    ASSERT_TRUE(shown.complete());
+    const QColor after = shown.view.grab().toImage().pixelColor(inside);
     const QColor accent = colours_of(Theme::Dark).accent;
     const auto distance = [&](const QColor& c) {
       return std::abs(c.redF() - accent.redF()) + std::abs(c.blueF() - accent.blueF());
@@ -251,7 +252,7 @@ TEST(SceneView, TheMiddleIsMarkedForThoseWhoComeByKeyboard) {
   shown.view.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.view) && shown.complete());
   const auto beside_the_middle = [&] {
-    const QImage picture = shown.view.grabFramebuffer();
+    const QImage picture = shown.view.grab().toImage();
     return picture.pixelColor(picture.width() / 2 - 8, picture.height() / 2);
   };
   shown.view.setFocus(Qt::MouseFocusReason);

@@ -72,8 +72,7 @@ class ShownView {
   }
 
   bool complete() {
-    view.update();
-    QTest::qWait(0);
+    QTest::qWait(0);  // what is on its way to the view arrives
     return wait_for([this] { return view.is_complete(); });
   }
 
@@ -86,6 +85,7 @@ class ShownView {
     QTest::mousePress(&view, button, modifiers, way.front());
     for (const QPoint& point : way) move(point, button, modifiers);
     QTest::mouseRelease(&view, button, modifiers, way.back());
+    wait_for([this] { return !view.is_selecting(); });
   }
 
   void move(const QPoint& point, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {

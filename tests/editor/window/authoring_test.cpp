@@ -99,6 +99,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   // Ward on the faces of a box.
   const QPoint middle = window_.view().rect().center();
   test::drag(window_.view(), middle, middle + QPoint(90, 70));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_.view().is_selecting(); }, Minute));
   const std::size_t in_box = document().selection().count();
   ASSERT_GT(in_box, 50U);
   ASSERT_LT(in_box, 20000U);

@@ -124,6 +124,7 @@ TEST_F(Responsiveness, OfSelections) {
       "box",
       [&] {
         test::drag(view(), corner, QPoint(5, 5), Qt::ShiftModifier);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !view().is_selecting(); }, Minute));
         EXPECT_GT(document().selection().count(), 1000U);
       },
       trigger("None"));

@@ -1,0 +1,119 @@
+#include "editor/view/view_renderer.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+#include <chrono>
+#include <utility>
+
+#include "editor/view/region_selection.h"
+#include "editor/view/view_drawing.h"
+
+namespace editor {
+namespace {
+
+/// So long the view has to rest before a picture that takes long is begun.
+constexpr std::chrono::milliseconds RestTime{50};
+
+}  // namespace
+
+ViewRenderer::ViewRenderer(QObject* parent)
+    : QObject(parent), thread_("view", [this] { drawing_.reset(); }) {}
+
+ViewRenderer::~ViewRenderer() {
+  {
+    const std::lock_guard lock(mutex_);
+    orders_.is_end = true;
+  }
+  ordered_.notify_one();
+}
+
+void ViewRenderer::show(const ViewState& state) {
+  {
+    const std::lock_guard lock(mutex_);
+    orders_.state = state;
+  }
+  ordered_.notify_one();
+  if (std::exchange(is_running_, true)) return;
+  thread_.run([this](QOpenGLContext* context) { run(context); });
+}
+
+void ViewRenderer::select(const ViewRegion& region) {
+  {
+    const std::lock_guard lock(mutex_);
+    orders_.region = region;
+  }
+  ordered_.notify_one();
+}
+
+void ViewRenderer::run(QOpenGLContext* context) {
+  auto* gl = context != nullptr ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
+  if (gl == nullptr) {
+    QMetaObject::invokeMethod(
+        this, [this] { emit message(tr("The 3D view needs OpenGL 3.3, which this screen has not.")); },
+        Qt::QueuedConnection);
+    return;
+  }
+  gl->initializeOpenGLFunctions();
+  drawing_ = std::make_unique<ViewDrawing>(*gl);
+  for (;;) {
+    const Orders orders = next_orders();
+    if (orders.is_end) return;
+    if (orders.state) show_in_thread(*orders.state);
+    if (orders.region) select_in_thread(*orders.region);
+    if (orders.empty() && drawing_->work([this] { return has_orders(); })) tell_image();
+  }
+}
+
+/// Waits for orders, unless there is something to improve.
+ViewRenderer::Orders ViewRenderer::next_orders() {
+  std::unique_lock lock(mutex_);
+  const auto are_there = [this] { return !orders_.empty(); };
+  const bool has_picture = drawing_->state().objects != nullptr;
+  if (!has_picture || drawing_->is_done()) {
+    ordered_.wait(lock, are_there);
+  } else if (drawing_->is_slow() && !drawing_->is_full()) {
+    // While the pointer turns a heavy scene, all time is for quick pictures.
+    ordered_.wait_for(lock, RestTime, are_there);
+  }
+  return std::exchange(orders_, {});
+}
+
+bool ViewRenderer::has_orders() {
+  const std::lock_guard lock(mutex_);
+  return !orders_.empty();
+}
+
+void ViewRenderer::show_in_thread(const ViewState& state) {
+  const ViewState& before = drawing_->state();
+  const bool tells_of_models =
+      state.request.style.mode == DisplayMode::Brdf &&
+      (state.objects != before.objects || state.request.style.mode != before.request.style.mode);
+  drawing_->show(state);
+  tell_image();
+  if (!tells_of_models || drawing_->not_shown().empty()) return;
+  const QString text = tr("Shown as matte: %1.").arg(QString::fromStdString(*drawing_->not_shown().begin()));
+  QMetaObject::invokeMethod(
+      this, [this, text] { emit message(text); }, Qt::QueuedConnection);
+}
+
+void ViewRenderer::select_in_thread(const ViewRegion& region) {
+  const ViewState& state = drawing_->state();
+  const SeenScene seen{*state.objects, state.shapes, state.request.camera, state.size};
+  const FaceSelection selection = region.selects_through
+                                      ? all_in_region(seen, region.polygon)
+                                      : seen_in_region(seen, region.polygon, [this](const QRect& rectangle) {
+                                          return drawing_->faces_in(rectangle);
+                                        });
+  QMetaObject::invokeMethod(
+      this, [this, selection, number = region.number] { emit selected(selection, number); },
+      Qt::QueuedConnection);
+}
+
+void ViewRenderer::tell_image() {
+  const ViewImage image = {drawing_->image(), drawing_->state().number, drawing_->is_full(),
+                           drawing_->is_done()};
+  QMetaObject::invokeMethod(
+      this, [this, image] { emit drawn(image); }, Qt::QueuedConnection);
+}
+
+}  // namespace editor

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QPolygonF>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "editor/graphics/graphics_thread.h"
+#include "editor/view/view_state.h"
+
+namespace editor {
+
+class ViewDrawing;
+
+/// What a view shows of a state.
+struct ViewImage {
+  QImage image;
+  std::int64_t state = 0;  ///< its number
+  bool is_full = false;    ///< in full detail, perhaps with edges that are still being smoothed
+  bool is_done = false;    ///< nothing is left to improve
+};
+
+/// A box or a lasso, and how it selects.
+struct ViewRegion {
+  std::int64_t number = 0;
+  QPolygonF polygon;             ///< pixels of the screen from the upper left
+  bool selects_through = false;  ///< hidden faces too, and not only those that are seen
+};
+
+/// Draws a view in a thread of its own. Of several states only the latest counts; while nothing new is asked
+/// for, its picture becomes better.
+class ViewRenderer : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ViewRenderer(QObject* parent = nullptr);
+  ~ViewRenderer() override;
+
+  void show(const ViewState& state);
+  /// Finds what is in a region of the state that was shown last, and says it by `selected`. Of several
+  /// regions only the latest counts.
+  void select(const ViewRegion& region);
+
+ signals:
+  void drawn(const editor::ViewImage& image);
+  void selected(const editor::FaceSelection& selection, std::int64_t number);
+  /// Something cannot be shown as it is.
+  void message(const QString& text);
+
+ private:
+  /// What the thread is to do next.
+  struct Orders {
+    std::optional<ViewState> state;
+    std::optional<ViewRegion> region;
+    bool is_end = false;
+
+    bool empty() const { return !state && !region && !is_end; }
+  };
+
+  // In the thread.
+  void run(QOpenGLContext* context);
+  Orders next_orders();
+  bool has_orders();
+  void show_in_thread(const ViewState& state);
+  void select_in_thread(const ViewRegion& region);
+  void tell_image();
+
+  std::mutex mutex_;
+  std::condition_variable ordered_;
+  Orders orders_;  // by the mutex
+  bool is_running_ = false;
+  std::unique_ptr<ViewDrawing> drawing_;  // of the thread
+  GraphicsThread thread_;
+};
+
+}  // namespace editor
