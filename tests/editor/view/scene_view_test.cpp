@@ -91,6 +91,40 @@ TEST(SceneView, ABoxSelectsWhatIsSeenInIt) {
   EXPECT_TRUE(shown.view.selection().has(Back));
 }
 
+TEST(SceneView, ABoxIsDrawnWhileItIsDragged) {
+  ShownView shown(cube());
+  const QPoint from = shown.pixel_of(Vec3d(-0.5, 0.5, 1));
+  const QPoint to = shown.pixel_of(Vec3d(0.5, -0.5, 1));
+  const QPoint on_edge(from.x(), (from.y() + to.y()) / 2);
+  const auto accent_at = [&](const QPoint& pixel) {
+    const QColor accent = colours_of(Theme::Dark).accent;
+    const QColor colour = shown.view.grab().toImage().pixelColor(pixel);
+    return std::abs(colour.redF() - accent.redF()) + std::abs(colour.blueF() - accent.blueF()) < 0.3F;
+  };
+  QTest::mousePress(&shown.view, Qt::LeftButton, Qt::NoModifier, from);
+  shown.move((from + to) / 2, Qt::LeftButton, Qt::NoModifier);
+  shown.move(to, Qt::LeftButton, Qt::NoModifier);
+  EXPECT_TRUE(accent_at(on_edge));
+  EXPECT_FALSE(accent_at(on_edge + QPoint(10, 0)));
+  QTest::keyClick(&shown.view, Qt::Key_Escape);
+  EXPECT_FALSE(accent_at(on_edge));
+}
+
+TEST(SceneView, ABoxInASceneThatIsAnotherByThenSelectsNothing) {
+  ShownView shown(cube());
+  QSignalSpy spy(&shown.view, &SceneView::selection_made);
+  const QPoint from = shown.pixel_of(Vec3d(-0.5, 0.5, 1));
+  const QPoint to = shown.pixel_of(Vec3d(0.5, -0.5, 1));
+  QTest::mousePress(&shown.view, Qt::LeftButton, Qt::NoModifier, from);
+  for (const QPoint& point : {(from + to) / 2, to}) shown.move(point, Qt::LeftButton, Qt::NoModifier);
+  QTest::mouseRelease(&shown.view, Qt::LeftButton, Qt::NoModifier, to);
+  ASSERT_TRUE(shown.view.is_selecting());
+  shown.view.show(two_cubes());
+  ASSERT_TRUE(shown.complete());
+  EXPECT_EQ(spy.count(), 0);
+  EXPECT_TRUE(shown.view.selection().empty());
+}
+
 TEST(SceneView, ALassoSelectsWhatIsInsideAlone) {
   ShownView shown(two_cubes(), test::front_camera(20));
   const auto around = [&](double x) {
