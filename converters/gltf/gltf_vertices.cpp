@@ -23,7 +23,8 @@ class VertexReader {
     const int positions = attribute("POSITION");
     if (positions < 0) return accessors_.fail("a primitive has no positions");
     if (!take(accessors_.vectors<Vec3f>(positions), vertices_.positions)) return std::nullopt;
-    const bool read = read_normals() && read_colours() && read_uvs() && morph() && pose_by_skin();
+    const bool read =
+        read_normals() && read_colours() && read_uvs() && morph() && pose_by_skin() && is_in_range();
     if (!read) return std::nullopt;
     count_losses();
     return std::move(vertices_);
@@ -180,6 +181,24 @@ class VertexReader {
     const Vec3d normal(vertices_.normals[vertex]);
     const Vec3d moved = y.cross(z) * normal.x + z.cross(x) * normal.y + x.cross(y) * normal.z;
     vertices_.normals[vertex] = Vec3f(moved.normalized());
+  }
+
+  // Values that are read are finite, but sums and products of them need not be.
+  bool is_in_range() {
+    if (are_finite(vertices_.positions) && are_finite(vertices_.colours) && are_finite(vertices_.uvs))
+      return true;
+    accessors_.fail("morph targets, joints or a texture's transform make values that are infinite");
+    return false;
+  }
+
+  template <class Vector>
+  static bool are_finite(const std::vector<Vector>& values) {
+    return std::all_of(values.begin(), values.end(), [](const Vector& value) {
+      for (unsigned i = 0; i < Vector::dimensions(); ++i) {
+        if (!std::isfinite(value[static_cast<int>(i)])) return false;
+      }
+      return true;
+    });
   }
 
   void count_losses() {

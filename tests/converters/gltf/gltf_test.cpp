@@ -181,6 +181,18 @@ TEST(Gltf, MorphTargetsStandAtTheirWeights) {
   EXPECT_EQ(only_mesh(maker.read()).positions[2], grf::Vec3f(0, 1, 1));
 }
 
+TEST(Gltf, MorphTargetsThatLeadToInfinityAreAnError) {
+  GltfMaker maker = GltfMaker::triangle();
+  const int target = maker.floats({0, 0, 3e38F, 0, 0, 0, 0, 0, 0}, "VEC3");
+  maker.primitive()["targets"] = {{{"POSITION", target}}};
+  maker.json["meshes"][0]["weights"] = {1};
+  EXPECT_TRUE(maker.read().scene);
+  maker.json["meshes"][0]["weights"] = {2};
+  const Reading reading = maker.read();
+  EXPECT_FALSE(reading.scene);
+  EXPECT_THAT(reading.text(), HasSubstr("make values that are infinite"));
+}
+
 TEST(Gltf, ANodeHasAMatrixOrThreeSteps) {
   const double half = std::sqrt(0.5);
   const Reading steps =
