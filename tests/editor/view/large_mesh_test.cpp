@@ -61,10 +61,8 @@ class LargeMesh : public testing::Test {
     std::cout << "  " << what << ": " << value << ' ' << unit << '\n';
   }
 
-  static SceneObjects* objects_;
+  static inline SceneObjects* objects_ = nullptr;  // NOLINT(readability-identifier-naming): a member
 };
-
-SceneObjects* LargeMesh::objects_ = nullptr;
 
 /// Counts how often a widget paints itself.
 class Paints : public QObject {
