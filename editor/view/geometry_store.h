@@ -34,7 +34,7 @@ class GeometryStore : public QObject {
   void set_objects(const SceneObjects& objects);
 
   /// Of the meshes in their order.
-  const std::vector<MeshShape>& shapes() const { return shapes_; }
+  std::vector<MeshShape> shapes() const;
   /// Whether all meshes are made; stand-ins may still come.
   bool has_all_meshes() const;
   /// Whether nothing more will come.
@@ -47,18 +47,17 @@ class GeometryStore : public QObject {
  private:
   struct Entry {
     grf::Shared<grf::Mesh> mesh;
+    MeshShape shape;
     std::size_t quick_triangles = 0;  ///< wanted; 0: no stand-in
     bool has_stand_in = false;
   };
 
-  void reuse(const std::vector<Entry>& old_entries, const std::vector<MeshShape>& old_shapes,
-             std::size_t mesh);
-  void make_geometry(std::size_t mesh);
+  void reuse(std::vector<Entry>& old, Entry& entry) const;
+  void make_geometry(Entry& entry);
   void take_geometry(const grf::Shared<grf::Mesh>& mesh, const std::shared_ptr<const MeshGeometry>& geometry);
-  void make_stand_in(std::size_t mesh);
+  void make_stand_in(Entry& entry);
 
-  std::vector<Entry> entries_;  // a mesh each, as shapes
-  std::vector<MeshShape> shapes_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace editor
