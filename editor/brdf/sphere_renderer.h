@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 
 #include "editor/brdf/sphere_shading.h"
 #include "editor/graphics/graphics_thread.h"

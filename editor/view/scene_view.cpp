@@ -217,7 +217,7 @@ ViewState SceneView::state() const {
   state.request = request();
   state.size = picture_size();
   state.screen = {window_size(), devicePixelRatioF()};
-  set_background(state);
+  state.colours = colours();
   state.overlay = overlay();
   return state;
 }

@@ -109,7 +109,7 @@ class SceneView : public QWidget {
   enum class Gesture { None, Orbit, Pan, Look, Region, Handle };
   /// A box or lasso that was made.
   struct RegionOrder {
-    std::int64_t number = 0;
+    std::int64_t state = 0;  ///< what was to be seen
     std::shared_ptr<const SceneObjects> objects;
     Qt::KeyboardModifiers modifiers;
   };
@@ -127,7 +127,7 @@ class SceneView : public QWidget {
   grf::Box3d drawn_bounds() const;
 
   // scene_view_overlay.cpp
-  void set_background(ViewState& state) const;
+  ViewColours colours() const;
   std::vector<OverlayLayer> overlay() const;
   void add_grid(std::vector<OverlayLayer>& layers) const;
   void add_handles(std::vector<OverlayLayer>& layers) const;
@@ -141,7 +141,7 @@ class SceneView : public QWidget {
   void drag_handle(const QPointF& pixel, bool along_axis);
   void end_handle();
   void end_region(Qt::KeyboardModifiers modifiers);
-  void take_region(const FaceSelection& selected, std::int64_t number);
+  void take_region(const FaceSelection& selected, std::int64_t state);
   void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void toggle_middle();
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
@@ -169,7 +169,6 @@ class SceneView : public QWidget {
   bool is_ordered_ = false;  // it will be asked for in the next turn of the event loop
   ViewImage shown_;
   std::optional<RegionOrder> region_order_;
-  std::int64_t regions_ = 0;  // were made
   QTimer hover_timer_, fly_timer_;
 
   Gesture gesture_ = Gesture::None;

@@ -136,7 +136,6 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     end_region(event->modifiers());
   }
   update();
-  draw();
 }
 
 void SceneView::drag_handle(const QPointF& pixel, bool along_axis) {
@@ -151,6 +150,7 @@ void SceneView::drag_handle(const QPointF& pixel, bool along_axis) {
 void SceneView::end_handle() {
   SceneHandle& handle = handles_[*taken_];
   taken_.reset();
+  draw();
   if (is_click_) return;
   // It stays there until the scene says where it is.
   handle = moved(handle, taken_offset_);
@@ -162,15 +162,14 @@ void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
   QPolygonF region;
   for (const QPointF& point : region_) region << point * devicePixelRatioF();
   region_.clear();
-  region_order_ = RegionOrder{++regions_, objects_, modifiers};
-  // The picture that is read has to be that of this scene and this camera.
-  renderer_.show(state());
+  ++number_;
+  region_order_ = RegionOrder{number_, objects_, modifiers};
   const bool has_faces = mode_ != DisplayMode::Wireframe && mode_ != DisplayMode::Points;
-  renderer_.select({region_order_->number, region, selects_through_ || !has_faces});
+  renderer_.select({state(), region, selects_through_ || !has_faces});
 }
 
-void SceneView::take_region(const FaceSelection& selected, std::int64_t number) {
-  if (!region_order_ || region_order_->number != number) return;
+void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
+  if (!region_order_ || region_order_->state != state) return;
   const RegionOrder order = *std::exchange(region_order_, std::nullopt);
   // Of a scene that is another one by now nothing is selected.
   if (order.objects == objects_) make_selection(selected, order.modifiers);

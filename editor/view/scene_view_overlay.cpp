@@ -26,20 +26,18 @@ Vec3d flat(const QPointF& point) { return {point.x(), point.y(), 0}; }
 
 }  // namespace
 
-void SceneView::set_background(ViewState& state) const {
+ViewColours SceneView::colours() const {
   const Theme theme = theme_of(palette());
   const ThemeColours colours = colours_of(theme);
-  state.background_top = theme == Theme::Dark ? colours.base.lighter(135) : colours.base;
-  state.background_bottom = theme == Theme::Dark ? colours.base : colours.base.darker(112);
-  state.accent = colours.accent;
+  return {theme == Theme::Dark ? colours.base.lighter(135) : colours.base,
+          theme == Theme::Dark ? colours.base : colours.base.darker(112), colours.accent};
 }
 
 void SceneView::paint_background(QPainter& painter) const {
-  ViewState state;
-  set_background(state);
+  const ViewColours background = colours();
   QLinearGradient gradient(0, 0, 0, height());
-  gradient.setColorAt(0, state.background_top);
-  gradient.setColorAt(1, state.background_bottom);
+  gradient.setColorAt(0, background.background_top);
+  gradient.setColorAt(1, background.background_bottom);
   painter.fillRect(rect(), gradient);
 }
 
@@ -108,7 +106,7 @@ void SceneView::add_handles(std::vector<OverlayLayer>& layers) const {
 
 void SceneView::paint_gesture(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(colours_of(theme_of(palette())).accent, 1.5));
+  painter.setPen(QPen(colours().accent, 1.5));
   if (gesture_ == Gesture::Region && !is_click_) painter.drawPolygon(region_);
   if (!shows_middle_ || !hasFocus()) return;
   const QPointF middle(width() / 2.0, height() / 2.0);

@@ -66,10 +66,10 @@ void ViewDrawing::compose() {
   compose_->bind();
   set_picture_units(*compose_);
   pictures_.bind_shown(*compose_);
-  compose_->setUniformValue("background_top", rgb(state_.background_top));
-  compose_->setUniformValue("background_bottom", rgb(state_.background_bottom));
+  compose_->setUniformValue("background_top", rgb(state_.colours.background_top));
+  compose_->setUniformValue("background_bottom", rgb(state_.colours.background_bottom));
   compose_->setUniformValue("height", static_cast<float>(state_.size.height()));
-  compose_->setUniformValue("accent", rgb(state_.accent));
+  compose_->setUniformValue("accent", rgb(state_.colours.accent));
   compose_->setUniformValue("fill", AccentFill);
   gl_.glBindVertexArray(no_vertices_.name());
   gl_.glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -4,6 +4,8 @@
 #include <QOpenGLFramebufferObject>
 #include <functional>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "editor/view/overlay_painter.h"
 #include "editor/view/view_pictures.h"

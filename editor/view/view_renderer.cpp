@@ -32,17 +32,22 @@ void ViewRenderer::show(const ViewState& state) {
     const std::lock_guard lock(mutex_);
     orders_.state = state;
   }
-  ordered_.notify_one();
-  if (std::exchange(is_running_, true)) return;
-  thread_.run([this](QOpenGLContext* context) { run(context); });
+  start();
 }
 
 void ViewRenderer::select(const ViewRegion& region) {
   {
     const std::lock_guard lock(mutex_);
     orders_.region = region;
+    orders_.state.reset();  // that of the region is later
   }
+  start();
+}
+
+void ViewRenderer::start() {
   ordered_.notify_one();
+  if (std::exchange(is_running_, true)) return;
+  thread_.run([this](QOpenGLContext* context) { run(context); });
 }
 
 void ViewRenderer::run(QOpenGLContext* context) {
@@ -58,8 +63,8 @@ void ViewRenderer::run(QOpenGLContext* context) {
   for (;;) {
     const Orders orders = next_orders();
     if (orders.is_end) return;
-    if (orders.state) show_in_thread(*orders.state);
     if (orders.region) select_in_thread(*orders.region);
+    if (orders.state) show_in_thread(*orders.state);
     if (orders.empty() && drawing_->work([this] { return has_orders(); })) tell_image();
   }
 }
@@ -97,7 +102,8 @@ void ViewRenderer::show_in_thread(const ViewState& state) {
 }
 
 void ViewRenderer::select_in_thread(const ViewRegion& region) {
-  const ViewState& state = drawing_->state();
+  show_in_thread(region.state);
+  const ViewState& state = region.state;
   const SeenScene seen{*state.objects, state.shapes, state.request.camera, state.size};
   const FaceSelection selection = region.selects_through
                                       ? all_in_region(seen, region.polygon)
@@ -105,7 +111,7 @@ void ViewRenderer::select_in_thread(const ViewRegion& region) {
                                           return drawing_->faces_in(rectangle);
                                         });
   QMetaObject::invokeMethod(
-      this, [this, selection, number = region.number] { emit selected(selection, number); },
+      this, [this, selection, number = state.number] { emit selected(selection, number); },
       Qt::QueuedConnection);
 }
 

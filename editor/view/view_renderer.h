@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QPolygonF>
 #include <condition_variable>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,9 +23,9 @@ struct ViewImage {
   bool is_done = false;    ///< nothing is left to improve
 };
 
-/// A box or a lasso, and how it selects.
+/// A box or a lasso, what was to be seen where it was made, and how it selects.
 struct ViewRegion {
-  std::int64_t number = 0;
+  ViewState state;
   QPolygonF polygon;             ///< pixels of the screen from the upper left
   bool selects_through = false;  ///< hidden faces too, and not only those that are seen
 };
@@ -41,13 +40,13 @@ class ViewRenderer : public QObject {
   ~ViewRenderer() override;
 
   void show(const ViewState& state);
-  /// Finds what is in a region of the state that was shown last, and says it by `selected`. Of several
-  /// regions only the latest counts.
+  /// Shows the region's state, finds what is in it, and says that by `selected`. Of several regions only the
+  /// latest counts.
   void select(const ViewRegion& region);
 
  signals:
   void drawn(const editor::ViewImage& image);
-  void selected(const editor::FaceSelection& selection, std::int64_t number);
+  void selected(const editor::FaceSelection& selection, std::int64_t state);
   /// Something cannot be shown as it is.
   void message(const QString& text);
 
@@ -60,6 +59,8 @@ class ViewRenderer : public QObject {
 
     bool empty() const { return !state && !region && !is_end; }
   };
+
+  void start();
 
   // In the thread.
   void run(QOpenGLContext* context);

@@ -14,6 +14,12 @@
 
 namespace editor {
 
+struct ViewColours {
+  QColor background_top;
+  QColor background_bottom;
+  QColor accent;  ///< of selected faces
+};
+
 /// All that is to be seen in a view. What is shared is the same as before while its pointer is.
 struct ViewState {
   std::int64_t number = 0;  ///< a later state has a greater one
@@ -24,9 +30,7 @@ struct ViewState {
   PictureRequest request;
   QSize size;  ///< pixels of the screen
   OverlayPainter::Screen screen;
-  QColor background_top;
-  QColor background_bottom;
-  QColor accent;  ///< of selected faces
+  ViewColours colours;
   std::vector<OverlayLayer> overlay;
 };
 

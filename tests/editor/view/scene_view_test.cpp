@@ -110,6 +110,23 @@ TEST(SceneView, ABoxIsDrawnWhileItIsDragged) {
   EXPECT_FALSE(accent_at(on_edge));
 }
 
+TEST(SceneView, ABoxSelectsWhatWasSeenWhereItWasMade) {
+  ShownView shown(cube());
+  const QPoint from = shown.pixel_of(Vec3d(-0.5, 0.5, 1));
+  const QPoint to = shown.pixel_of(Vec3d(0.5, -0.5, 1));
+  QTest::mousePress(&shown.view, Qt::LeftButton, Qt::NoModifier, from);
+  for (const QPoint& point : {(from + to) / 2, to}) shown.move(point, Qt::LeftButton, Qt::NoModifier);
+  // The thread is busy with another picture when the box comes, and the view goes on before it is read.
+  shown.view.set_mode(DisplayMode::Brdf);
+  QTest::qWait(1);
+  QTest::mouseRelease(&shown.view, Qt::LeftButton, Qt::NoModifier, to);
+  QTest::keyClick(&shown.view, Qt::Key_9);
+  ASSERT_TRUE(shown.view.is_selecting());
+  ASSERT_TRUE(shown.complete());
+  EXPECT_EQ(shown.view.selection().count(), 1);
+  EXPECT_TRUE(shown.view.selection().has(Front));
+}
+
 TEST(SceneView, ABoxInASceneThatIsAnotherByThenSelectsNothing) {
   ShownView shown(cube());
   QSignalSpy spy(&shown.view, &SceneView::selection_made);
