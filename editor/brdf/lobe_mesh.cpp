@@ -11,7 +11,7 @@ using reflectance::Vec3f;
 
 constexpr int Rings = 72;     // about the mirror direction
 constexpr int Sectors = 128;  // around it
-constexpr double Decades = 5;
+constexpr double LobeDecades = 5;
 
 /// Directions in rings about the mirror direction, the last at the horizon.
 std::vector<Vec3f> directions_about(double degrees) {
@@ -87,7 +87,7 @@ LobeMesh lobe_mesh(const reflectance::Brdf& brdf, double view, bool with_cosine,
   }
   for (std::size_t i = 0; i < mesh.values.size(); ++i) {
     double length = mesh.peak > 0 ? mesh.values[i] / mesh.peak : 0;
-    if (is_logarithmic && length > 0) length = std::max(0.0, 1 + std::log10(length) / Decades);
+    if (is_logarithmic && length > 0) length = std::max(0.0, 1 + std::log10(length) / LobeDecades);
     mesh.positions.push_back(mesh.directions[i] * static_cast<float>(length));
   }
   mesh.triangles = grid_triangles();

@@ -13,18 +13,15 @@
 #include "editor/brdf/parameter_row.h"
 #include "editor/brdf/terms_editor.h"
 #include "editor/controls/tab_order.h"
+#include "editor/controls/text.h"
 #include "grf/keywords.h"
 #include "renderer/reflectance/scheme.h"
 
 namespace editor {
 namespace {
 
-QString to_qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QString title_of(const grf::ModelInfo& info) {
-  return QString("%1 (%2)").arg(to_qt(info.title), to_qt(info.keyword));
+  return QString("%1 (%2)").arg(text_of(info.title), text_of(info.keyword));
 }
 
 QLabel* new_note(QWidget* parent) {
@@ -70,7 +67,7 @@ void ModelForm::build_chooser() {
   chooser_->setAccessibleName(kind_ + " model");
   for (const grf::ModelInfo& info : infos_) {
     chooser_->addItem(title_of(info));
-    chooser_->setItemData(chooser_->count() - 1, to_qt(info.about), Qt::ToolTipRole);
+    chooser_->setItemData(chooser_->count() - 1, text_of(info.about), Qt::ToolTipRole);
   }
   chooser_->completer()->setFilterMode(Qt::MatchContains);
   chooser_->completer()->setCompletionMode(QCompleter::PopupCompletion);
@@ -188,7 +185,7 @@ void ModelForm::refresh() {
   chooser_->setEnabled(!models_.empty());
   chooser_->setToolTip(models_.empty() ? "There is nothing selected that has a " + kind_
                        : shown_info_ != nullptr
-                           ? "<p>" + to_qt(shown_info_->about).toHtmlEscaped() + "</p>"
+                           ? "<p>" + text_of(shown_info_->about).toHtmlEscaped() + "</p>"
                            : "The model of the " + kind_ + "; type a part of its name to search");
   if (shown_info_ != nullptr) {
     chooser_->setCurrentIndex(static_cast<int>(shown_info_ - infos_.data()));
@@ -199,7 +196,7 @@ void ModelForm::refresh() {
   chooser_->lineEdit()->setPlaceholderText(models_.empty()     ? "no " + kind_
                                            : unknown.isEmpty() ? "mixed"
                                                                : unknown + " (unknown)");
-  const QString paper = shown_info_ != nullptr ? to_qt(shown_info_->paper) : QString();
+  const QString paper = shown_info_ != nullptr ? text_of(shown_info_->paper) : QString();
   paper_->setText(paper);
   paper_->setVisible(!paper.isEmpty());
   QString hint;
@@ -253,7 +250,7 @@ void ModelForm::show_mistakes() {
   QStringList lines;
   for (const QString& mistake : mistakes_) lines << mistake;
   for (ParameterRow* row : rows_) {
-    const QString begin = QString("'%1' of ").arg(to_qt(row->parameter().name));
+    const QString begin = QString("'%1' of ").arg(text_of(row->parameter().name));
     const auto found = std::find_if(mistakes_.begin(), mistakes_.end(),
                                     [&](const QString& mistake) { return mistake.startsWith(begin); });
     row->set_message(found == mistakes_.end() ? QString() : *found);

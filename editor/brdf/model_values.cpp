@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "editor/controls/expression.h"
+#include "editor/controls/text.h"
 
 namespace editor {
 namespace {
@@ -20,10 +21,6 @@ grf::Value default_of(const grf::ParameterInfo& parameter) {
   }
   if (parameter.default_rgb) return *parameter.default_rgb;
   return parameter.default_value;
-}
-
-QString to_qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 }  // namespace
@@ -68,18 +65,18 @@ QString text_of(const grf::Value& value) {
 
 QString help_of(const grf::ParameterInfo& parameter) {
   QStringList lines = {
-      QString("<b>%1</b>: %2").arg(to_qt(parameter.name), to_qt(parameter.help).toHtmlEscaped())};
+      QString("<b>%1</b>: %2").arg(text_of(parameter.name), text_of(parameter.help).toHtmlEscaped())};
   if (parameter.kind == grf::ParameterKind::Number || parameter.kind == grf::ParameterKind::Reflectance) {
     const bool has_maximum = parameter.maximum < 1e30F;
     lines
         << (has_maximum
                 ? QString("From %1 to %2").arg(number_text(parameter.minimum), number_text(parameter.maximum))
                 : QString("%1 or more").arg(number_text(parameter.minimum))) +
-               (parameter.unit.empty() ? QString() : " " + to_qt(parameter.unit)) +
+               (parameter.unit.empty() ? QString() : " " + text_of(parameter.unit)) +
                (parameter.kind == grf::ParameterKind::Reflectance ? ", a number or RGB (linear)" : "");
   }
   lines << "Default: " + (parameter.default_from.empty() ? text_of(default_of(parameter))
-                                                         : "that of " + to_qt(parameter.default_from));
+                                                         : "that of " + text_of(parameter.default_from));
   return lines.join("<br>");
 }
 

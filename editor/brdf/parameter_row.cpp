@@ -13,16 +13,13 @@
 #include "editor/controls/colour_button.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
+#include "editor/controls/text.h"
 
 namespace editor {
 namespace {
 
 using grf::ParameterKind;
 using grf::Value;
-
-QString to_qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 bool are_equal(const std::vector<Value>& values) {
   return std::all_of(values.begin(), values.end(), [&](const Value& one) { return one == values.front(); });
@@ -49,7 +46,7 @@ ParameterRow::ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(Grid / 2);
-  name_ = new QLabel(to_qt(parameter.name), this);
+  name_ = new QLabel(text_of(parameter.name), this);
   name_->setToolTip(help_of(parameter));
   row->addWidget(name_);
   const bool is_number =
@@ -67,15 +64,15 @@ NumberBox* ParameterRow::new_box(const QString& name) {
   auto* box = new NumberBox(this);
   box->set_range(parameter_.minimum, slider_end(parameter_));
   box->set_logarithmic(parameter_.scale == grf::ParameterScale::Logarithmic);
-  box->set_unit(to_qt(parameter_.unit));
-  box->set_help(to_qt(parameter_.help));
+  box->set_unit(text_of(parameter_.unit));
+  box->set_help(text_of(parameter_.help));
   box->setAccessibleName(name);
   layout()->addWidget(box);
   return box;
 }
 
 void ParameterRow::add_number() {
-  const QString name = to_qt(parameter_.name);
+  const QString name = text_of(parameter_.name);
   slider_ = new ScaledSlider(this);
   slider_->set_range(
       parameter_.minimum, slider_end(parameter_),
@@ -105,7 +102,7 @@ void ParameterRow::add_number() {
 
 void ParameterRow::add_colour() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    channels_[i] = new_box(to_qt(parameter_.name) + ", " + ChannelNames[i]);
+    channels_[i] = new_box(text_of(parameter_.name) + ", " + ChannelNames[i]);
     channels_[i]->hide();
     channels_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(channels_[i], &NumberBox::changing, this,
@@ -118,13 +115,13 @@ void ParameterRow::add_colour() {
   split_->setCheckable(true);
   split_->setAutoRaise(true);
   split_->setToolTip("One number for all channels, or one for each of red, green and blue (linear)");
-  split_->setAccessibleName(to_qt(parameter_.name) + " as RGB");
+  split_->setAccessibleName(text_of(parameter_.name) + " as RGB");
   layout()->addWidget(split_);
   connect(split_, &QToolButton::clicked, this, &ParameterRow::split_channels);
   if (parameter_.minimum < 0 || parameter_.maximum > 1) return;
   colour_ = new ColourButton(this);
   colour_->setToolTip("Choose a colour: the numbers are its linear red, green and blue");
-  colour_->setAccessibleName(to_qt(parameter_.name) + ", colour");
+  colour_->setAccessibleName(text_of(parameter_.name) + ", colour");
   layout()->addWidget(colour_);
   for (const auto& [signal, done] :
        {std::pair(&ColourButton::changing, false), {&ColourButton::edited, true}}) {
@@ -135,7 +132,7 @@ void ParameterRow::add_colour() {
 }
 
 void ParameterRow::add_choice() {
-  const QString name = to_qt(parameter_.name);
+  const QString name = text_of(parameter_.name);
   if (parameter_.kind == ParameterKind::Boolean) {
     check_ = new QCheckBox(this);
     check_->setToolTip(help_of(parameter_));
@@ -149,7 +146,7 @@ void ParameterRow::add_choice() {
     return;
   }
   words_ = new QComboBox(this);
-  for (const std::string_view choice : parameter_.choices) words_->addItem(to_qt(choice));
+  for (const std::string_view choice : parameter_.choices) words_->addItem(text_of(choice));
   words_->setPlaceholderText("mixed");
   words_->setToolTip(help_of(parameter_));
   words_->setAccessibleName(name);
@@ -163,7 +160,7 @@ void ParameterRow::add_reset() {
   reset_ = new QToolButton(this);
   reset_->setIcon(icon("reset"));
   reset_->setAutoRaise(true);
-  reset_->setAccessibleName(to_qt(parameter_.name) + ", back to default");
+  reset_->setAccessibleName(text_of(parameter_.name) + ", back to default");
   layout()->addWidget(reset_);
   connect(reset_, &QToolButton::clicked, this, &ParameterRow::reset);
 }

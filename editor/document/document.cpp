@@ -77,9 +77,11 @@ std::vector<std::optional<std::uint32_t>> matched_meshes(const SceneObjects& bef
   return matches;
 }
 
+}  // namespace
+
 /// A command that takes up the steps of its gesture. What it holds names files from a path: the document may
 /// be saved elsewhere before it is undone.
-class MergingCommand : public QUndoCommand {
+class Document::MergingCommand : public QUndoCommand {
  public:
   MergingCommand(const QString& text, QString key, int gesture, QString path)
       : QUndoCommand(text), path_(std::move(path)), key_(std::move(key)), gesture_(gesture) {}
@@ -95,8 +97,6 @@ class MergingCommand : public QUndoCommand {
   QString key_;
   int gesture_;
 };
-
-}  // namespace
 
 class Document::SceneCommand : public MergingCommand {
  public:

@@ -79,6 +79,7 @@ class Document : public QObject {
   void modified_changed(bool is_modified);
 
  private:
+  class MergingCommand;
   class SceneCommand;
   class SurfaceCommand;
 

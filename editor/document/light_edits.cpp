@@ -51,11 +51,6 @@ void add_place(const MeshObject& mesh, const grf::Matrix44d& to_world, Emitter& 
   }
 }
 
-std::optional<grf::Scene> checked(grf::Scene scene, grf::Diagnostics& diagnostics) {
-  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
-  return scene;
-}
-
 std::optional<grf::Scene> nothing_there(std::string_view what, grf::Diagnostics& diagnostics) {
   diagnostics.error({}, "there is no " + std::string(what) + " at that place");
   return std::nullopt;
@@ -130,7 +125,7 @@ std::optional<grf::Scene> add_light(const grf::Scene& scene, const grf::AreaLigh
                                     grf::Diagnostics& diagnostics) {
   grf::Scene changed = scene;
   outermost_blocks(changed).blocks.emplace_back().content = light;
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
@@ -140,7 +135,7 @@ std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathVi
   auto* there = place.block == nullptr ? nullptr : std::get_if<grf::AreaLight>(&place.block->content);
   if (there == nullptr) return nothing_there("light", diagnostics);
   *there = light;
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 grf::AreaLight scaled(const grf::AreaLight& light, float factor) {
@@ -161,7 +156,7 @@ std::optional<grf::Scene> add_observer(const grf::Scene& scene, const grf::Vec3d
     params = &std::get<grf::Params>(blocks.blocks.back().content);
   }
   params->views.emplace_back(position);
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverObject& observer,
@@ -171,7 +166,7 @@ std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverO
   if (params == nullptr) return nothing_there("observer", diagnostics);
   const grf::Matrix44d to_local = to_world_at(scene, observer.path).inverse();
   params->views[observer.number] = grf::Vec3f(position * to_local);
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 std::optional<grf::Scene> remove_observer(const grf::Scene& scene, const ObserverObject& observer,
@@ -181,7 +176,7 @@ std::optional<grf::Scene> remove_observer(const grf::Scene& scene, const Observe
   if (params == nullptr) return nothing_there("observer", diagnostics);
   params->views.erase(params->views.begin() + static_cast<std::ptrdiff_t>(observer.number));
   if (params->views.empty()) erase(changed, {observer.path});
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 }  // namespace editor

@@ -14,11 +14,6 @@ namespace {
 
 using Step = grf::TransformStep;
 
-std::optional<grf::Scene> checked(grf::Scene scene, grf::Diagnostics& diagnostics) {
-  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
-  return scene;
-}
-
 std::optional<grf::Scene> nothing_there(grf::Diagnostics& diagnostics) {
   diagnostics.error({}, "nothing stands at that place");
   return std::nullopt;
@@ -103,7 +98,7 @@ std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathVie
   if (block_at(scene, path) == nullptr) return nothing_there(diagnostics);
   grf::Scene changed = scene;
   move(changed, {path.begin(), path.end()}, offset);
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
@@ -119,7 +114,7 @@ std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vec
   }
   grf::Scene changed = scene;
   erase(changed, paths);
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePathView path,
@@ -143,7 +138,7 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
       [original = grf::find(changed, place).block](const grf::Block& each) { return &each == original; });
   blocks.insert(here + 1, block)->comments = {};
   move(changed, copy, offset);
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathView path,
@@ -161,7 +156,7 @@ std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathV
   }
   grf::Scene changed = scene;
   grf::find_mesh(changed, path)->edit().name = name;
-  return checked(std::move(changed), diagnostics);
+  return if_savable(std::move(changed), diagnostics);
 }
 
 }  // namespace editor

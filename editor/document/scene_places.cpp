@@ -291,6 +291,11 @@ bool has_one_text_a_file(const grf::Scene& scene, grf::Diagnostics& diagnostics)
   return false;
 }
 
+std::optional<grf::Scene> if_savable(grf::Scene scene, grf::Diagnostics& diagnostics) {
+  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
+  return scene;
+}
+
 std::optional<grf::ScenePath> written_at(const grf::Scene& scene, const grf::SourceLocation& location) {
   NearestBefore nearest(location);
   grf::SceneVisitor visitor;

@@ -62,6 +62,9 @@ grf::BlockList& outermost_blocks(grf::Scene& scene);
 /// False, with an error, where a file that is included more than once would have two texts.
 bool has_one_text_a_file(const grf::Scene& scene, grf::Diagnostics& diagnostics);
 
+/// Returns the scene if `has_one_text_a_file` holds, so that it can be saved; else nothing, with an error.
+std::optional<grf::Scene> if_savable(grf::Scene scene, grf::Diagnostics& diagnostics);
+
 /// The block, definition or faces' mesh that was written at a location or nearest before it in the same
 /// file, if there is one.
 std::optional<grf::ScenePath> written_at(const grf::Scene& scene, const grf::SourceLocation& location);

@@ -11,14 +11,13 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/text.h"
 #include "editor/options/path_field.h"
 
 namespace editor {
 namespace {
 
 using namespace options;
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 QHBoxLayout* row_of(QWidget* widget) {
   auto* row = new QHBoxLayout(widget);

@@ -9,6 +9,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/text.h"
 #include "editor/options/option_field.h"
 #include "renderer/options/scheme_model.h"
 
@@ -16,8 +17,6 @@ namespace editor {
 namespace {
 
 constexpr int KeyWidth = 24 * Grid;
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 void paint_text(QLabel* label, const QColor& colour) {
   QPalette palette = label->palette();

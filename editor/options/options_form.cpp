@@ -9,6 +9,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/text.h"
 #include "editor/options/option_field.h"
 #include "editor/options/option_row.h"
 
@@ -16,8 +17,6 @@ namespace editor {
 namespace {
 
 using options::OptionInfo;
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 }  // namespace
 

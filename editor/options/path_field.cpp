@@ -10,11 +10,10 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/text.h"
 
 namespace editor {
 namespace {
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 /// Completes names that start at a folder, and leaves them relative.
 class RelativeCompleter : public QCompleter {

@@ -7,16 +7,10 @@
 
 #include <unistd.h>
 
+#include "editor/controls/text.h"
 #include "editor/rendering/render_files.h"
 
 namespace editor {
-namespace {
-
-QString text_of(const grf::Diagnostics& diagnostics) {
-  return QString::fromStdString(diagnostics.to_text()).trimmed();
-}
-
-}  // namespace
 
 FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
   connect(&writing_, &QFutureWatcher<Files>::finished, this, [this] { run(writing_.result()); });

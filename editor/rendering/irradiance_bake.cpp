@@ -4,16 +4,13 @@
 #include <QtConcurrent>
 #include <utility>
 
+#include "editor/controls/text.h"
 #include "editor/rendering/render_files.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
 
 namespace editor {
 namespace {
-
-QString text_of(const grf::Diagnostics& diagnostics) {
-  return QString::fromStdString(diagnostics.to_text()).trimmed();
-}
 
 /// Leaves what does not concern the irradiance, or would make files.
 options::RenderOptions bake_options(options::RenderOptions render_options, const QString& scene_path,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr QSize Thumbnail(10 * Grid, 8 * Grid);
 
-QString text_of(const FinalRenderResult& result) {
+QString summary_of(const FinalRenderResult& result) {
   const RenderSummary& summary = result.summary;
   QString samples = RenderHistory::tr("%1 samples").arg(summary.samples, 0, 'g', 3);
   if (result.is_stopped) samples = RenderHistory::tr("stopped") + " · " + samples;
@@ -47,7 +47,7 @@ void RenderHistory::add(const FinalRenderResult& result, const transport::Image&
   QPainter(&canvas).drawImage((canvas.width() - small.width()) / 2, (canvas.height() - small.height()) / 2,
                               small);
   canvas.setDevicePixelRatio(ratio);
-  auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(canvas)), text_of(result));
+  auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(canvas)), summary_of(result));
   item->setData(Qt::UserRole, result.copy);
   item->setToolTip(result.image);
   insertItem(0, item);

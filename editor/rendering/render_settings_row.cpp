@@ -9,16 +9,13 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/text.h"
 
 namespace editor {
 namespace {
 
 using options::OptionInfo;
 using options::RenderOptions;
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QString help_of(const OptionInfo& option) {
   QString help = text_of(option.meaning);

@@ -15,6 +15,7 @@
 
 #include "converters/format.h"
 #include "editor/brdf/background_job.h"
+#include "editor/controls/text.h"
 #include "editor/document/document.h"
 #include "editor/document/model_import.h"
 #include "editor/window/actions.h"
@@ -27,10 +28,6 @@ namespace {
 constexpr int MostRecentFiles = 10;
 /// Scenes of fewer bytes are read at once: it takes some milliseconds.
 constexpr qint64 SmallScene = 500'000;
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 
 /// "Title (*.a *.b)" of each format that is written, GRF left out.
 QString export_filter() {

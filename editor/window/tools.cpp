@@ -9,7 +9,7 @@
 namespace editor {
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("tools", source); }
+QString tool_text(const char* source) { return QCoreApplication::translate("tools", source); }
 
 QWidget* open_viewer(const QStringList& files) {
   auto* window = new ViewerWindow;
@@ -34,9 +34,11 @@ QWidget* open_images(const QStringList& files) {
 
 std::vector<Tool> tools() {
   return {
-      {"grfviewer", text("GRF &viewer"), text("Looks at a scene without editing it"), open_viewer},
-      {"op", text("&OP generator"), text("Writes and checks the options of a render"), open_options},
-      {"image", text("&Image view"), text("Looks at images, and at renders while they form"), open_images},
+      {"grfviewer", tool_text("GRF &viewer"), tool_text("Looks at a scene without editing it"), open_viewer},
+      {"op", tool_text("&OP generator"), tool_text("Writes and checks the options of a render"),
+       open_options},
+      {"image", tool_text("&Image view"), tool_text("Looks at images, and at renders while they form"),
+       open_images},
   };
 }
 

@@ -7,7 +7,7 @@
 namespace shape {
 namespace {
 
-constexpr double Pi = std::numbers::pi;
+constexpr double HalfTurn = std::numbers::pi;
 
 /// Distance from the axis and height, from the middle of the bottom over the rim to the middle inside.
 V3d profile(double along) {
@@ -24,7 +24,7 @@ V3d profile(double along) {
 /// A surface of revolution about the y axis, drawn out to a lip at +x.
 V3d vessel(double along, double around) {
   const V3d at = profile(along);
-  const double aside = std::remainder(around, 2 * Pi);
+  const double aside = std::remainder(around, 2 * HalfTurn);
   const double lip = smooth_step(0.85, 1.07, at.y) * std::exp(-std::pow(aside / 0.4, 2));
   const double radius = at.x * (1 + 0.42 * lip);
   return {radius * std::cos(around), at.y + 0.03 * lip, -radius * std::sin(around)};

@@ -12,10 +12,6 @@
 namespace study {
 namespace {
 
-double percent(const Row& row) { return 100 * row.error; }
-double sampling(const Row& row) { return row.sampling; }
-double build(const Row& row) { return row.build; }
-
 /// Means of one scene, with the most samples that were taken; not a number where there is none.
 class Means {
  public:

@@ -12,10 +12,6 @@
 namespace study {
 namespace {
 
-double sampling(const Row& row) { return row.sampling; }
-double percent(const Row& row) { return 100 * row.error; }
-double build(const Row& row) { return row.build; }
-
 std::string introduction(const Results& results) {
   return fmt::format(
       R"(# The test scenes of the thesis, today

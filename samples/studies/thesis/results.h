@@ -37,6 +37,11 @@ struct Which {
 
 using Quantity = std::function<double(const Row&)>;
 
+/// Quantities of a row: seconds of drawing and of building, and the error in percent.
+inline double sampling(const Row& row) { return row.sampling; }
+inline double build(const Row& row) { return row.build; }
+inline double percent(const Row& row) { return 100 * row.error; }
+
 class Results {
  public:
   std::vector<Row> rows;
