@@ -220,74 +220,43 @@ Vec3d in_unit(const Vec3d& v) {
   return {clamp(v.x), clamp(v.y), clamp(v.z)};
 }
 
-/// Each BRDF once, since sums of sums may share terms.
-class Taker {
- public:
-  explicit Taker(const TermBrdfs& terms) : terms_(terms) {}
-
-  BrdfParts parts(const grf::BrdfModel& brdf, int depth) {
-    constexpr int Deepest = 100;
-    if (!brdf.terms.empty()) return depth < Deepest ? sum(brdf, depth) : Unknown;
-    const auto* rule = std::find_if(BrdfRules.begin(), BrdfRules.end(), [&](const BrdfRule& candidate) {
-      return grf::same_keyword(candidate.keyword, brdf.keyword);
-    });
-    if (rule == BrdfRules.end()) return Unknown;
-    const BrdfParts parts = rule->parts(Arguments(brdf));
-    const double exponent = std::isnan(parts.exponent) ? 0 : std::max(parts.exponent, 0.0);
-    return {in_unit(parts.matte), in_unit(parts.glossy), exponent};
-  }
-
- private:
-  BrdfParts sum(const grf::BrdfModel& brdf, int depth) {
-    BrdfParts total;
-    double strongest = 0;
-    for (const grf::CombineTerm& term : brdf.terms) {
-      const auto found = terms_.find(&term);
-      if (found == terms_.end() || found->second == nullptr) continue;
-      const grf::BrdfModel* named = found->second;
-      if (!known_.contains(named)) known_.emplace(named, parts(*named, depth + 1));
-      const BrdfParts& part = known_.at(named);
-      const Vec3d glossy = part.glossy * term.weight;
-      total.matte += part.matte * term.weight;
-      total.glossy += glossy;
-      if (strength(glossy) <= strongest) continue;
-      strongest = strength(glossy);
-      total.exponent = part.exponent;
-    }
-    return {in_unit(total.matte), in_unit(total.glossy), total.exponent};
-  }
-
-  const TermBrdfs& terms_;
-  std::map<const grf::BrdfModel*, BrdfParts> known_;
-};
-
 }  // namespace
 
 double slope_of(double exponent) { return std::sqrt(2 / (std::max(exponent, 0.0) + 2)); }
 
 double exponent_of(double slope) { return slope > 0 ? 2 / (slope * slope) - 2 : Mirror; }
 
-void find_terms(const grf::BrdfModel& brdf, const grf::Scope& scope, TermBrdfs& terms) {
-  std::vector<std::pair<const grf::BrdfModel*, grf::Scope>> open = {{&brdf, scope}};
-  while (!open.empty()) {
-    const auto [model, around] = open.back();
-    open.pop_back();
-    for (const grf::CombineTerm& term : model->terms) {
-      const auto* named = around.find<grf::BrdfModel>(term.brdf.name);
-      const bool is_new = terms.emplace(&term, named).second;
-      if (is_new && named != nullptr) open.emplace_back(named, around.around(term.brdf.name));
-    }
-  }
+BrdfParts brdf_parts(const grf::BrdfModel& brdf) {
+  const auto* rule = std::find_if(BrdfRules.begin(), BrdfRules.end(), [&](const BrdfRule& candidate) {
+    return grf::same_keyword(candidate.keyword, brdf.keyword);
+  });
+  if (rule == BrdfRules.end()) return Unknown;
+  const BrdfParts parts = rule->parts(Arguments(brdf));
+  const double exponent = std::isnan(parts.exponent) ? 0 : std::max(parts.exponent, 0.0);
+  return {in_unit(parts.matte), in_unit(parts.glossy), exponent};
 }
 
-BrdfParts brdf_parts(const grf::BrdfModel& brdf, const TermBrdfs& terms) {
-  return Taker(terms).parts(brdf, 0);
+BrdfParts sum_of_parts(std::span<const WeightedParts> terms) {
+  BrdfParts total;
+  double strongest = 0;
+  for (const auto& [weight, parts] : terms) {
+    const Vec3d glossy = parts.glossy * weight;
+    total.matte += parts.matte * weight;
+    total.glossy += glossy;
+    if (strength(glossy) <= strongest) continue;
+    strongest = strength(glossy);
+    total.exponent = parts.exponent;
+  }
+  return {in_unit(total.matte), in_unit(total.glossy), total.exponent};
 }
 
 BrdfParts brdf_parts(const grf::BrdfModel& brdf, const grf::Scope& scope) {
-  TermBrdfs terms;
-  find_terms(brdf, scope, terms);
-  return brdf_parts(brdf, terms);
+  if (brdf.terms.empty()) return brdf_parts(brdf);
+  std::vector<WeightedParts> terms;
+  for (const grf::WeightedBrdf& summand : grf::summands_of(brdf, scope)) {
+    terms.push_back({static_cast<double>(summand.weight), brdf_parts(*summand.model)});
+  }
+  return sum_of_parts(terms);
 }
 
 std::span<const BrdfRule> brdf_rules() { return BrdfRules; }

@@ -2,7 +2,6 @@
 // model are matte, glossy and wide. Both families of materials are made from it.
 #pragma once
 
-#include <map>
 #include <span>
 #include <string_view>
 
@@ -22,16 +21,19 @@ struct BrdfParts {
   double exponent = 0;
 };
 
-/// The BRDFs that the terms of sums name; null where a name means nothing.
-using TermBrdfs = std::map<const grf::CombineTerm*, const grf::BrdfModel*>;
+/// The parts of a BRDF that is no `combine`, by the table below. Of measured data, and of models that nobody
+/// knows, there is nothing to go by: they count as GRF's default, a matte grey.
+BrdfParts brdf_parts(const grf::BrdfModel& brdf);
 
-/// Adds the terms of a BRDF which stands in the scope, and the terms of those. Pointers are into the scene.
-void find_terms(const grf::BrdfModel& brdf, const grf::Scope& scope, TermBrdfs& terms);
+struct WeightedParts {
+  double weight = 1;
+  BrdfParts parts;
+};
 
-/// The parts of a BRDF, by the table below. A sum has those of its terms, and the exponent of the strongest
-/// highlight. Of measured data, and of models that nobody knows, there is nothing to go by: they count as
-/// GRF's default, a matte grey.
-BrdfParts brdf_parts(const grf::BrdfModel& brdf, const TermBrdfs& terms);
+/// The parts of a sum, with the exponent of the strongest highlight.
+BrdfParts sum_of_parts(std::span<const WeightedParts> terms);
+
+/// Those of any BRDF, whose names mean what they mean in that scope.
 BrdfParts brdf_parts(const grf::BrdfModel& brdf, const grf::Scope& scope);
 
 /// The slope of Beckmann's facets that are as wide as the exponent, and back: n = 2/slope^2 - 2.

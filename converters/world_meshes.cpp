@@ -100,6 +100,14 @@ std::size_t count_in(const WorldMesh& placed, Loss loss) {
 
 }  // namespace
 
+std::vector<const grf::BrdfModel*> named_brdfs(const grf::BrdfModel& brdf, const grf::Scope& scope) {
+  std::vector<const grf::BrdfModel*> named;
+  for (const grf::CombineTerm& term : brdf.terms) {
+    named.push_back(scope.find<grf::BrdfModel>(term.brdf.name));
+  }
+  return named;
+}
+
 WorldMesh::WorldMesh(const grf::Mesh& mesh, const grf::Matrix44d& to_world, bool is_light)
     : mesh_(&mesh),
       to_world_(to_world),
@@ -163,6 +171,7 @@ void WorldMeshes::add(const grf::Mesh& mesh, const grf::Placement& placement) {
     WorldSurface& surface = placed.surfaces_[i];
     if (given.colour) surface.colour = resolved.colour;
     surface.brdf = resolved.brdf;
+    if (resolved.brdf != nullptr) surface.terms = named_brdfs(*resolved.brdf, resolved.brdf_scope);
     surface.pdf = resolved.pdf;
     surface.texture = resolved.texture;
     surface.emission = resolved.emission;

@@ -22,11 +22,15 @@
 
 namespace convert {
 
+/// What the terms of a BRDF name in a scope; null where a name means no BRDF. Empty of what is no `combine`.
+std::vector<const grf::BrdfModel*> named_brdfs(const grf::BrdfModel& brdf, const grf::Scope& scope);
+
 /// A surface of a mesh with its references looked up. Pointers are into the scene; what is null or absent was
 /// not given.
 struct WorldSurface {
   std::optional<grf::Colour> colour;
   const grf::BrdfModel* brdf = nullptr;
+  std::vector<const grf::BrdfModel*> terms;  ///< of a `combine`: what its names mean where the mesh stands
   const grf::PdfModel* pdf = nullptr;
   const grf::Texture* texture = nullptr;
   std::optional<grf::Colour> emission;  ///< radiance from the front, W/(sr m2)

@@ -12,7 +12,6 @@
 namespace grf {
 namespace {
 
-constexpr std::size_t DeepestNesting = 1000;
 constexpr std::string_view BlockWords =
     "a block: 'begin mesh', 'mesh light', 'light', 'include', 'transform', 'def', 'params' or 'use'";
 
@@ -257,12 +256,15 @@ bool Parser::parse_steps(std::vector<TransformStep>& steps) {
   return true;
 }
 
+bool Parser::fail_too_deep(const SourceLocation& location) {
+  context_.gave_up = true;
+  context_.diagnostics.error(location, fmt::format("blocks are nested deeper than {}", DeepestNesting));
+  return false;
+}
+
 bool Parser::parse_body(const Token& opening, BlockList& body) {
   if (!expect("begin", "and the blocks inside")) return false;
-  if (context_.nesting >= DeepestNesting) {
-    context_.gave_up = true;
-    return fail(opening, fmt::format("blocks are nested deeper than {}", DeepestNesting));
-  }
+  if (context_.nesting >= DeepestNesting) return fail_too_deep(lexer_.location(opening));
   ++context_.nesting;
   body = parse_blocks(&opening);
   --context_.nesting;

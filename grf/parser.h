@@ -27,6 +27,9 @@ struct OpenFile {
   std::string path;        ///< as it was named
 };
 
+/// A file, and the folder from which it names others: links can give one file several. Both are canonical.
+using FileInFolder = std::pair<std::string, std::string>;
+
 /// What a file and the files that it includes have in common.
 struct ParserContext {
   explicit ParserContext(Diagnostics& where) : diagnostics(where), errors_before(where.error_count()) {}
@@ -55,9 +58,13 @@ struct ParserContext {
   /// others by the number around a `def` and its names. Text reads the same at all of them.
   std::map<std::pair<std::size_t, std::string>, std::size_t> scope_numbers;
   std::size_t scope_number = 0;
-  /// The contents of files that include no others, by canonical path and number of the scope.
-  std::map<std::pair<std::string, std::size_t>, Shared<BlockList>> contents_of_files;
-  std::map<std::string, BrdfModel> brdf_files;  ///< what each holds, by canonical path
+  struct Contents {
+    Shared<BlockList> blocks;
+    std::size_t nesting = 0;  ///< see nesting_of
+  };
+  /// The contents of files that include no others, by number of the scope.
+  std::map<std::pair<FileInFolder, std::size_t>, Contents> contents_of_files;
+  std::map<FileInFolder, BrdfModel> brdf_files;  ///< what each holds
 };
 
 class Parser {
@@ -82,6 +89,7 @@ class Parser {
   bool parse_transform(const Token& opening, Transform& transform);
   bool parse_steps(std::vector<TransformStep>& steps);
   bool parse_body(const Token& opening, BlockList& body);
+  bool fail_too_deep(const SourceLocation& location);
   void report_end_too_many();
   void recover(std::size_t open_before, bool is_mesh);
   bool skip_to_body();
@@ -183,6 +191,8 @@ class Parser {
 std::shared_ptr<const SourceFile> source_file(const std::string& path,
                                               const std::shared_ptr<const std::string>& text,
                                               const SourceLocation& included_at);
+
+FileInFolder file_in_folder(const std::string& path);
 
 /// Says what is wrong with a text as a whole, before a token of it is looked at.
 bool is_text(const std::string& text, std::string_view expected, const SourceLocation& location,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -17,6 +18,11 @@ constexpr std::size_t MostBytesReadAgain = 128U << 20U;
 constexpr std::size_t CostOfAFile = 4096;  // opening one costs about as much as reading so many bytes
 
 }  // namespace
+
+FileInFolder file_in_folder(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return {canonical_path(path), canonical_path(folder.empty() ? "." : folder)};
+}
 
 bool Parser::parse_include(Include& include) {
   const SourceLocation location = lexer_.location(lexer_.peek());
@@ -60,9 +66,13 @@ bool Parser::may_include(const OpenFile& included, const SourceLocation& locatio
 // give the same. One with includes of its own is, because its includes are to be counted again too.
 std::optional<Shared<BlockList>> Parser::contents_of(const OpenFile& included,
                                                      const SourceLocation& location) {
-  const std::pair key(included.exact_path, context_.scope_number);
+  const std::pair key(file_in_folder(included.path), context_.scope_number);
   const auto known = context_.contents_of_files.find(key);
-  if (known != context_.contents_of_files.end()) return known->second;
+  if (known != context_.contents_of_files.end()) {
+    if (context_.nesting + known->second.nesting <= DeepestNesting) return known->second.blocks;
+    fail_too_deep(location);
+    return std::nullopt;
+  }
 
   const auto text = read_file(included.path, context_.diagnostics, location);
   if (!text) return std::nullopt;
@@ -79,7 +89,9 @@ std::optional<Shared<BlockList>> Parser::contents_of(const OpenFile& included,
   context_.open_files.push_back(included);
   Shared<BlockList> contents = Parser(text, file, context_).parse_file();
   context_.open_files.pop_back();
-  if (context_.include_count == includes_before) context_.contents_of_files.emplace(key, contents);
+  if (context_.include_count == includes_before) {
+    context_.contents_of_files.insert({key, {contents, nesting_of(*contents)}});
+  }
   return contents;
 }
 

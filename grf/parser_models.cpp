@@ -149,8 +149,8 @@ bool Parser::parse_brdf_file(BrdfModel& brdf) {
   const Token name = lexer_.next();
   const SourceLocation location = lexer_.location(name);
   const std::string path = path_beside(file_->path, name.text);
-  const std::string exact_path = canonical_path(path);
-  auto known = context_.brdf_files.find(exact_path);
+  const FileInFolder key = file_in_folder(path);
+  auto known = context_.brdf_files.find(key);
   if (known == context_.brdf_files.end()) {
     const auto text = read_file(path, context_.diagnostics, location);
     if (!text) return true;
@@ -158,7 +158,7 @@ bool Parser::parse_brdf_file(BrdfModel& brdf) {
     if (!is_text(*text, "a BRDF", {file, 0, 0}, context_.diagnostics)) return true;
     const auto instance = Parser(text, file, context_).parse_lone_brdf();
     if (!instance) return true;
-    known = context_.brdf_files.emplace(exact_path, *instance).first;
+    known = context_.brdf_files.emplace(key, *instance).first;
   }
   brdf = known->second;
   brdf.instance_file = name.text;

@@ -32,6 +32,20 @@ bool has_irradiance(const BlockList& contents) {
   });
 }
 
+std::size_t nesting_of(const BlockList& contents) {
+  std::size_t deepest = 0;
+  for (const Block& block : contents.blocks) {
+    if (const auto* transform = std::get_if<Transform>(&block.content)) {
+      deepest = std::max(deepest, 1 + nesting_of(transform->body));
+    } else if (const auto* scope = std::get_if<DefinitionScope>(&block.content)) {
+      deepest = std::max(deepest, 1 + nesting_of(scope->body));
+    } else if (const auto* include = std::get_if<Include>(&block.content)) {
+      deepest = std::max(deepest, nesting_of(*include->contents));
+    }
+  }
+  return deepest;
+}
+
 Matrix44d matrix_of(const std::vector<TransformStep>& steps) {
   Matrix44d matrix;
   for (const TransformStep& step : steps) {

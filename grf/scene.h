@@ -6,6 +6,7 @@
 // have no line ends and no zero bytes; a file that is included twice has one text.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -140,6 +141,13 @@ std::string_view kind_of(const Definition::Body& body);
 /// Whether vertices of these blocks have irradiance. A file that holds them is then an IGRF file; included
 /// files are files of their own.
 bool has_irradiance(const BlockList& contents);
+
+/// Blocks stand in no more blocks than these: readers and writers refuse what is nested deeper.
+inline constexpr std::size_t DeepestNesting = 1000;
+
+/// The number of `transform` and `def` blocks around the innermost block, at most. Includes add none of their
+/// own, and what they hold counts.
+std::size_t nesting_of(const BlockList& contents);
 
 /// The matrix of a list of transform steps, in double so that nested ones lose nothing.
 Matrix44d matrix_of(const std::vector<TransformStep>& steps);

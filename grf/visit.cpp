@@ -1,19 +1,22 @@
 #include "grf/visit.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "grf/text_file.h"
 
 namespace grf {
 namespace {
 
 class Walk {
  public:
-  explicit Walk(const SceneVisitor& visitor) : visitor_(visitor) {}
+  Walk(const SceneVisitor& visitor, std::string file) : visitor_(visitor), file_(std::move(file)) {}
 
   /// `before`: how many definitions stand before the blocks.
   void blocks(const BlockList& list, const Matrix44d& to_world, std::size_t before = 0) {
     path_.push_back(static_cast<std::uint32_t>(before));
     for (const Block& block : list.blocks) {
-      const Placement placement{to_world, scope_.scope(), nullptr, path_};
+      const Placement placement{to_world, scope_.scope(), nullptr, path_, file_};
       std::visit([&](const auto& content) { enter(content, placement, block); }, block.content);
       ++path_.back();
     }
@@ -40,12 +43,15 @@ class Walk {
     const Definition* definition = placement.scope.find(name);
     const auto* mesh = placement.scope.find<Shared<Mesh>>(name);
     if (mesh != nullptr) {
-      visitor_.mesh(**mesh, {placement.to_world, placement.scope.around(name), definition, placement.path},
+      visitor_.mesh(**mesh,
+                    {placement.to_world, placement.scope.around(name), definition, placement.path, file_},
                     block);
     }
   }
   void enter(const Include& include, const Placement& placement, const Block&) {
+    std::string outside = std::exchange(file_, path_beside(file_, include.file));
     blocks(*include.contents, placement.to_world);
+    file_ = std::move(outside);
   }
   void enter(const Transform& transform, const Placement& placement, const Block& block) {
     if (visitor_.transform) visitor_.transform(transform, placement, block);
@@ -55,7 +61,7 @@ class Walk {
     path_.push_back(0);
     for (const Definition& definition : definitions.definitions) {
       if (visitor_.definition) {
-        visitor_.definition(definition, {placement.to_world, scope_.scope(), nullptr, path_});
+        visitor_.definition(definition, {placement.to_world, scope_.scope(), nullptr, path_, file_});
       }
       scope_.enter(definition);
       ++path_.back();
@@ -68,6 +74,76 @@ class Walk {
   const SceneVisitor& visitor_;
   ScopeStack scope_;
   ScenePath path_;
+  std::string file_;
+};
+
+/// Lists the BRDFs that a `combine` names, directly or through others, with the terms of each as places in
+/// the list. Within one sum a definition has one scope, and so one meaning.
+class SumOfSums {
+ public:
+  SumOfSums(const BrdfModel& brdf, const Scope& scope) {
+    add(brdf, scope);
+    while (!open_.empty()) {
+      Open& top = open_.back();
+      const Entry& entry = entries_[top.entry];
+      if (top.next_term == entry.model->terms.size()) {
+        inner_first_.push_back(top.entry);
+        open_.pop_back();
+        continue;
+      }
+      const CombineTerm& term = entry.model->terms[top.next_term++];
+      const std::size_t sum = top.entry;  // `add` moves what `top` refers to
+      const auto* named = top.scope.find<BrdfModel>(term.brdf.name);
+      if (named == nullptr) continue;
+      const std::size_t place = add(*named, top.scope.around(term.brdf.name));
+      entries_[sum].terms.push_back({place, term.weight});
+    }
+  }
+
+  std::vector<WeightedBrdf> weighted() {
+    entries_.front().weight = 1;
+    for (auto sum = inner_first_.rbegin(); sum != inner_first_.rend(); ++sum) {
+      for (const Term& term : entries_[*sum].terms) {
+        entries_[term.entry].weight += static_cast<double>(term.weight) * entries_[*sum].weight;
+      }
+    }
+    std::vector<WeightedBrdf> result;
+    for (const Entry& entry : entries_) {
+      if (entry.model->terms.empty()) result.push_back({entry.model, static_cast<float>(entry.weight)});
+    }
+    return result;
+  }
+
+ private:
+  struct Term {
+    std::size_t entry;
+    float weight;
+  };
+  struct Entry {
+    const BrdfModel* model;
+    std::vector<Term> terms;
+    double weight = 0;
+  };
+  /// A sum whose terms are being looked up.
+  struct Open {
+    std::size_t entry;
+    Scope scope;
+    std::size_t next_term = 0;
+  };
+
+  std::size_t add(const BrdfModel& model, const Scope& scope) {
+    const auto [known, is_new] = places_.emplace(&model, entries_.size());
+    if (is_new) {
+      entries_.push_back({&model, {}});
+      open_.push_back({known->second, scope});
+    }
+    return known->second;
+  }
+
+  std::vector<Entry> entries_;
+  std::unordered_map<const BrdfModel*, std::size_t> places_;
+  std::vector<Open> open_;                // in place of recursion
+  std::vector<std::size_t> inner_first_;  // each after all that it names
 };
 
 template <class Model>
@@ -127,8 +203,8 @@ void ScopeStack::leave(std::size_t count) {
   }
 }
 
-void visit(const Scene& scene, const SceneVisitor& visitor) {
-  Walk(visitor).blocks(scene.contents, Matrix44d());
+void visit(const Scene& scene, const SceneVisitor& visitor, const std::string& path) {
+  Walk(visitor, path).blocks(scene.contents, Matrix44d());
 }
 
 ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
@@ -141,6 +217,11 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
   resolved.texture = look_up(surface.texture, scope);
   resolved.emission = surface.emission;
   return resolved;
+}
+
+std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope) {
+  if (brdf.terms.empty()) return {{&brdf, 1}};
+  return SumOfSums(brdf, scope).weighted();
 }
 
 }  // namespace grf

@@ -1,6 +1,7 @@
 // Walks the blocks of a scene in order, with the transform and the definitions that are in force at each.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -92,6 +93,8 @@ struct Placement {
   /// Where the block or the definition stands that is met: for a mesh that is used, the `use`. Good until the
   /// visitor returns.
   ScenePathView path = {};
+  /// The file in which that block or definition stands, from whose folder it names others. Good as long.
+  std::string_view file = {};
 };
 
 /// What to do with each kind of thing; those that are left empty are passed over. A mesh that is defined is
@@ -106,7 +109,8 @@ struct SceneVisitor {
   std::function<void(const Use&, const Placement&, const Block&)> use;  ///< before the mesh, if there is one
 };
 
-void visit(const Scene& scene, const SceneVisitor& visitor);
+/// `path` is the scene's own file, beside which those are that it includes.
+void visit(const Scene& scene, const SceneVisitor& visitor, const std::string& path = {});
 
 /// A surface with its references looked up. The pointers are into the scene; what is
 /// null or absent was not given.
@@ -120,5 +124,19 @@ struct ResolvedSurface {
 };
 
 ResolvedSurface resolve(const Surface& surface, const Scope& scope);
+
+/// A BRDF that is no sum, and its weight in one. The pointer is into the scene.
+struct WeightedBrdf {
+  const BrdfModel* model = nullptr;
+  float weight = 1;
+
+  auto operator<=>(const WeightedBrdf&) const = default;
+};
+
+/// The BRDFs that a `combine` adds up, through all sums of sums, or the BRDF itself if it is none. Each one
+/// is there once, in the order in which they are named; names that mean no BRDF are left out. The scope is
+/// that in which the BRDF's own names are looked up. Takes time in proportion to the terms, and no stack,
+/// however long the chain of definitions is.
+std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope);
 
 }  // namespace grf

@@ -89,6 +89,10 @@ class FilesWriter {
   /// Makes the texts; false if there can be no such files.
   bool prepare() {
     valid_ = true;
+    if (nesting_of(scene_.contents) > DeepestNesting) {
+      fail(path_, fmt::format("its blocks are nested deeper than {}", DeepestNesting));
+      return false;
+    }
     for_each_file([this](const Include& include, const std::string& path) {
       const std::string exact_path = canonical_path(path);
       const IncludeOrigin& origin = include.origin;

@@ -1,6 +1,7 @@
 // The writer behind `write.h`: one function a production.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -110,7 +111,9 @@ class Writer {
   void put_comments(const std::vector<std::string>& comments);
   void comments_before(const Comments& comments) { put_comments(comments.before); }
   void begin_line(std::string_view words) {
-    text_.append(2 * indentation_, ' ');
+    // Else a file of few bytes, nested deep, would be written as one of a thousand times as many.
+    constexpr std::size_t Deepest = 32;
+    text_.append(2 * std::min(indentation_, Deepest), ' ');
     text_ += words;
   }
   void end_line() { text_ += '\n'; }

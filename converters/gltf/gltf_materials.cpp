@@ -170,7 +170,7 @@ class Reading {
   bool fits(const grf::BrdfModel& brdf, const grf::Vec3d& colour) const {
     constexpr double Rounding = 3e-6;
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
-    const MetallicRoughness values = metallic_roughness(facet_values(brdf_parts(brdf, TermBrdfs())));
+    const MetallicRoughness values = metallic_roughness(facet_values(brdf_parts(brdf)));
     bool same = std::abs(values.metallic - pbr.metallicFactor) < Rounding &&
                 std::abs(values.roughness - pbr.roughnessFactor) < Rounding &&
                 pbr.baseColorFactor.size() == 4;

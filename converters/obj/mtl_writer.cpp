@@ -109,6 +109,7 @@ bool MtlWriter::returns_to_plain(const WorldMeshes& meshes) {
 MtlWriter::Key MtlWriter::key_of(const WorldSurface& surface, bool is_light) {
   Key key;
   key.brdf = surface.brdf;
+  key.terms = surface.terms;
   key.is_black = surface.brdf == nullptr && (is_light || surface.emission);
   if (surface.texture != nullptr) key.image = surface.texture->file;
   key.colour = components(surface.colour);
@@ -121,21 +122,16 @@ void MtlWriter::find_definitions(const grf::Scene& scene) {
   visitor.definition = [this](const grf::Definition& definition, const grf::Placement& placement) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body);
     if (brdf == nullptr) return;
-    definitions_.push_back(&definition);
-    find_terms(*brdf, placement.scope, terms_);
-  };
-  visitor.mesh = [this](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
-    for (const grf::Surface& surface : mesh.surfaces) {
-      const auto* brdf = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
-      if (brdf != nullptr) find_terms(*brdf, placement.scope, terms_);
-    }
+    const NamedBrdf& named =
+        definitions_.emplace_back(NamedBrdf{&definition, named_brdfs(*brdf, placement.scope)});
+    parts_of_definitions_.emplace(brdf, parts_of(*brdf, named.terms));  // its terms are there already
   };
   grf::visit(scene, visitor);
 }
 
 // In the order of the definitions, since the terms of a sum are to stand before it; then what has no name.
 void MtlWriter::add_materials(std::vector<Key> keys) {
-  for (const grf::Definition* definition : definitions_) {
+  for (const auto& [definition, terms] : definitions_) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&definition->body);
     const std::string name = name_of_definition(*definition);
     const auto of_another = [brdf](const Key& key) { return key.brdf != brdf; };
@@ -144,6 +140,7 @@ void MtlWriter::add_materials(std::vector<Key> keys) {
     if (own == keys.end()) {
       Key unused;
       unused.brdf = brdf;
+      unused.terms = terms;
       add(unused, name);
     }
     keys.erase(own, keys.end());
@@ -181,21 +178,32 @@ std::string MtlWriter::text() const {
 }
 
 /// The BRDF with the identifiers of materials for its terms; nothing if one of them means nothing.
-std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const grf::BrdfModel& brdf) const {
-  grf::BrdfModel named = brdf;
+std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const Key& key) const {
+  grf::BrdfModel named = *key.brdf;
   for (std::size_t i = 0; i < named.terms.size(); ++i) {
-    const auto term = terms_.find(&brdf.terms[i]);
-    const auto first = term == terms_.end() ? first_of_brdf_.end() : first_of_brdf_.find(term->second);
+    const auto first = first_of_brdf_.find(key.terms[i]);
     if (first == first_of_brdf_.end() || first->first == nullptr) return std::nullopt;
     named.terms[i].brdf.name = grf::to_identifier(materials_[first->second].name);
   }
   return named;
 }
 
+BrdfParts MtlWriter::parts_of(const grf::BrdfModel& brdf,
+                              const std::vector<const grf::BrdfModel*>& terms) const {
+  if (brdf.terms.empty()) return brdf_parts(brdf);
+  std::vector<WeightedParts> parts;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const auto known = parts_of_definitions_.find(terms[i]);
+    if (known == parts_of_definitions_.end()) continue;  // the name means nothing
+    parts.push_back({static_cast<double>(brdf.terms[i].weight), known->second});
+  }
+  return sum_of_parts(parts);
+}
+
 PhongMaterial MtlWriter::phong_of(const Key& key) const {
   PhongMaterial phong;
   if (key.brdf != nullptr) {
-    phong = phong_material(brdf_parts(*key.brdf, terms_));
+    phong = phong_material(parts_of(*key.brdf, key.terms));
   } else {
     phong.diffuse = grf::Vec3d(key.is_black ? 0 : 0.5);
     phong.reflection = Reflection::None;
@@ -210,7 +218,7 @@ PhongMaterial MtlWriter::phong_of(const Key& key) const {
 
 std::string MtlWriter::text_of(const Material& material) const {
   const Key& key = material.key;
-  const auto brdf = key.brdf == nullptr ? std::nullopt : with_named_terms(*key.brdf);
+  const auto brdf = key.brdf == nullptr ? std::nullopt : with_named_terms(key);
   // A backslash at the end of a line would join the next one to it.
   std::string text = fmt::format("\nnewmtl {}{}\n", material.name, material.name.ends_with('\\') ? " " : "");
   if (brdf) text += fmt::format("# grf: {}\n", grf::to_text(*brdf));

@@ -21,7 +21,8 @@ namespace convert {
 /// BRDF in a comment, which `read_mtl` takes back.
 class MtlWriter {
  public:
-  /// Pointers into the scene and the meshes are kept: both outlive this.
+  /// The scene is flat, so that each definition stands at one place. Pointers into the scene and the meshes
+  /// are kept: both outlive this.
   MtlWriter(const grf::Scene& scene, const WorldMeshes& meshes);
 
   bool empty() const { return materials_.empty(); }
@@ -41,7 +42,8 @@ class MtlWriter {
   /// What makes a material another one. Pointers are into the scene.
   struct Key {
     const grf::BrdfModel* brdf = nullptr;
-    bool is_black = false;  ///< where there is no BRDF: a light's
+    std::vector<const grf::BrdfModel*> terms;  ///< of a `combine`: what it names
+    bool is_black = false;                     ///< where there is no BRDF: a light's
     std::optional<std::string> image;
     std::vector<float> colour;    ///< empty if there is none
     std::vector<float> emission;  ///< the same
@@ -55,18 +57,23 @@ class MtlWriter {
     Key key;
     std::string name;
   };
+  struct NamedBrdf {
+    const grf::Definition* definition = nullptr;
+    std::vector<const grf::BrdfModel*> terms;
+  };
 
   static bool returns_to_plain(const WorldMeshes& meshes);
   static Key key_of(const WorldSurface& surface, bool is_light);
   void find_definitions(const grf::Scene& scene);
   void add_materials(std::vector<Key> keys);
   void add(const Key& key, const std::string& name);
-  std::optional<grf::BrdfModel> with_named_terms(const grf::BrdfModel& brdf) const;
+  std::optional<grf::BrdfModel> with_named_terms(const Key& key) const;
+  BrdfParts parts_of(const grf::BrdfModel& brdf, const std::vector<const grf::BrdfModel*>& terms) const;
   PhongMaterial phong_of(const Key& key) const;
   std::string text_of(const Material& material) const;
 
-  std::vector<const grf::Definition*> definitions_;
-  TermBrdfs terms_;
+  std::vector<NamedBrdf> definitions_;
+  std::map<const grf::BrdfModel*, BrdfParts> parts_of_definitions_;
   std::map<const grf::BrdfModel*, std::size_t> first_of_brdf_;
   std::vector<Material> materials_;
   std::map<Key, std::size_t> by_key_;

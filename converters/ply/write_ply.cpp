@@ -17,6 +17,7 @@
 #include "converters/ply/ply_layout.h"
 #include "converters/ply/ply_mesh.h"
 #include "converters/world_meshes.h"
+#include "grf/relocate.h"
 #include "grf/text_file.h"
 
 namespace convert {
@@ -264,14 +265,20 @@ void PlyWriter::report(const std::string& path, grf::Diagnostics& diagnostics) c
   textures.report_written(grf::whole_file(path), "a PLY file without texture coordinates", diagnostics);
 }
 
+// Flat, since included files name textures from their own folders.
+bool write_flat(const grf::Scene& scene, bool is_text, const std::string& path,
+                grf::Diagnostics& diagnostics) {
+  return PlyWriter(scene, is_text).write(path, diagnostics);
+}
+
 }  // namespace
 
 bool write_ply(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
-  return PlyWriter(scene, false).write(path, diagnostics);
+  return write_flat(grf::flatten(scene, path), false, path, diagnostics);
 }
 
 bool write_ply_ascii(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
-  return PlyWriter(scene, true).write(path, diagnostics);
+  return write_flat(grf::flatten(scene, path), true, path, diagnostics);
 }
 
 }  // namespace convert

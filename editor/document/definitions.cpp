@@ -40,9 +40,10 @@ struct FoundReference {
   grf::ScenePath owner;
   std::string name;
   const grf::Definition* definition = nullptr;
+  const grf::Definition* from = nullptr;  ///< the definition that holds it; null: a block does
 };
 
-/// All references of a scene, and where each definition stands.
+/// All references of a scene, in its order, and where each definition stands.
 struct References {
   std::vector<FoundReference> all;
   std::unordered_map<const grf::Definition*, std::vector<grf::ScenePath>> places;
@@ -50,16 +51,18 @@ struct References {
 
 References references_of(const grf::Scene& scene) {
   References found;
-  const auto adder = [&found](const grf::Placement& placement) {
-    return [&found, &placement](const grf::Reference& reference) {
+  const auto adder = [&found](const grf::Placement& placement, const grf::Definition* from = nullptr) {
+    return [&found, &placement, from](const grf::Reference& reference) {
       found.all.push_back({{placement.path.begin(), placement.path.end()},
                            reference.name,
-                           placement.scope.find(reference.name)});
+                           placement.scope.find(reference.name),
+                           from});
     };
   };
-  const auto add_mesh = [&adder](const grf::Mesh& mesh, const grf::Placement& placement) {
+  const auto add_mesh = [&adder](const grf::Mesh& mesh, const grf::Placement& placement,
+                                 const grf::Definition* from = nullptr) {
     for (const grf::Surface& surface : mesh.surfaces)
-      for_each_reference_of_surface(surface, adder(placement));
+      for_each_reference_of_surface(surface, adder(placement, from));
   };
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
@@ -74,13 +77,29 @@ References references_of(const grf::Scene& scene) {
   visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
     found.places[&definition].emplace_back(placement.path.begin(), placement.path.end());
     if (const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body)) {
-      for_each_term(*brdf, adder(placement));
+      for_each_term(*brdf, adder(placement, &definition));
     } else if (const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body)) {
-      add_mesh(**mesh, placement);
+      add_mesh(**mesh, placement, &definition);
     }
   };
   grf::visit(scene, visitor);
   return found;
+}
+
+/// The definitions that blocks refer to, and those that these refer to. Definitions refer to earlier ones,
+/// so that one pass from the last reference on finds them all, however long their chains are: a second one
+/// is for files that are included at several places.
+std::set<const grf::Definition*> used_definitions(const References& references) {
+  std::set<const grf::Definition*> used;
+  std::size_t before = 0;
+  do {
+    before = used.size();
+    for (auto reference = references.all.rbegin(); reference != references.all.rend(); ++reference) {
+      const bool counts = reference->from == nullptr || used.contains(reference->from);
+      if (counts && reference->definition != nullptr) used.insert(reference->definition);
+    }
+  } while (used.size() != before);
+  return used;
 }
 
 /// Renames the references of one block or definition.
@@ -255,18 +274,14 @@ std::optional<grf::Scene> rename_definition(const grf::Scene& scene, grf::SceneP
 }
 
 std::optional<grf::Scene> remove_unused_definitions(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
-  grf::Scene changed = scene;
-  while (true) {
-    const References references = references_of(changed);
-    std::set<const grf::Definition*> used;
-    for (const FoundReference& reference : references.all) used.insert(reference.definition);
-    std::vector<grf::ScenePath> unused;
-    for (const auto& [definition, places] : references.places) {
-      if (!used.contains(definition)) unused.insert(unused.end(), places.begin(), places.end());
-    }
-    if (unused.empty()) break;
-    erase(changed, std::move(unused));
+  const References references = references_of(scene);
+  const std::set<const grf::Definition*> used = used_definitions(references);
+  std::vector<grf::ScenePath> unused;
+  for (const auto& [definition, places] : references.places) {
+    if (!used.contains(definition)) unused.insert(unused.end(), places.begin(), places.end());
   }
+  grf::Scene changed = scene;
+  erase(changed, std::move(unused));
   if (!has_one_text_a_file(changed, diagnostics)) return std::nullopt;
   return changed;
 }

@@ -59,20 +59,33 @@ void spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& select
   }
 }
 
-bool are_alike(const grf::Surface& a, const grf::Surface& b, Likeness likeness) {
+/// What faces have, and what its names mean there: a name can mean other things in another scope.
+struct SurfaceAndLook {
+  const grf::Surface* surface;
+  const Look* look;
+};
+
+bool have_same_look(const Look& a, const Look& b) {
+  return a.colour == b.colour && a.brdf == b.brdf && a.terms == b.terms && a.texture == b.texture;
+}
+
+bool are_alike(const SurfaceAndLook& first, const SurfaceAndLook& second, Likeness likeness) {
+  const grf::Surface& a = *first.surface;
+  const grf::Surface& b = *second.surface;
   switch (likeness) {
     case Likeness::Brdf:
-      return a.brdf == b.brdf;
+      return a.brdf == b.brdf && first.look->brdf == second.look->brdf &&
+             first.look->terms == second.look->terms;
     case Likeness::Pdf:
       return a.pdf == b.pdf;
     case Likeness::Colour:
-      return a.colour == b.colour;
+      return a.colour == b.colour && first.look->colour == second.look->colour;
     case Likeness::Texture:
-      return a.texture == b.texture;
+      return a.texture == b.texture && first.look->texture == second.look->texture;
     case Likeness::Emission:
       return a.emission == b.emission;
     case Likeness::All:
-      return a == b;
+      return a == b && have_same_look(*first.look, *second.look);
   }
   return false;
 }
@@ -198,26 +211,30 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
 }
 
 FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness) {
-  std::vector<const grf::Surface*> wanted;
-  const auto is_wanted = [&](const grf::Surface& surface) {
+  std::vector<SurfaceAndLook> wanted;
+  const auto is_wanted = [&](const SurfaceAndLook& one) {
     return std::any_of(wanted.begin(), wanted.end(),
-                       [&](const grf::Surface* other) { return are_alike(surface, *other, likeness); });
+                       [&](const SurfaceAndLook& other) { return are_alike(one, other, likeness); });
   };
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
+    const std::vector<Look>& looks = objects.meshes[i].looks;
     std::vector<bool> is_used(mesh.surfaces.size());
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (selection.has({i, face})) is_used[mesh.surface_of_face[face]] = true;
     }
     for (std::size_t k = 0; k < is_used.size(); ++k) {
-      if (is_used[k] && !is_wanted(mesh.surfaces[k])) wanted.push_back(&mesh.surfaces[k]);
+      const SurfaceAndLook one = {&mesh.surfaces[k], &looks[k]};
+      if (is_used[k] && !is_wanted(one)) wanted.push_back(one);
     }
   }
   FaceSelection result(objects);
   for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<bool> takes;
-    for (const grf::Surface& surface : mesh.surfaces) takes.push_back(is_wanted(surface));
+    for (std::size_t k = 0; k < mesh.surfaces.size(); ++k) {
+      takes.push_back(is_wanted({&mesh.surfaces[k], &objects.meshes[i].looks[k]}));
+    }
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (takes[mesh.surface_of_face[face]]) result.set({i, face});
     }

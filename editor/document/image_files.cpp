@@ -13,20 +13,22 @@
 namespace editor {
 namespace {
 
-/// As the scene writes them.
-std::set<std::string> texture_names(const grf::Scene& scene) {
+/// As the scene's own file writes them.
+std::set<std::string> texture_names(const grf::Scene& scene, const std::string& path) {
   std::set<std::string> names;
   grf::SceneVisitor visitor;
-  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    if (placement.file != path) return;
     for (const grf::Surface& surface : mesh.surfaces) {
       const auto* texture = surface.texture ? std::get_if<grf::Texture>(&*surface.texture) : nullptr;
       if (texture != nullptr) names.insert(texture->file);
     }
   };
-  visitor.definition = [&](const grf::Definition& definition, const grf::Placement&) {
+  visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
+    if (placement.file != path) return;
     if (const auto* texture = std::get_if<grf::Texture>(&definition.body)) names.insert(texture->file);
   };
-  grf::visit(scene, visitor);
+  grf::visit(scene, visitor, path);
   return names;
 }
 
@@ -58,7 +60,7 @@ std::map<std::string, std::string> copy_images(const grf::Scene& scene, const st
   std::map<std::string, std::string> names;
   if (folders.empty()) return names;
   const QDir destination = QFileInfo(QString::fromStdString(to)).dir();
-  for (const std::string& name : texture_names(scene)) {
+  for (const std::string& name : texture_names(scene, from)) {
     const QFileInfo file(QString::fromStdString(grf::path_beside(from, name)));
     const bool is_ours = std::any_of(folders.begin(), folders.end(), [&](const QString& folder) {
       return QFileInfo(folder).canonicalFilePath() == file.canonicalPath();

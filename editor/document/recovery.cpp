@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "editor/document/document.h"
 #include "grf/read.h"
@@ -141,27 +142,38 @@ QString write_work(const QString& folder, const grf::Scene& scene, const QString
                                       : Recovery::tr("The folder %1 cannot be written.").arg(folder);
 }
 
+/// Includes by the paths of their files. Where other names are defined around it, one text reads as others.
+using IncludesOfFiles = std::map<std::string, std::vector<grf::Include>>;
+
+const grf::Include* find_alike(const IncludesOfFiles& includes, const std::string& file,
+                               const grf::BlockList& contents) {
+  const auto of_file = includes.find(file);
+  if (of_file == includes.end()) return nullptr;
+  const auto alike = std::find_if(of_file->second.begin(), of_file->second.end(),
+                                  [&](const grf::Include& other) { return *other.contents == contents; });
+  return alike == of_file->second.end() ? nullptr : &*alike;
+}
+
 /// Included files that are still as they were are no changed ones, which saving would write again.
-void take_origins(grf::BlockList& list, const std::string& path,
-                  const std::map<std::string, grf::Include>& on_disk) {
+void take_origins(grf::BlockList& list, const std::string& path, const IncludesOfFiles& on_disk) {
   for_each_include(list, [&](grf::Include& include) {
     const std::string file = grf::path_beside(path, include.file);
-    const auto found = on_disk.find(file);
-    if (found != on_disk.end() && *found->second.contents == *include.contents) {
-      include.contents = found->second.contents;
-      include.origin = found->second.origin;
+    if (const grf::Include* alike = find_alike(on_disk, file, *include.contents)) {
+      include.contents = alike->contents;
+      include.origin = alike->origin;
     } else {
       take_origins(include.contents.edit(), file, on_disk);
     }
   });
 }
 
-void collect(const grf::BlockList& list, const std::string& path,
-             std::map<std::string, grf::Include>& includes) {
+void collect(const grf::BlockList& list, const std::string& path, IncludesOfFiles& includes) {
   grf::BlockList blocks = list;
   for_each_include(blocks, [&](const grf::Include& include) {
     const std::string file = grf::path_beside(path, include.file);
-    if (includes.emplace(file, include).second) collect(*include.contents, file, includes);
+    if (find_alike(includes, file, *include.contents) != nullptr) return;
+    includes[file].push_back(include);
+    collect(*include.contents, file, includes);
   });
 }
 
@@ -222,7 +234,7 @@ std::optional<grf::Scene> Recovery::read(const LostWork& work, grf::Diagnostics&
   grf::Scene result = Unpacking(work.folder.toStdString(), names).unpack(*scene, path);
   grf::Diagnostics unheard;
   if (const auto on_disk = path.empty() ? std::nullopt : grf::read(path, unheard)) {
-    std::map<std::string, grf::Include> includes;
+    IncludesOfFiles includes;
     collect(on_disk->contents, path, includes);
     take_origins(result.contents, path, includes);
   }

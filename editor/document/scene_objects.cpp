@@ -20,7 +20,7 @@ class Collector {
         const auto& shared = std::get<grf::Shared<grf::Mesh>>(block.content);
         place(add_mesh(shared, mesh.name, placement), placement);
       } else {
-        place(mesh_of(*placement.instance_of, placement), placement);
+        place(defined_.at(placement.instance_of), placement);
       }
     };
     visitor.mesh_light = [this](const grf::MeshLight& light, const grf::Placement& placement,
@@ -39,9 +39,9 @@ class Collector {
       }
     };
     visitor.definition = [this](const grf::Definition& definition, const grf::Placement& placement) {
-      if (std::holds_alternative<grf::Shared<grf::Mesh>>(definition.body)) mesh_of(definition, placement);
+      add_definition(definition, placement);
     };
-    grf::visit(scene, visitor);
+    grf::visit(scene, visitor, path_);
     return std::move(objects_);
   }
 
@@ -50,15 +50,15 @@ class Collector {
     return {placement.path.begin(), placement.path.end()};
   }
 
-  /// The mesh that is defined; its definition is met before what uses it.
-  std::uint32_t mesh_of(const grf::Definition& definition, const grf::Placement& placement) {
-    const auto known = defined_.find(&definition);
-    if (known != defined_.end()) return known->second;
-    const auto& mesh = std::get<grf::Shared<grf::Mesh>>(definition.body);
-    const std::uint32_t index = add_mesh(mesh, definition.name, placement);
+  // A definition is met before what uses it: in a file that is included at several places, once at each of
+  // them, where names around it may mean other things.
+  void add_definition(const grf::Definition& definition, const grf::Placement& placement) {
+    if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
+    const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
+    if (mesh == nullptr) return;
+    const std::uint32_t index = add_mesh(*mesh, definition.name, placement);
     objects_.meshes[index].is_definition = true;
-    defined_.emplace(&definition, index);
-    return index;
+    defined_[&definition] = index;
   }
 
   std::uint32_t add_mesh(const grf::Shared<grf::Mesh>& mesh, const std::string& name,
@@ -68,7 +68,7 @@ class Collector {
     object.name = name;
     object.mesh = mesh;
     for (const grf::Surface& surface : mesh->surfaces) {
-      object.looks.push_back(look_of(surface, placement.scope));
+      object.looks.push_back(look_of(surface, placement));
     }
     objects_.faces += mesh->face_count();
     objects_.meshes.push_back(std::move(object));
@@ -94,24 +94,31 @@ class Collector {
     }
   }
 
-  Look look_of(const grf::Surface& surface, const grf::Scope& scope) const {
-    const grf::ResolvedSurface resolved = grf::resolve(surface, scope);
+  Look look_of(const grf::Surface& surface, const grf::Placement& placement) const {
+    const grf::ResolvedSurface resolved = grf::resolve(surface, placement.scope);
     Look look;
     look.colour = resolved.colour;
     look.emission = resolved.emission;
-    if (resolved.texture != nullptr) look.texture = grf::path_beside(path_, resolved.texture->file);
+    if (resolved.texture != nullptr) {
+      const auto* name = std::get_if<grf::Reference>(&*surface.texture);
+      const std::string file(name == nullptr ? placement.file
+                                             : file_of_.at(placement.scope.find(name->name)));
+      look.texture = grf::path_beside(file, resolved.texture->file);
+    }
     if (resolved.brdf == nullptr) return look;
     look.brdf = *resolved.brdf;
-    for (const grf::CombineTerm& term : resolved.brdf->terms) {
-      const auto* brdf = resolved.brdf_scope.find<grf::BrdfModel>(term.brdf.name);
-      if (brdf != nullptr) look.terms.push_back(*brdf);
+    if (resolved.brdf->terms.empty()) return look;
+    for (const grf::WeightedBrdf& summand : grf::summands_of(*resolved.brdf, resolved.brdf_scope)) {
+      look.terms.push_back({summand.weight, *summand.model});
     }
     return look;
   }
 
   const std::string& path_;
   SceneObjects objects_;
-  std::map<const grf::Definition*, std::uint32_t> defined_;
+  // What was met last under these definitions, see add_definition.
+  std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes
+  std::map<const grf::Definition*, std::string> file_of_;    // in which a texture is defined
 };
 
 }  // namespace

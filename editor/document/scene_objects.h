@@ -13,16 +13,25 @@
 
 namespace editor {
 
+/// A BRDF that is no sum, with its weight in one.
+struct LookTerm {
+  float weight = 1;
+  grf::BrdfModel brdf;
+
+  bool operator==(const LookTerm&) const = default;
+};
+
 /// What faces look like, names looked up.
 struct Look {
   grf::Colour colour = grf::Colour(1);
   std::optional<grf::BrdfModel> brdf;  ///< absent: GRF's default
-  std::vector<grf::BrdfModel> terms;   ///< what a `combine` adds up, as its terms name it; else empty
+  std::vector<LookTerm> terms;         ///< what a `combine` adds up, through all sums of sums; else empty
   std::string texture;                 ///< path of the image; empty: none
   std::optional<grf::Colour> emission;
 };
 
-/// A mesh, or a mesh light, that stands in the scene once, as itself or as a definition.
+/// A mesh, or a mesh light, that stands in the scene once, as itself or as a definition. What a file holds
+/// that is included at several places stands there as often.
 struct MeshObject {
   grf::ScenePath path;
   std::string name;  ///< of the mesh or of its definition; may be empty
@@ -64,7 +73,7 @@ struct SceneObjects {
   std::optional<std::uint32_t> mesh_at(grf::ScenePathView path) const;
 };
 
-/// The path is the scene's file, from whose folder textures are named; empty: the current folder.
+/// The path is the scene's file, from whose folder it names textures and includes; empty: the current folder.
 SceneObjects objects_of(const grf::Scene& scene, const std::string& path);
 
 }  // namespace editor

@@ -99,9 +99,7 @@ class Builder {
     if (!look.brdf) return {{1, reflectance::default_brdf()}};
     if (look.brdf->terms.empty()) return {{1, brdf_of(*look.brdf)}};
     std::vector<WeightedBrdf> brdfs;
-    for (std::size_t i = 0; i < std::min(look.terms.size(), look.brdf->terms.size()); ++i) {
-      brdfs.push_back({look.brdf->terms[i].weight, brdf_of(look.terms[i])});
-    }
+    for (const LookTerm& term : look.terms) brdfs.push_back({term.weight, brdf_of(term.brdf)});
     return brdfs;
   }
 

@@ -33,7 +33,7 @@ Json tables_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnost
   const auto bytes = transport::table_bytes(scene, planned.compile_settings, diagnostics);
   Json tables = Json::array();
   for (const transport::PlannedTable& table : planned.plan.tables) {
-    const auto known = bytes.find({table.brdf, table.scheme});
+    const auto known = bytes.find({table.identity, table.scheme});
     tables.push_back({{"brdf", table.brdf},
                       {"pdf", table.scheme},
                       {"bytes", known != bytes.end() ? Json(known->second) : Json(nullptr)},

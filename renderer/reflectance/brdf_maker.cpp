@@ -1,8 +1,6 @@
 #include "renderer/reflectance/brdf_maker.h"
 
 #include <cmath>
-#include <cstddef>
-#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,24 +19,24 @@ std::string data_path(const grf::BrdfModel& data) {
 }  // namespace
 
 std::optional<Brdf> BrdfMaker::make(const grf::BrdfModel& data, const grf::Scope& scope) {
-  if (data.terms.empty()) return make_leaf(data);
+  if (data.terms.empty()) return make_summand(data);
   auto parts = std::make_shared<CombinedBrdfs>();
-  for (const Leaf& leaf : leaves_of(data, scope)) {
-    auto brdf = make_leaf(*leaf.model);
+  for (const grf::WeightedBrdf& summand : summands_of(data, scope)) {
+    auto brdf = make_summand(*summand.model);
     if (!brdf) return std::nullopt;
-    if (!std::isfinite(leaf.weight)) {
+    if (!std::isfinite(summand.weight)) {
       diagnostics_.error(data.location, "the weights of BRDFs multiply to more than a float can hold");
       return std::nullopt;
     }
-    parts->push_back({leaf.weight, *std::move(brdf)});
+    parts->push_back({summand.weight, *std::move(brdf)});
   }
   return Combine{std::move(parts)};
 }
 
 std::vector<const grf::BrdfModel*> BrdfMaker::models_of(const grf::BrdfModel& data, const grf::Scope& scope) {
   std::vector<const grf::BrdfModel*> models;
-  for (const Leaf& leaf : leaves_of(data, scope)) {
-    if (leaf.weight > 0) models.push_back(leaf.model);
+  for (const grf::WeightedBrdf& summand : summands_of(data, scope)) {
+    if (summand.weight > 0) models.push_back(summand.model);
   }
   return models;
 }
@@ -53,33 +51,15 @@ std::vector<std::string> BrdfMaker::data_files_of(const grf::BrdfModel& data, co
 
 std::string BrdfMaker::identity(const grf::BrdfModel& data, const grf::Scope& scope) {
   std::string text;
-  for (const Leaf& leaf : leaves_of(data, scope)) {
-    grf::BrdfModel model = *leaf.model;
+  for (const grf::WeightedBrdf& summand : summands_of(data, scope)) {
+    grf::BrdfModel model = *summand.model;
     if (!model.data_file.empty()) model.data_file = grf::canonical_path(data_path(model));
-    text += fmt::format("{} {} ", leaf.weight, grf::to_text(model));
+    text += fmt::format("{} {} ", summand.weight, grf::to_text(model));
   }
   return text;
 }
 
-const BrdfMaker::Leaves& BrdfMaker::leaves_of(const grf::BrdfModel& data, const grf::Scope& scope) {
-  const auto [entry, is_new] = leaves_.try_emplace(&data);
-  Leaves& leaves = entry->second;
-  if (!is_new) return leaves;
-  if (data.terms.empty()) leaves.push_back({&data, 1});
-  std::unordered_map<const grf::BrdfModel*, std::size_t> places;
-  for (const grf::CombineTerm& term : data.terms) {
-    const auto* model = scope.find<grf::BrdfModel>(term.brdf.name);
-    if (model == nullptr) continue;  // `check` has said so
-    for (const Leaf& inner : leaves_of(*model, scope.around(term.brdf.name))) {
-      const auto [place, is_new_leaf] = places.emplace(inner.model, leaves.size());
-      if (is_new_leaf) leaves.push_back({inner.model, 0});
-      leaves[place->second].weight += term.weight * inner.weight;
-    }
-  }
-  return leaves;
-}
-
-std::optional<Brdf> BrdfMaker::make_leaf(const grf::BrdfModel& data) {
+std::optional<Brdf> BrdfMaker::make_summand(const grf::BrdfModel& data) {
   auto brdf = make_brdf(data);
   if (!brdf) {
     diagnostics_.error(data.location, fmt::format("'{}' cannot be rendered", data.keyword));

@@ -30,19 +30,10 @@ class BrdfMaker {
   std::string identity(const grf::BrdfModel& data, const grf::Scope& scope);
 
  private:
-  /// A model that is no sum, with its weight in one.
-  struct Leaf {
-    const grf::BrdfModel* model = nullptr;
-    float weight = 0;
-  };
-  using Leaves = std::vector<Leaf>;
-
-  const Leaves& leaves_of(const grf::BrdfModel& data, const grf::Scope& scope);
-  std::optional<Brdf> make_leaf(const grf::BrdfModel& data);
+  std::optional<Brdf> make_summand(const grf::BrdfModel& data);
   std::shared_ptr<const MeasuredData> measured(const grf::BrdfModel& data);
 
   grf::Diagnostics& diagnostics_;
-  std::map<const grf::BrdfModel*, Leaves> leaves_;  // sums of sums can name the same one very often
   std::map<std::string, std::shared_ptr<const MeasuredData>> measured_;  // by canonical path
 };
 

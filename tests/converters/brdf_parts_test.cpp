@@ -11,6 +11,7 @@
 #include "converters/material_mapping.h"
 #include "grf/keywords.h"
 #include "grf/read.h"
+#include "grf/visit.h"
 #include "grf/write.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/scheme.h"
@@ -25,7 +26,7 @@ grf::BrdfModel model(const std::string& text) {
   return brdf.value_or(grf::BrdfModel());
 }
 
-BrdfParts parts_of(const std::string& text) { return brdf_parts(model(text), TermBrdfs()); }
+BrdfParts parts_of(const std::string& text) { return brdf_parts(model(text)); }
 PhongMaterial phong_of(const std::string& text) { return phong_material(parts_of(text)); }
 
 TEST(PhongMaterials, InvertTheMapping) {
@@ -56,8 +57,7 @@ TEST(FacetValues, InvertTheMapping) {
     material.specular = values.specular;
     material.slope = values.slope;
     material.is_metal = text.starts_with("torrance");
-    const BrdfParts again =
-        brdf_parts(std::get<grf::BrdfModel>(map_material(material).definition.body), TermBrdfs());
+    const BrdfParts again = brdf_parts(std::get<grf::BrdfModel>(map_material(material).definition.body));
     EXPECT_LT((again.matte - parts_of(text).matte).length(), 1e-6) << text;
     EXPECT_LT((again.glossy - parts_of(text).glossy).length(), 1e-3) << text;
     if (std::isinf(again.exponent)) continue;
@@ -85,25 +85,48 @@ TEST(BrdfParts, AreAsWideAsTheLobe) {
   }
 }
 
+/// The parts of the last of the definitions, which is a BRDF called `sum`.
+BrdfParts parts_of_sum(const std::string& definitions) {
+  grf::Diagnostics diagnostics;
+  const auto scene =
+      grf::read_text(definitions + " begin begin mesh brdf sum begin vertexs end begin faces end end end",
+                     "scene.grf", diagnostics);
+  EXPECT_TRUE(scene) << diagnostics.to_text();
+  BrdfParts parts;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&parts](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    const grf::ResolvedSurface surface = grf::resolve(mesh.surfaces[0], placement.scope);
+    parts = brdf_parts(*surface.brdf, surface.brdf_scope);
+  };
+  if (scene) grf::visit(*scene, visitor);
+  return parts;
+}
+
 TEST(BrdfParts, OfASumAddUp) {
-  const grf::BrdfModel diffuse = model("diffuse kd=0.8");
-  const grf::BrdfModel shiny = model("lewis n=50 ks=0.5 kd=0.25");
-  grf::BrdfModel sum;
-  sum.keyword = "combine";
-  sum.terms = {{0.5F, {"diffuse", {}}}, {0.5F, {"shiny", {}}}, {1.0F, {"unknown", {}}}};
-  const TermBrdfs terms = {{&sum.terms[0], &diffuse}, {&sum.terms[1], &shiny}, {&sum.terms[2], nullptr}};
-  const BrdfParts parts = brdf_parts(sum, terms);
+  const BrdfParts parts = parts_of_sum(
+      "def matte = brdf diffuse kd=0.8 shiny = brdf lewis n=50 ks=0.5 kd=0.25 "
+      "sum = brdf combine 0.5 matte, 0.5 shiny");
   EXPECT_NEAR(parts.matte.x, 0.525, 1e-6);
   EXPECT_NEAR(parts.glossy.x, 0.25, 1e-6);
   EXPECT_EQ(parts.exponent, 200);
 }
 
-TEST(BrdfParts, OfASumOfItselfAreFound) {
+TEST(BrdfParts, OfSumsOfSumsAddUpHoweverLongTheirChainIs) {
+  std::string definitions = "def c0 = brdf lewis n=50 ks=0.5 kd=0.25";
+  for (int i = 1; i <= 20'000; ++i) {
+    definitions += " c" + std::to_string(i) + " = brdf combine 1 c" + std::to_string(i - 1);
+  }
+  const BrdfParts parts = parts_of_sum(definitions + " sum = brdf combine 0.5 c20000");
+  EXPECT_NEAR(parts.matte.x, 0.125, 1e-6);
+  EXPECT_NEAR(parts.glossy.x, 0.25, 1e-6);
+  EXPECT_EQ(parts.exponent, 200);
+}
+
+TEST(BrdfParts, OfNamesThatMeanNothingAreNone) {
   grf::BrdfModel sum;
   sum.keyword = "combine";
-  sum.terms = {{1.0F, {"itself", {}}}, {1.0F, {"itself", {}}}};
-  const BrdfParts parts = brdf_parts(sum, TermBrdfs{{&sum.terms[0], &sum}, {&sum.terms[1], &sum}});
-  EXPECT_LE(parts.matte.x, 1);
+  sum.terms = {{1.0F, {"unknown", {}}}};
+  EXPECT_EQ(brdf_parts(sum, {}).matte, grf::Vec3d(0));
 }
 
 TEST(BrdfParts, OfAnUnknownModelAreMatteGrey) {
@@ -137,7 +160,7 @@ TEST(BrdfParts, ReflectTogetherWhatTheModelDoes) {
     ASSERT_TRUE(made.has_value()) << text;
     const reflectance::Reflector reflector(*made, reflectance::OwnScheme());
     const reflectance::Rgb albedo = reflectance::albedo(reflector, {0, 0, 1});
-    const BrdfParts parts = brdf_parts(brdf, TermBrdfs());
+    const BrdfParts parts = brdf_parts(brdf);
     for (int i = 0; i < 3; ++i) {
       EXPECT_NEAR(parts.matte[i] + parts.glossy[i], static_cast<double>(albedo[i]), 0.06) << text;
     }

@@ -148,6 +148,7 @@ const MeshFacts& OutlineBuilder::facts(const Mesh& mesh) {
 void OutlineBuilder::describe_brdf(const grf::ResolvedSurface& resolved, OutlineSurface& surface) {
   surface.brdf = resolved.brdf != nullptr ? to_text(*resolved.brdf) : "diffuse";
   surface.scheme = resolved.pdf != nullptr ? to_text(*resolved.pdf) : "auto";
+  if (resolved.brdf != nullptr) surface.identity = brdfs_.identity(*resolved.brdf, resolved.brdf_scope);
   if (reflectance::is_black(resolved.colour)) return;
   const auto add = [&](const reflectance::Brdf& brdf) {
     surface.is_diffuse |= reflectance::has_diffuse_part(brdf);

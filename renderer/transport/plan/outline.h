@@ -27,6 +27,7 @@ struct OutlineSurface {
   bool has_colours = false;  ///< some vertex of the mesh has one that is not white
   std::string texture;       ///< path; empty: none
   std::string brdf, scheme;  ///< as a scene writes them; empty without a BRDF
+  std::string identity;      ///< what the BRDF's text means there, see BrdfMaker; empty: GRF's default
 
   bool reflects() const { return is_diffuse || is_glossy || is_mirror; }
   bool is_matte() const { return is_diffuse && !is_glossy && !is_mirror; }

@@ -226,14 +226,15 @@ void Planner::add_tables(Plan& plan) const {
     const OutlineSurface& surface = outline_.surfaces[i];
     if (surface.brdf.empty()) continue;
     const std::string& scheme = scheme_of(surface);
-    const auto [place, is_new] = places.try_emplace({surface.brdf, scheme}, plan.tables.size());
-    if (is_new) plan.tables.push_back({surface.brdf, scheme, false, {}});
+    const auto [place, is_new] = places.try_emplace({surface.identity, scheme}, plan.tables.size());
+    if (is_new) plan.tables.push_back({surface.brdf, scheme, surface.identity, false, {}});
     plan.tables[place->second].is_needed = plan.tables[place->second].is_needed || reach_.reflects[i];
   }
   for (PlannedTable& table : plan.tables) {
     if (table.is_needed) continue;
     const auto is_same = [&](const OutlineSurface& surface) {
-      return surface.brdf == table.brdf && scheme_of(surface) == table.scheme;
+      return !surface.brdf.empty() && surface.identity == table.identity &&
+             scheme_of(surface) == table.scheme;
     };
     table.why =
         why_not(count(is_same), count([&](const OutlineSurface& s) { return is_same(s) && s.reflects(); }));

@@ -32,6 +32,7 @@ struct PlannedEffect {
 /// A pair of BRDF and scheme for which a table may be made.
 struct PlannedTable {
   std::string brdf, scheme;  ///< as a scene writes them
+  std::string identity;      ///< what the BRDF's text means where it stands, see OutlineSurface
   bool is_needed = false;
   std::string why;  ///< if it is not
 };

@@ -3,28 +3,40 @@
 #include <set>
 
 #include "grf/visit.h"
+#include "grf/write.h"
+#include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/scene/reflector_set.h"
 
 namespace transport {
 namespace {
 
-using Bytes = std::map<std::pair<std::string, std::string>, std::size_t>;
+using IdentityAndScheme = std::pair<std::string, std::string>;
+using Bytes = std::map<IdentityAndScheme, std::size_t>;
+
+IdentityAndScheme key_of(const grf::ResolvedSurface& surface, const CompileSettings& settings,
+                         reflectance::BrdfMaker& brdfs) {
+  const grf::PdfModel* scheme = settings.scheme ? &settings.scheme->model : surface.pdf;
+  return {surface.brdf != nullptr ? brdfs.identity(*surface.brdf, surface.brdf_scope) : std::string(),
+          scheme != nullptr ? to_text(*scheme) : "auto"};
+}
 
 /// One at a time: an error in one is none in the others.
-void add_bytes(const grf::ResolvedSurface& surface, const CompileSettings& settings, Bytes& bytes,
-               grf::Diagnostics& diagnostics) {
+void add_bytes(const grf::ResolvedSurface& surface, const IdentityAndScheme& key,
+               const CompileSettings& settings, Bytes& bytes, grf::Diagnostics& diagnostics) {
   ReflectorSetBuilder builder(settings.scheme, settings.missed_part, settings.precision, diagnostics);
   builder.index_of(surface);
   if (diagnostics.error_count() > 0) return;
   const ReflectorSet set = builder.build(settings.threads);
-  for (const TableInfo& table : set.tables) bytes[{table.brdf, table.scheme}] = table.bytes;
+  for (const TableInfo& table : set.tables) bytes[key] = table.bytes;
 }
 
 }  // namespace
 
 Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics) {
   Bytes bytes;
-  std::set<std::pair<const grf::BrdfModel*, const grf::PdfModel*>> known;
+  std::set<IdentityAndScheme> known;
+  grf::Diagnostics unheard;
+  reflectance::BrdfMaker brdfs(unheard);
   const auto reflects = [&](const grf::Mesh& mesh, std::size_t surface) {
     if (!settings.reflecting) return true;
     const auto found = settings.reflecting->find(&mesh);
@@ -37,9 +49,11 @@ Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf:
       if (!used[i]) continue;
       const grf::ResolvedSurface surface = resolve(mesh.surfaces[i], placement.scope);
       const bool is_emitter = surface.brdf == nullptr && surface.emission;
-      if (is_emitter || !known.emplace(surface.brdf, surface.pdf).second) continue;
-      grf::Diagnostics unheard;
-      add_bytes(surface, settings, bytes, reflects(mesh, i) ? diagnostics : unheard);
+      if (is_emitter) continue;
+      const auto [key, is_new] = known.insert(key_of(surface, settings, brdfs));
+      if (!is_new) continue;
+      grf::Diagnostics of_what_is_black;
+      add_bytes(surface, *key, settings, bytes, reflects(mesh, i) ? diagnostics : of_what_is_black);
     }
   };
   grf::visit(scene, visitor);

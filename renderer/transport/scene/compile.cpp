@@ -1,7 +1,8 @@
 #include <array>
 #include <limits>
-#include <unordered_map>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -96,7 +97,8 @@ class Compiler {
   std::vector<Placed> placed_;
   Geometry geometry_;
   std::vector<Emitter> emitters_;
-  std::unordered_map<const Mesh*, std::uint32_t> index_of_mesh_;
+  /// By mesh, and by which of its surfaces emit: a mesh light can be black in one scope and not in another.
+  std::map<std::pair<const Mesh*, std::vector<bool>>, std::uint32_t> index_of_mesh_;
   grf::Box3d local_bounds_;
 };
 
@@ -183,8 +185,12 @@ void Compiler::place_light(const Placed& placed, MeshBuilder& builder) {
 
 std::uint32_t Compiler::mesh_index(const Placed& placed) {
   const Mesh& mesh = *placed.mesh;
-  const auto [known, is_new] =
-      index_of_mesh_.try_emplace(&mesh, static_cast<std::uint32_t>(geometry_.meshes.size()));
+  std::vector<bool> emits;
+  for (const CompiledSurface& surface : surfaces_.of(mesh, placed.first_surface)) {
+    emits.push_back(!reflectance::is_black(surface.emission));
+  }
+  const auto [known, is_new] = index_of_mesh_.try_emplace(
+      {&mesh, std::move(emits)}, static_cast<std::uint32_t>(geometry_.meshes.size()));
   if (!is_new) return known->second;
   MeshSize size;
   // Another instance may have a texture where this one has none.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -123,6 +124,33 @@ TEST(ObjWriter, WritesMaterialsByTheNamesOfDefinitions) {
       HasSubstr("newmtl unused\n# grf: specular ks=0.9\nKd 0 0 0\nKs 0.9 0.9 0.9\nNs 1000\nillum 3\n"));
   EXPECT_THAT(out.messages(), HasSubstr("note: 1 face has a BRDF that MTL only comes near"));
   EXPECT_EQ(out.diagnostics.warning_count(), 0U);
+}
+
+TEST(ObjWriter, WritesWhatATextMeansAtEachPlaceOfAnIncludedFile) {
+  const test::TemporaryFolder folder;
+  folder.add("part.grf",
+             "begin mesh brdf combine 1 a " + Square + "begin faces (0,1,2,3) end faces end mesh");
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read_text(
+      "def a = brdf diffuse kd=0.1 begin include \"part.grf\" end def a = brdf diffuse kd=0.9 begin include "
+      "\"part.grf\" end",
+      folder.path("scene.grf"), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  ASSERT_TRUE(write_obj(*scene, folder.path("out.obj"), diagnostics)) << diagnostics.to_text();
+  const std::string mtl = test::bytes_of(folder.path("out.mtl"));
+  EXPECT_THAT(mtl, HasSubstr("newmtl combine_1_a\n# grf: combine 1 a\nKd 0.1 0.1 0.1\n"));
+  EXPECT_THAT(mtl, HasSubstr("newmtl combine_1_a_2\n# grf: combine 1 a_2\nKd 0.9 0.9 0.9\n"));
+  const std::string obj = test::bytes_of(folder.path("out.obj"));
+  EXPECT_THAT(obj, HasSubstr("usemtl combine_1_a\nf 1 2 3 4\n"));
+  EXPECT_THAT(obj, HasSubstr("usemtl combine_1_a_2\nf 5 6 7 8\n"));
+}
+
+TEST(ObjWriter, WritesSumsOfSumsHoweverLongTheirChainIs) {
+  std::string text = "def c0 = brdf diffuse kd=0.5";
+  for (int i = 1; i < 5000; ++i) text += fmt::format(" c{} = brdf combine 1 c{}", i, i - 1);
+  const Written out(text + " begin begin mesh brdf c4999 " + Square +
+                    "begin faces (0,1,2,3) end faces end mesh end");
+  EXPECT_THAT(out.mtl, HasSubstr("newmtl c4999\n# grf: combine 1 c4998\nKd 0.5 0.5 0.5\n"));
 }
 
 TEST(ObjWriter, TakesExactBrdfsBack) {

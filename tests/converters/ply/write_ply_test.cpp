@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "grf/read.h"
 #include "tests/converters/reading.h"
 
 namespace convert {
@@ -54,6 +55,24 @@ TEST(WritePly, ColoursAreBytesOnlyWhereThoseHoldThem) {
   EXPECT_THAT(floats, Not(HasSubstr("property uchar red")));
   EXPECT_THAT(floats, HasSubstr("0 0 0 1 0 0.3\n"));
   EXPECT_THAT(floats, HasSubstr("3 0 1 2 0 0.4 2\n"));
+}
+
+TEST(WritePly, NamesTexturesOfIncludedFilesFromItsOwnFolder) {
+  const test::TemporaryFolder folder;
+  const std::string part =
+      "begin mesh texture \"t.png\" begin vertexs uv (0,0) (0,0,0) uv (1,0) (1,0,0) uv (0,1) (0,1,0) end "
+      "vertexs "
+      "begin faces (0,1,2) end faces end mesh";
+  folder.add("a/part.grf", part);
+  folder.add("b/part.grf", part);
+  grf::Diagnostics diagnostics;
+  const auto scene =
+      grf::read_text("include \"a/part.grf\" include \"b/part.grf\"", folder.path("scene.grf"), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  ASSERT_TRUE(write_ply_ascii(*scene, folder.path("out.ply"), diagnostics)) << diagnostics.to_text();
+  const std::string text = test::bytes_of(folder.path("out.ply"));
+  EXPECT_THAT(text, HasSubstr("comment TextureFile a/t.png\ncomment TextureFile b/t.png\n"));
+  EXPECT_THAT(text, HasSubstr("3 0 1 2 0\n3 3 4 5 1\n"));
 }
 
 TEST(WritePly, KeepsNamesOfMaterialsAndTextures) {

@@ -122,5 +122,25 @@ TEST_F(Selecting, FindsWhatIsAlike) {
   EXPECT_EQ(alike(selection_, objects_, Likeness::Texture).count(), 7U);
 }
 
+TEST(SelectingByName, TellsNamesOfTwoScopesApart) {
+  const std::string face = " begin vertexs (0,0,0) (1,0,0) (0,1,0) end begin faces (0,1,2) end end ";
+  const std::string meshes =
+      "begin begin mesh brdf a rgb c" + face + "begin mesh brdf combine 1 a" + face + "end ";
+  const std::string first = "def a = brdf diffuse kd=0.1 c = rgb (1,0,0) " + meshes;
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read_text(first + first + "def a = brdf diffuse kd=0.9 c = rgb (0,1,0) " + meshes,
+                                    "scene.grf", diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  const SceneObjects objects = objects_of(*scene, "scene.grf");
+  for (const Likeness likeness : {Likeness::Brdf, Likeness::Colour, Likeness::All}) {
+    FaceSelection selection(objects);
+    selection.set({0, 0});
+    EXPECT_THAT(alike(selection, objects, likeness).meshes(), ElementsAre(0, 2));
+  }
+  FaceSelection of_sum(objects);
+  of_sum.set({1, 0});
+  EXPECT_THAT(alike(of_sum, objects, Likeness::Brdf).meshes(), ElementsAre(1, 3));
+}
+
 }  // namespace
 }  // namespace editor
