@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "grf/polygon_sweep.h"
 
 namespace grf {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 using Point = Imath::V2d;
-
-double cross(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 Vec3d area_normal(std::span<const Vec3f> corners) {
   Vec3d normal(0);
@@ -62,58 +59,49 @@ void flatten(std::span<const Vec3f> corners, std::span<Point> points) {
   }
 }
 
-/// Clips ears off the polygon while it finds any; returns false if it gets stuck.
-class EarClipper {
- public:
-  explicit EarClipper(std::vector<Point> points) : points_(std::move(points)), left_(points_.size()) {
-    std::iota(left_.begin(), left_.end(), 0U);
-  }
-
-  bool run(std::vector<Triangle>& triangles) {
-    while (left_.size() > 3) {
-      std::size_t ear = 0;
-      while (ear < left_.size() && !is_ear(ear)) ++ear;
-      if (ear == left_.size()) return false;
-      triangles.push_back(triangle_at(ear));
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    triangles.push_back({left_[0], left_[1], left_[2]});
-    return true;
-  }
-
- private:
-  Triangle triangle_at(std::size_t i) const {
-    const std::size_t n = left_.size();
-    return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
-  }
-
-  bool is_ear(std::size_t i) const {
-    const Triangle t = triangle_at(i);
-    const Point& a = points_[t[0]];
-    const Point& b = points_[t[1]];
-    const Point& c = points_[t[2]];
-    if (cross(a, b, c) <= 0) return false;
-    return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t other) {
-      const Point& p = points_[other];
-      if (p == a || p == b || p == c) return false;
-      return cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= 0;
-    });
-  }
-
-  std::vector<Point> points_;
-  std::vector<std::uint32_t> left_;
-};
-
 void fan(std::uint32_t corners, std::vector<Triangle>& triangles) {
   for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
 }
 
-bool is_convex(std::span<const Point> points) {
-  const std::size_t n = points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (cross(points[i], points[(i + 1) % n], points[(i + 2) % n]) < 0) return false;
+/// Whether a fan turns none of its triangles over. Those of a polygon that does not cross itself cover it
+/// then.
+bool is_fan(std::span<const Point> points) {
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    if (orientation(points[0], points[i], points[i + 1]) < 0) return false;
   }
   return true;
+}
+
+/// What triangles cover, turned over or not, twice.
+double covered_area(std::span<const Point> points, std::span<const Triangle> triangles) {
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) sum += std::abs(orientation(points[a], points[b], points[c]));
+  return sum;
+}
+
+bool is_finite(std::span<const Point> points) {
+  return std::all_of(points.begin(), points.end(),
+                     [](const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); });
+}
+
+/// Replaces triangles by those of a sweep that cover less. Where the polygon crosses itself, if only by
+/// rounding where it touches itself, another direction of the sweep may do better.
+void cut_by_sweeps(std::span<Point> points, std::vector<Triangle>& best) {
+  constexpr double Tolerance = 1 + 1e-6;
+  double area = 0;
+  for (const auto& [a, b, c] : best) area += orientation(points[a], points[b], points[c]);
+  double covered = covered_area(points, best);
+  std::vector<Triangle> triangles;
+  for (int direction = 0; direction < 4 && covered > area * Tolerance; ++direction) {
+    triangles.clear();
+    const bool is_cut = triangulate_by_sweep(points, triangles);
+    const double covered_now = covered_area(points, triangles);
+    if (is_cut && covered_now < covered) {
+      covered = covered_now;
+      best.swap(triangles);
+    }
+    for (Point& point : points) point = {-point.y, point.x};
+  }
 }
 
 }  // namespace
@@ -124,16 +112,15 @@ void triangulate(std::span<const Vec3f> corners, std::vector<Triangle>& triangle
   if (count == 4) {  // most polygons are: they do without memory from the heap
     std::array<Point, 4> points;
     flatten(corners, points);
-    if (is_convex(points)) return fan(count, triangles);
+    if (is_fan(points)) return fan(count, triangles);
   }
   std::vector<Point> points(count);
   flatten(corners, points);
-  if (is_convex(points)) return fan(count, triangles);
-  const std::size_t before = triangles.size();
-  if (!EarClipper(std::move(points)).run(triangles)) {
-    triangles.resize(before);
-    fan(count, triangles);
-  }
+  if (is_fan(points) || !is_finite(points)) return fan(count, triangles);
+  std::vector<Triangle> best;
+  fan(count, best);
+  cut_by_sweeps(points, best);
+  triangles.insert(triangles.end(), best.begin(), best.end());
 }
 
 }  // namespace grf

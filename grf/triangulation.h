@@ -9,9 +9,11 @@
 
 namespace grf {
 
-/// Cuts a polygon into corners.size() - 2 triangles that cover it, and appends them as positions in
-/// `corners`. Works for polygons that are concave or nearly planar, by clipping ears in the plane of the
-/// polygon's own normal; one without any area, or that crosses itself, is cut as a fan.
+/// Triangulates a polygon: cuts it into corners.size() - 2 triangles that cover it, and appends them as
+/// positions in `corners`, in O(n log n). The polygon may be concave, nearly planar, and touch itself, as one
+/// with holes does that were cut open along bridges; it is seen in the plane of its own normal. Convex
+/// polygons, those without any area, and those that cross themselves so that nothing covers less, are cut as
+/// a fan.
 void triangulate(std::span<const Vec3f> corners, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 }  // namespace grf

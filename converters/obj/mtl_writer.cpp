@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -131,21 +133,24 @@ void MtlWriter::find_definitions(const grf::Scene& scene) {
 
 // In the order of the definitions, since the terms of a sum are to stand before it; then what has no name.
 void MtlWriter::add_materials(std::vector<Key> keys) {
+  std::unordered_map<const grf::BrdfModel*, std::vector<const Key*>> keys_of_brdf;
+  for (const Key& key : keys) keys_of_brdf[key.brdf].push_back(&key);
+  std::unordered_set<const grf::BrdfModel*> added;
   for (const auto& [definition, terms] : definitions_) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&definition->body);
     const std::string name = name_of_definition(*definition);
-    const auto of_another = [brdf](const Key& key) { return key.brdf != brdf; };
-    const auto own = std::stable_partition(keys.begin(), keys.end(), of_another);
-    for (auto key = own; key != keys.end(); ++key) add(*key, name);
-    if (own == keys.end()) {
+    const auto own = keys_of_brdf.find(brdf);
+    if (own != keys_of_brdf.end() && added.insert(brdf).second) {
+      for (const Key* key : own->second) add(*key, name);
+    } else {
       Key unused;
       unused.brdf = brdf;
       unused.terms = terms;
       add(unused, name);
     }
-    keys.erase(own, keys.end());
   }
   for (const Key& key : keys) {
+    if (added.contains(key.brdf)) continue;
     const char* without_brdf = key.is_black ? "light" : "default";
     add(key, key.brdf == nullptr ? without_brdf : name_of_text(grf::to_text(*key.brdf)));
   }
@@ -153,7 +158,8 @@ void MtlWriter::add_materials(std::vector<Key> keys) {
 
 void MtlWriter::add(const Key& key, const std::string& name) {
   std::string free = name;
-  for (int i = 2; !names_.insert(free).second; ++i) free = fmt::format("{}_{}", name, i);
+  int& number = last_number_.try_emplace(name, 1).first->second;
+  while (!names_.insert(free).second) free = fmt::format("{}_{}", name, ++number);
   first_of_brdf_.emplace(key.brdf, materials_.size());
   by_key_.emplace(key, materials_.size());
   materials_.push_back({key, free});

@@ -78,6 +78,7 @@ class MtlWriter {
   std::vector<Material> materials_;
   std::map<Key, std::size_t> by_key_;
   std::set<std::string> names_;
+  std::map<std::string, int> last_number_;  ///< put behind a name that was not free
   std::size_t approximated_faces_ = 0;
 };
 

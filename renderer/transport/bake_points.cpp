@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <unordered_map>
 
 #include "grf/visit.h"
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/scene/used_vertices.h"
 
 namespace transport {
 namespace {
@@ -50,19 +52,29 @@ BakePoints::BakePoints(const grf::Scene& scene, const CompiledScene& compiled, i
       threads, [&] { parallel::for_each_index(vertices_.size(), [&](std::size_t i) { uncover(i); }); });
 }
 
-// In the order in which the compiled scene has them.
+// In the order in which the compiled scene has them. Vertices that no face uses are not there: the one of the
+// compiled mesh that has no faces either stands for them.
 void BakePoints::list_vertices(const grf::Scene& scene) {
+  const auto unused = static_cast<std::uint32_t>(compiled_.geometry().meshes.front().positions.size() - 1);
+  std::unordered_map<const grf::Mesh*, UsedVertices> known;
+  const auto used_vertices = [&](const grf::Mesh& mesh) -> const UsedVertices& {
+    const auto found = known.find(&mesh);
+    return found != known.end() ? found->second : known.emplace(&mesh, mesh).first->second;
+  };
   std::uint32_t next = 0;
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) vertices_.push_back(next++);
+    const UsedVertices& used = used_vertices(mesh);
+    const std::size_t first = vertices_.size();
+    vertices_.resize(first + mesh.positions.size(), unused);
+    for (std::size_t i = 0; i < used.count(); ++i) vertices_[first + used[i]] = next++;
   };
   visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement&, const grf::Block&) {
-    next += static_cast<std::uint32_t>(light.mesh->positions.size());
+    next += static_cast<std::uint32_t>(used_vertices(*light.mesh).count());
   };
   visitor.light = [&](const grf::AreaLight&, const grf::Placement&, const grf::Block&) { next += 4; };
   grf::visit(scene, visitor);
-  assert(next + 1 == compiled_.geometry().meshes.front().positions.size());
+  assert(next == unused);
 }
 
 void BakePoints::list_corners() {

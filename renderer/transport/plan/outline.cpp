@@ -224,10 +224,11 @@ void OutlineBuilder::add(const Mesh& mesh, const Placement& placement, bool is_l
     }
     return;
   }
+  const UsedVertices& used = survey_.vertices_of(mesh);
   std::vector<Vec3d> positions;
-  for (const Vec3f& position : mesh.positions) {
+  for (std::size_t i = 0; i < used.count(); ++i) {
     // As rays see them: rounded.
-    positions.emplace_back(Vec3f(Vec3d(position) * map));
+    positions.emplace_back(Vec3f(Vec3d(mesh.positions[used[i]]) * map));
     bounds_.extendBy(positions.back());
   }
   if (!has_room()) return;
@@ -238,6 +239,7 @@ void OutlineBuilder::add(const Mesh& mesh, const Placement& placement, bool is_l
 void OutlineBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
                                    const std::vector<Vec3d>& positions, bool turns) {
   const std::size_t first_part = outline_.parts.size();
+  const UsedVertices& used = survey_.vertices_of(mesh);
   std::vector<Vec3f> corners_of_face;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
@@ -248,7 +250,8 @@ void OutlineBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint
     grf::triangulate(corners_of_face, triangles);
     for (const auto& triangle : triangles) {
       const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
-      std::array points = {positions[of_mesh[0]], positions[of_mesh[1]], positions[of_mesh[2]]};
+      const auto point = [&](std::size_t k) { return positions[used.number_of(of_mesh[k])]; };
+      std::array points = {point(0), point(1), point(2)};
       if (turns) std::swap(points[1], points[2]);
       add_part(surfaces[mesh.surface_of_face[face]], points, is_smooth(mesh, of_mesh), true);
     }
@@ -274,9 +277,10 @@ void OutlineBuilder::find_solid(std::size_t first_part) {
 void OutlineBuilder::add_boxes(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
                                const std::vector<Vec3d>& positions) {
   std::vector<Box3d> boxes(surfaces.size());
+  const UsedVertices& used = survey_.vertices_of(mesh);
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     for (const std::uint32_t corner : mesh.face(face)) {
-      boxes[mesh.surface_of_face[face]].extendBy(positions[corner]);
+      boxes[mesh.surface_of_face[face]].extendBy(positions[used.number_of(corner)]);
     }
   }
   for (std::size_t i = 0; i < surfaces.size(); ++i) {

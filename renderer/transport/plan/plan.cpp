@@ -23,6 +23,16 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 
 std::string faces(std::size_t count) { return counted(count, "face", "faces"); }
 
+struct FaceCounts {
+  std::size_t all = 0;
+  std::size_t reflecting = 0;
+
+  void add(const OutlineSurface& surface) {
+    all += surface.faces;
+    reflecting += surface.reflects() ? surface.faces : 0;
+  }
+};
+
 class Planner {
  public:
   Planner(const Outline& outline, const PlanSettings& settings)
@@ -222,43 +232,42 @@ std::string Planner::why_depth() const {
 
 void Planner::add_tables(Plan& plan) const {
   std::map<std::pair<std::string, std::string>, std::size_t> places;
+  std::vector<FaceCounts> faces_of_table;
   for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
     const OutlineSurface& surface = outline_.surfaces[i];
     if (surface.brdf.empty()) continue;
     const std::string& scheme = scheme_of(surface);
     const auto [place, is_new] = places.try_emplace({surface.identity, scheme}, plan.tables.size());
     if (is_new) plan.tables.push_back({surface.brdf, scheme, surface.identity, false, {}});
+    faces_of_table.resize(plan.tables.size());
+    faces_of_table[place->second].add(surface);
     plan.tables[place->second].is_needed = plan.tables[place->second].is_needed || reach_.reflects[i];
   }
-  for (PlannedTable& table : plan.tables) {
-    if (table.is_needed) continue;
-    const auto is_same = [&](const OutlineSurface& surface) {
-      return !surface.brdf.empty() && surface.identity == table.identity &&
-             scheme_of(surface) == table.scheme;
-    };
-    table.why =
-        why_not(count(is_same), count([&](const OutlineSurface& s) { return is_same(s) && s.reflects(); }));
+  for (std::size_t i = 0; i < plan.tables.size(); ++i) {
+    if (!plan.tables[i].is_needed) {
+      plan.tables[i].why = why_not(faces_of_table[i].all, faces_of_table[i].reflecting);
+    }
   }
 }
 
 void Planner::add_textures(Plan& plan) const {
   std::map<std::string, std::size_t> places;
+  std::vector<FaceCounts> faces_of_texture;
   const bool are_on = settings_.limits.effects.has(Effect::Textures);
   for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
     const OutlineSurface& surface = outline_.surfaces[i];
     if (surface.texture.empty()) continue;
     const auto [place, is_new] = places.try_emplace(surface.texture, plan.textures.size());
     if (is_new) plan.textures.push_back({surface.texture, false, {}});
+    faces_of_texture.resize(plan.textures.size());
+    faces_of_texture[place->second].add(surface);
     PlannedTexture& texture = plan.textures[place->second];
     texture.is_needed = texture.is_needed || (are_on && reach_.reflects[i]);
   }
-  for (PlannedTexture& texture : plan.textures) {
-    if (texture.is_needed) continue;
-    const auto is_same = [&](const OutlineSurface& surface) { return surface.texture == texture.file; };
-    texture.why = !are_on
-                      ? "textures are switched off"
-                      : why_not(count(is_same),
-                                count([&](const OutlineSurface& s) { return is_same(s) && s.reflects(); }));
+  for (std::size_t i = 0; i < plan.textures.size(); ++i) {
+    if (plan.textures[i].is_needed) continue;
+    plan.textures[i].why = are_on ? why_not(faces_of_texture[i].all, faces_of_texture[i].reflecting)
+                                  : "textures are switched off";
   }
 }
 

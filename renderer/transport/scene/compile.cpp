@@ -105,8 +105,11 @@ class Compiler {
 bool Compiler::has_room() {
   if (!survey_.is_too_large()) return true;
   diagnostics_.error(
-      {}, fmt::format("more than {} million triangles, or {} million instances, cannot be rendered",
-                      Survey::MostTriangles / 1'000'000, Survey::MostInstances / 1'000'000));
+      {},
+      fmt::format("more than {} million triangles, {} million vertices, {} million surfaces, or {} million "
+                  "instances, cannot be rendered",
+                  Survey::MostTriangles / 1'000'000, Survey::MostVertices / 1'000'000,
+                  Survey::MostSurfaces / 1'000'000, Survey::MostInstances / 1'000'000));
   return false;
 }
 
@@ -142,7 +145,8 @@ MeshSize Compiler::size_of_first_mesh() const {
       size.vertices += 4;
       size.triangles += 2;
     } else if (!survey_.is_instanced(*placed.mesh)) {
-      size.add(*placed.mesh, surfaces_.needs_uvs(*placed.mesh, placed.first_surface), effects_);
+      size.add(*placed.mesh, survey_.vertices_of(*placed.mesh),
+               surfaces_.needs_uvs(*placed.mesh, placed.first_surface), effects_);
     }
   }
   return size;
@@ -165,8 +169,8 @@ void Compiler::place(const Placed& placed, MeshBuilder& builder) {
   if (placed.mesh == nullptr) return place_light(placed, builder);
   if (survey_.is_instanced(*placed.mesh)) return place_instance(placed);
   const std::size_t first_triangle = builder.mesh().triangles.size();
-  builder.add(*placed.mesh, placed.to_scene, surfaces_.of(*placed.mesh, placed.first_surface),
-              placed.first_surface);
+  builder.add(*placed.mesh, survey_.vertices_of(*placed.mesh), placed.to_scene,
+              surfaces_.of(*placed.mesh, placed.first_surface), placed.first_surface);
   add_emitters(builder.mesh(), first_triangle, 0, 0, Matrix44d());
 }
 
@@ -194,9 +198,10 @@ std::uint32_t Compiler::mesh_index(const Placed& placed) {
   if (!is_new) return known->second;
   MeshSize size;
   // Another instance may have a texture where this one has none.
-  size.add(mesh, true, effects_);
+  const UsedVertices& used = survey_.vertices_of(mesh);
+  size.add(mesh, used, true, effects_);
   MeshBuilder builder(size);
-  builder.add(mesh, Matrix44d(), surfaces_.of(mesh, placed.first_surface), 0);
+  builder.add(mesh, used, Matrix44d(), surfaces_.of(mesh, placed.first_surface), 0);
   geometry_.meshes.push_back(builder.finish());
   return known->second;
 }

@@ -27,8 +27,9 @@ bool mirrors(const Matrix44d& map) { return map.determinant() < 0; }
 
 std::size_t triangle_count(const grf::Mesh& mesh) { return mesh.corners.size() - 2 * mesh.face_count(); }
 
-void MeshSize::add(const grf::Mesh& mesh, bool needs_uvs, const EffectSet& effects) {
-  vertices += mesh.positions.size();
+void MeshSize::add(const grf::Mesh& mesh, const UsedVertices& used, bool needs_uvs,
+                   const EffectSet& effects) {
+  vertices += used.count();
   triangles += triangle_count(mesh);
   has_normals |= effects.has(Effect::InterpolatedNormals) && !mesh.normals.empty();
   has_colours |= effects.has(Effect::VertexColours) && !mesh.colours.empty();
@@ -46,15 +47,15 @@ MeshBuilder::MeshBuilder(const MeshSize& size) : size_(size) {
 }
 
 // A mirroring map turns triangles inside out: the other winding keeps their front where it was.
-void MeshBuilder::add(const grf::Mesh& mesh, const Matrix44d& map, std::span<const CompiledSurface> surfaces,
-                      std::uint32_t first_surface) {
+void MeshBuilder::add(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map,
+                      std::span<const CompiledSurface> surfaces, std::uint32_t first_surface) {
   const auto first_vertex = static_cast<std::uint32_t>(mesh_.positions.size());
-  add_vertices(mesh, map);
+  add_vertices(mesh, used, map);
   const bool turns = mirrors(map);
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t surface = mesh.surface_of_face[face];
     const bool emits = !reflectance::is_black(surfaces[surface].emission);
-    add_face(mesh, face, first_vertex, turns);
+    add_face(mesh, used, face, first_vertex, turns);
     for (const std::array<std::uint32_t, 3>& corners : face_triangles_) {
       Triangle triangle;
       triangle.corners = corners;
@@ -65,10 +66,10 @@ void MeshBuilder::add(const grf::Mesh& mesh, const Matrix44d& map, std::span<con
   }
 }
 
-void MeshBuilder::add_vertices(const grf::Mesh& mesh, const Matrix44d& map) {
-  for (const Vec3f& position : mesh.positions) mesh_.positions.emplace_back(grf::Vec3d(position) * map);
-  if (size_.has_normals) add_normals(mesh, map);
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+void MeshBuilder::add_vertices(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map) {
+  for (std::size_t number = 0; number < used.count(); ++number) {
+    const std::uint32_t i = used[number];
+    mesh_.positions.emplace_back(grf::Vec3d(mesh.positions[i]) * map);
     if (size_.has_colours) mesh_.colours.push_back(mesh.colours.has(i) ? mesh.colours[i] : Colour(1));
     if (size_.has_uvs) mesh_.uvs.push_back(mesh.uvs.has(i) ? mesh.uvs[i] : Vec2f(0));
     if (size_.has_irradiance) {
@@ -76,19 +77,22 @@ void MeshBuilder::add_vertices(const grf::Mesh& mesh, const Matrix44d& map) {
                                                         : Colour(std::numeric_limits<float>::quiet_NaN()));
     }
   }
+  if (size_.has_normals) add_normals(mesh, used, map);
 }
 
 // Normals follow the inverse transpose.
-void MeshBuilder::add_normals(const grf::Mesh& mesh, const Matrix44d& map) {
+void MeshBuilder::add_normals(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map) {
   const Matrix44d normal_map = map.inverse().transposed();
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+  for (std::size_t number = 0; number < used.count(); ++number) {
+    const std::uint32_t i = used[number];
     grf::Vec3d normal(0);
     if (mesh.normals.has(i)) normal_map.multDirMatrix(grf::Vec3d(mesh.normals[i]), normal);
     mesh_.normals.emplace_back(normal.normalized());
   }
 }
 
-void MeshBuilder::add_face(const grf::Mesh& mesh, std::size_t face, std::uint32_t first_vertex, bool turns) {
+void MeshBuilder::add_face(const grf::Mesh& mesh, const UsedVertices& used, std::size_t face,
+                           std::uint32_t first_vertex, bool turns) {
   const auto corners = mesh.face(face);
   face_positions_.clear();
   face_triangles_.clear();
@@ -96,7 +100,7 @@ void MeshBuilder::add_face(const grf::Mesh& mesh, std::size_t face, std::uint32_
   grf::triangulate(face_positions_, face_triangles_);
   for (std::array<std::uint32_t, 3>& triangle : face_triangles_) {
     if (turns) std::swap(triangle[1], triangle[2]);
-    for (std::uint32_t& corner : triangle) corner = first_vertex + corners[corner];
+    for (std::uint32_t& corner : triangle) corner = first_vertex + used.number_of(corners[corner]);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "renderer/transport/plan/effect.h"
 #include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/surface_point.h"
+#include "renderer/transport/scene/used_vertices.h"
 
 namespace transport {
 
@@ -26,7 +27,7 @@ struct MeshSize {
   bool has_irradiance = false;
 
   /// Of the values of its vertices, only those of these effects.
-  void add(const grf::Mesh& mesh, bool needs_uvs, const EffectSet& effects);
+  void add(const grf::Mesh& mesh, const UsedVertices& used, bool needs_uvs, const EffectSet& effects);
 };
 
 /// Makes triangles of polygons. All memory is reserved at once, and nothing else is taken for a face of three
@@ -35,9 +36,10 @@ class MeshBuilder {
  public:
   explicit MeshBuilder(const MeshSize& size);
 
-  /// Adds all faces, moved by a map; the surfaces are those of the scene from the mesh's first on.
-  void add(const grf::Mesh& mesh, const grf::Matrix44d& map, std::span<const CompiledSurface> surfaces,
-           std::uint32_t first_surface);
+  /// Adds all faces, and the vertices that they use, moved by a map; the surfaces are those of the scene from
+  /// the mesh's first on.
+  void add(const grf::Mesh& mesh, const UsedVertices& used, const grf::Matrix44d& map,
+           std::span<const CompiledSurface> surfaces, std::uint32_t first_surface);
   /// A parallelogram, as two triangles.
   void add(const Emitter& light, std::uint32_t surface);
 
@@ -45,9 +47,10 @@ class MeshBuilder {
   TriangleMesh finish();
 
  private:
-  void add_vertices(const grf::Mesh& mesh, const grf::Matrix44d& map);
-  void add_normals(const grf::Mesh& mesh, const grf::Matrix44d& map);
-  void add_face(const grf::Mesh& mesh, std::size_t face, std::uint32_t first_vertex, bool turns);
+  void add_vertices(const grf::Mesh& mesh, const UsedVertices& used, const grf::Matrix44d& map);
+  void add_normals(const grf::Mesh& mesh, const UsedVertices& used, const grf::Matrix44d& map);
+  void add_face(const grf::Mesh& mesh, const UsedVertices& used, std::size_t face, std::uint32_t first_vertex,
+                bool turns);
   bool is_flat(const std::array<std::uint32_t, 3>& corners) const;
   void add_triangle(const Triangle& triangle, bool emits);
 

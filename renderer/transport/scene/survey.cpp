@@ -49,7 +49,8 @@ Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
   const auto add = [&](const grf::Mesh& mesh, const grf::Placement& placement) {
     const auto [entry, is_new] = places.try_emplace(&mesh);
     if (is_new) {
-      for (const grf::Vec3f& position : mesh.positions) entry->second.box.extendBy(position);
+      const UsedVertices& used = used_vertices.emplace(&mesh, mesh).first->second;
+      for (std::size_t i = 0; i < used.count(); ++i) entry->second.box.extendBy(mesh.positions[used[i]]);
     }
     ++entry->second.count;
     bounds.extendBy(transformed(entry->second.box, placement.to_world));
@@ -67,6 +68,8 @@ Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
       bounds.extendBy(vertex * placement.to_world);
     }
     triangles += 2;
+    vertices += 4;
+    ++surfaces;
   };
   grf::visit(scene, visitor);
   origin = origin_of(bounds);
@@ -76,7 +79,10 @@ Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
         place.count > 1 && count > FewTriangles && count * place.count > most_copied_triangles;
     if (is_worth_it) instanced.emplace(mesh, place.box);
     if (is_worth_it) instances += place.count;
-    triangles += is_worth_it ? count : count * place.count;
+    const std::size_t copies = is_worth_it ? 1 : place.count;
+    triangles += count * copies;
+    vertices += vertices_of(*mesh).count() * copies;
+    surfaces += mesh->surfaces.size() * place.count;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "grf/scene.h"
 #include "grf/visit.h"
+#include "renderer/transport/scene/used_vertices.h"
 
 namespace transport {
 
@@ -20,17 +21,28 @@ struct Survey {
   bool is_instanced(const grf::Mesh& mesh) const { return instanced.contains(&mesh); }
 
   /// A scene that is small as a file can be large by what it includes many times.
-  bool is_too_large() const { return triangles > MostTriangles || instances > MostInstances; }
+  bool is_too_large() const {
+    return triangles > MostTriangles || vertices > MostVertices || surfaces > MostSurfaces ||
+           instances > MostInstances;
+  }
+
+  /// The vertices that are compiled of a mesh of the scene.
+  const UsedVertices& vertices_of(const grf::Mesh& mesh) const { return used_vertices.at(&mesh); }
 
   /// The box around the vertices of an instanced mesh.
   const grf::Box3f& box_of(const grf::Mesh& mesh) const { return instanced.at(&mesh); }
 
   static constexpr std::size_t MostTriangles = 200'000'000;
+  static constexpr std::size_t MostVertices = 2 * MostTriangles;
+  static constexpr std::size_t MostSurfaces = MostTriangles / 4;
   static constexpr std::size_t MostInstances = MostTriangles / 10;
 
   std::unordered_map<const grf::Mesh*, grf::Box3f> instanced;  ///< with the boxes around their vertices
   std::size_t triangles = 0;                                   ///< those of instanced meshes once
+  std::size_t vertices = 0;                                    ///< likewise, those that faces use
+  std::size_t surfaces = 0;                                    ///< of each instance and copy
   std::size_t instances = 0;
+  std::unordered_map<const grf::Mesh*, UsedVertices> used_vertices;
   /// The centre of a scene that is far from the world's origin for its size, else (0,0,0). Its coordinates
   /// are floats, so that a place of the world that is one differs from it by an exact one.
   grf::Vec3d origin = grf::Vec3d(0);

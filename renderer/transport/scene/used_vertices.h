@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "grf/mesh.h"
+
+namespace transport {
+
+/// The vertices of a mesh that its faces use, in the mesh's order. Others are not compiled: a mesh may have
+/// many more of them than faces, and stand at many places.
+class UsedVertices {
+ public:
+  explicit UsedVertices(const grf::Mesh& mesh);
+
+  std::size_t count() const { return count_; }
+  /// The vertex of the mesh that is the used one of a number.
+  std::uint32_t operator[](std::size_t number) const {
+    return are_all() ? static_cast<std::uint32_t>(number) : vertices_[number];
+  }
+  /// The number of a vertex that is used.
+  std::uint32_t number_of(std::uint32_t vertex) const {
+    if (are_all()) return vertex;
+    const auto place = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
+    return static_cast<std::uint32_t>(place - vertices_.begin());
+  }
+
+ private:
+  bool are_all() const { return vertices_.empty(); }
+
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> vertices_;  ///< empty if all are used
+};
+
+}  // namespace transport
