@@ -97,10 +97,10 @@ Losses losses_of_lwo(std::string_view bytes) {
 std::optional<Import> read_lwo(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
   const auto source = read_bytes(path, diagnostics);
   if (!source) return {};
-  constexpr std::size_t HeaderSize = 8;
+  constexpr std::size_t IffHeaderSize = 8;
   const std::string& bytes = *source->bytes;
-  std::uint64_t size = HeaderSize;
-  for (std::size_t i = 0; i < 4 && bytes.size() >= HeaderSize; ++i) {
+  std::uint64_t size = IffHeaderSize;
+  for (std::size_t i = 0; i < 4 && bytes.size() >= IffHeaderSize; ++i) {
     size += std::uint64_t{static_cast<std::uint8_t>(bytes[4 + i])} << (24 - 8 * i);
   }
   if (size > bytes.size()) {
