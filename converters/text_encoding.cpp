@@ -115,4 +115,8 @@ std::string to_utf8(std::string_view bytes) {
   return is_utf8(bytes) ? std::string(bytes) : from_latin1(bytes);
 }
 
+bool is_padding(std::string_view bytes) {
+  return bytes.find_first_not_of(" \t\r\n\f\v\x1A") == std::string_view::npos;
+}
+
 }  // namespace convert

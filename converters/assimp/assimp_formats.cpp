@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -61,17 +62,12 @@ std::optional<Import> finish(const AssimpReading& reading, const AssimpRules& ru
   return make_scene(*reading.scene, rules, losses, location, diagnostics);
 }
 
-/// What Assimp passes over in the bytes of a file without a word.
-using FindLosses = Losses (*)(std::string_view bytes);
-
 /// A format of one file, which Assimp's reader for the extension reads.
-std::optional<Import> read_by_extension(
-    const std::string& path, const AssimpRules& rules, const std::string& extension,
-    grf::Diagnostics& diagnostics, FindLosses find_losses = [](std::string_view) { return Losses(); }) {
+std::optional<Import> read_by_extension(const std::string& path, const AssimpRules& rules,
+                                        const std::string& extension, grf::Diagnostics& diagnostics) {
   const auto source = read_bytes(path, diagnostics);
   if (!source) return {};
-  return finish(import_bytes(*source->bytes, extension), rules, find_losses(*source->bytes), source->location,
-                diagnostics);
+  return finish(import_bytes(*source->bytes, extension), rules, {}, source->location, diagnostics);
 }
 
 /// Objects whose surfaces are divided into finer ones when they are drawn: a line `subdiv` and a level.
@@ -94,6 +90,26 @@ Losses losses_of_lwo(std::string_view bytes) {
     if (kind == "PTCH" || kind == "SUBD") losses.add(Loss::Subdivision);
   }
   return losses;
+}
+
+/// Assimp reads the chunks that a file still has. The sizes of the whole (IFF: of what follows its eight
+/// first bytes, with the most significant byte first) say whether there were more.
+std::optional<Import> read_lwo(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
+  const auto source = read_bytes(path, diagnostics);
+  if (!source) return {};
+  constexpr std::size_t IffHeaderSize = 8;
+  const std::string& bytes = *source->bytes;
+  std::uint64_t size = IffHeaderSize;
+  for (std::size_t i = 0; i < 4 && bytes.size() >= IffHeaderSize; ++i) {
+    size += std::uint64_t{static_cast<std::uint8_t>(bytes[4 + i])} << (24 - 8 * i);
+  }
+  if (size > bytes.size()) {
+    diagnostics.error(source->location, fmt::format("the file has {} bytes, and says that it has {}: it was "
+                                                    "cut off, or is damaged",
+                                                    bytes.size(), size));
+    return {};
+  }
+  return finish(import_bytes(bytes, "lwo"), LwoRules, losses_of_lwo(bytes), source->location, diagnostics);
 }
 
 std::optional<Import> read_3ds(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
@@ -277,9 +293,7 @@ Format lwo_format() {
   format.title = "LightWave object";
   format.extensions = {"lwo", "lxo"};
   format.sniff = sniff_lwo;
-  format.read = [](const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
-    return read_by_extension(path, LwoRules, "lwo", diagnostics, losses_of_lwo);
-  };
+  format.read = read_lwo;
   format.keeps =
       "polygons, shared vertices, smoothing angles, one set of texture coordinates, vertex colours, layers, "
       "materials, textures, emission";

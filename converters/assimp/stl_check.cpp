@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "converters/text_encoding.h"
 #include "converters/wording.h"
 
 namespace convert {
@@ -51,10 +52,12 @@ std::optional<std::string_view> check_stl(std::string_view bytes, const grf::Sou
     diagnostics.error(location, fmt::format("the file ends behind {} of {} facets", there, facets));
     return {};
   }
-  const std::size_t rest = bytes.size() - size;
-  diagnostics.warning(
-      location, fmt::format("{} not read behind the last facet", counted(rest, "byte is", "bytes are")));
-  return bytes.substr(0, size);
+  const std::string_view rest = bytes.substr(size);
+  if (is_padding(rest)) return bytes.substr(0, size);
+  diagnostics.error(
+      location, fmt::format("{} behind the last of {} facets: their count is wrong, or the file was damaged",
+                            counted(rest.size(), "byte stands", "bytes stand"), facets));
+  return {};
 }
 
 }  // namespace convert

@@ -57,16 +57,16 @@ class ChunkData {
     return std::string(rest.substr(0, length));
   }
 
-  /// The data of the next chunk inside, with its number; empty behind the last one. A chunk that reaches
-  /// beyond this one is cut.
-  std::optional<std::pair<unsigned, ChunkData>> take_chunk() {
-    if (size() < ChunkHeaderSize) return {};
+  /// A chunk's number and its size, with that of its header. There is room for both.
+  std::pair<unsigned, std::size_t> take_header() {
     const unsigned id = take_number(2);
-    const std::size_t length = take_number(4);
-    const std::size_t data = std::min(length < ChunkHeaderSize ? 0 : length - ChunkHeaderSize, size());
-    ChunkData chunk(file_, position_, position_ + data);
-    position_ += data;
-    return std::pair(id, chunk);
+    return {id, take_number(4)};
+  }
+
+  /// What is next, of so many bytes. There is room for them.
+  ChunkData take_data(std::size_t bytes) {
+    position_ += bytes;
+    return {file_, position_ - bytes, position_};
   }
 
  private:
@@ -82,7 +82,7 @@ class ThreeDsReader {
 
   std::optional<ThreeDsFile> run() {
     ChunkData file(bytes_, 0, bytes_.size());
-    while (auto chunk = file.take_chunk()) {
+    while (auto chunk = take_chunk(file)) {
       if (chunk->first == MainChunk) read_main(chunk->second);
     }
     for (const auto& [object, position] : places_) check(file_.objects[object], position);
@@ -91,14 +91,29 @@ class ThreeDsReader {
   }
 
  private:
+  /// The data of the next chunk of a chunk, with its number; empty behind the last one, and after an error.
+  /// What is not a whole chunk was cut off, or is read at a wrong place.
+  std::optional<std::pair<unsigned, ChunkData>> take_chunk(ChunkData& data) {
+    if (data.size() == 0) return {};
+    const std::size_t begin = data.position();
+    if (data.size() >= ChunkHeaderSize) {
+      const auto [id, length] = data.take_header();
+      if (length >= ChunkHeaderSize && length - ChunkHeaderSize <= data.size()) {
+        return std::pair(id, data.take_data(length - ChunkHeaderSize));
+      }
+    }
+    error(begin, "the file was cut off, or is damaged: a chunk ends behind the one that it is in");
+    return {};
+  }
+
   void read_main(ChunkData data) {
-    while (auto chunk = data.take_chunk()) {
+    while (auto chunk = take_chunk(data)) {
       if (chunk->first == EditorChunk) read_editor(chunk->second);
     }
   }
 
   void read_editor(ChunkData data) {
-    while (auto chunk = data.take_chunk()) {
+    while (auto chunk = take_chunk(data)) {
       if (chunk->first == MaterialChunk) read_material(chunk->second);
       if (chunk->first == ObjectChunk) read_object(chunk->second);
     }
@@ -106,14 +121,14 @@ class ThreeDsReader {
 
   void read_material(ChunkData data) {
     file_.materials.emplace_back();
-    while (auto chunk = data.take_chunk()) {
+    while (auto chunk = take_chunk(data)) {
       if (chunk->first == MaterialNameChunk) file_.materials.back() = chunk->second.take_text();
     }
   }
 
   void read_object(ChunkData data) {
     const std::string name = data.take_text();
-    while (auto chunk = data.take_chunk()) {
+    while (auto chunk = take_chunk(data)) {
       if (chunk->first != TrianglesChunk) continue;
       places_.emplace_back(file_.objects.size(), chunk->second.position() - ChunkHeaderSize);
       file_.objects.push_back({name, {}, {}, 0});
@@ -122,7 +137,7 @@ class ThreeDsReader {
   }
 
   void read_triangles(ChunkData data, ThreeDsObject& object) {
-    while (auto chunk = data.take_chunk()) {
+    while (auto chunk = take_chunk(data)) {
       if (chunk->first == VerticesChunk) read_positions(chunk->second, object);
       if (chunk->first == FacesChunk) read_faces(chunk->second, object);
       if (chunk->first == TextureCoordinatesChunk) {
@@ -146,7 +161,8 @@ class ThreeDsReader {
       data.take_number(2);  // which edges are drawn
       object.faces.push_back(face);
     }
-    while (auto chunk = data.take_chunk()) {
+    if (failed_) return;
+    while (auto chunk = take_chunk(data)) {
       if (chunk->first == FaceMaterialChunk) read_face_material(chunk->second, object);
       if (chunk->first == SmoothingGroupsChunk) read_groups(chunk->second, object);
     }

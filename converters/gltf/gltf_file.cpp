@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "converters/gltf/gltf_check.h"
+#include "converters/text_encoding.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
@@ -73,7 +74,7 @@ std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
   const std::uint32_t version = word_at(bytes, 4);
   if (version != 2) return {"", fmt::format("the file is glTF {}, and glTF 2 alone is read", version)};
   const std::size_t length = word_at(bytes, 8);
-  if (length > bytes.size()) {
+  if (length != bytes.size() && (length > bytes.size() || !is_padding(bytes.substr(length)))) {
     return {"", fmt::format("the file has {} bytes, and says that it has {}", bytes.size(), length)};
   }
   const std::size_t json = HeaderBytes + ChunkHeaderBytes;
@@ -81,9 +82,13 @@ std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
   if (word_at(bytes, HeaderBytes + 4) != JsonChunk || json + json_bytes > length) {
     return {"", "the first part of the file is no JSON, or is cut off"};
   }
-  const std::size_t rest = length - json - json_bytes;
-  if (rest != 0 && (rest < ChunkHeaderBytes || word_at(bytes, json + json_bytes) > rest - ChunkHeaderBytes)) {
-    return {"", "the binary part of the file is cut off"};
+  std::size_t rest = length - json - json_bytes;
+  while (rest != 0) {
+    const std::size_t part = rest < ChunkHeaderBytes ? 0 : word_at(bytes, length - rest);
+    if (rest < ChunkHeaderBytes || part > rest - ChunkHeaderBytes) {
+      return {"", "the binary part of the file is cut off"};
+    }
+    rest -= ChunkHeaderBytes + part;
   }
   return {bytes.substr(json, json_bytes), ""};
 }

@@ -88,6 +88,7 @@ class HeaderReader {
  private:
   bool next_line();
   void read_line();
+  void read_end();
   void read_format();
   void read_element();
   void read_property();
@@ -118,6 +119,7 @@ class HeaderReader {
   std::vector<std::string_view> words_;
   bool has_format_ = false;
   bool ends_plainly_ = false;  // the last line that was read
+  bool last_ends_in_return_ = false;
   PlyHeader header_;
 };
 
@@ -126,11 +128,10 @@ std::optional<PlyHeader> HeaderReader::run() {
   bool ended = false;
   while (!failed() && !ended && next_line()) {
     ended = !words_.empty() && words_.front() == "end_header";
-    if (!ended) read_line();
+    ended ? read_end() : read_line();
   }
   if (failed()) return std::nullopt;
   header_.size = position_;
-  header_.is_plain = header_.is_plain && ends_plainly_;
   if (!ended) {
     fail(line_, "the file ends inside its header, expected 'end_header'");
   } else if (!has_format_) {
@@ -157,6 +158,7 @@ void HeaderReader::read_line() {
   if (is_format != (lines_ == 2)) header_.is_plain = false;
   const std::string_view printed = line_.substr(0, line_.size() - (line_.ends_with('\r') ? 1 : 0));
   ends_plainly_ = !printed.empty() && Blanks.find(printed.back()) == std::string_view::npos;
+  last_ends_in_return_ = line_.ends_with('\r');
   if (is_format) return read_format();
   const std::string_view keyword = words_.empty() ? std::string_view() : words_.front();
   if (keyword == "element") return read_element();
@@ -167,6 +169,19 @@ void HeaderReader::read_line() {
   } else {
     pass_over();
   }
+}
+
+// OpenMesh takes the line's length from the end of the line before it. A return may end this line alone, and
+// then values stand behind it.
+void HeaderReader::read_end() {
+  constexpr std::string_view Word = "end_header";
+  const std::string_view behind = line_.substr(line_.find(Word) + Word.size());
+  header_.is_plain = header_.is_plain && ends_plainly_ && line_.starts_with(Word) &&
+                     behind == (last_ends_in_return_ ? "\r" : "");
+  if (words_.size() == 1) return;
+  if (!behind.starts_with('\r')) return fail(words_[1], "the line 'end_header' goes on, expected its end");
+  header_.is_plain = false;
+  position_ = static_cast<std::size_t>(behind.data() - text_.data()) + 1;
 }
 
 void HeaderReader::read_format() {

@@ -15,6 +15,8 @@
 #include "converters/ply/ply_layout.h"
 #include "converters/ply/ply_mesh.h"
 #include "converters/ply/ply_openmesh.h"
+#include "converters/ply/ply_values.h"
+#include "converters/text_encoding.h"
 #include "converters/wording.h"
 #include "grf/text_file.h"
 
@@ -39,7 +41,7 @@ class PlyReader {
   bool check_vertices(const PlyElement& vertices);
   void add_elements_left_out(PlyMesh& mesh);
   void warn_of_unread();
-  void warn_of_rest(std::size_t end);
+  bool check_rest(std::size_t end);
 
   bool fail(const grf::SourceLocation& location, const std::string& message) {
     diagnostics_.error(location, message);
@@ -64,8 +66,8 @@ std::optional<grf::Scene> PlyReader::run() {
     fail(source_.whole_file(), "no face of the file has three corners or more, and nothing else can be kept");
     return std::nullopt;
   }
+  if (!check_rest(end)) return std::nullopt;
   warn_of_unread();
-  warn_of_rest(end);
   add_elements_left_out(*mesh);
   return mesh->take(source_.whole_file(), diagnostics_);
 }
@@ -148,15 +150,43 @@ void PlyReader::add_elements_left_out(PlyMesh& mesh) {
   }
 }
 
-void PlyReader::warn_of_rest(std::size_t end) {
-  std::string_view rest = std::string_view(*source_.bytes).substr(end);
-  if (header_.encoding == PlyEncoding::Ascii) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n\f\v"), rest.size()));
+// A file has as many bytes as its header says, but for a line end that a program may add: where there are
+// more, values were taken from wrong places.
+bool PlyReader::check_rest(std::size_t end) {
+  const std::string_view rest = std::string_view(*source_.bytes).substr(end);
+  if (is_padding(rest)) return true;
+  return fail(source_.whole_file(),
+              fmt::format("{} behind the last element: the header has a wrong count or property, or the file "
+                          "was damaged",
+                          counted(rest.size(), "byte stands", "bytes stand")));
+}
+
+/// Whether the elements of a binary file end where the file does.
+bool fill_file(const PlySource& source, const PlyHeader& header) {
+  grf::Diagnostics ignored_diagnostics;
+  PlyValues values(source, header, ignored_diagnostics);
+  for (const PlyElement& element : header.elements) {
+    for (std::uint64_t i = 0; !element.properties.empty() && i < element.count; ++i) {
+      values.begin(element, i);
+      if (!values.skip_element()) return false;
+    }
   }
-  if (rest.empty()) return;
-  diagnostics_.warning(source_.whole_file(),
-                       fmt::format("{} behind the last element: the header may have a wrong count",
-                                   counted(rest.size(), "byte stands", "bytes stand")));
+  return values.bytes_left() == 0;
+}
+
+// Where a return and a line feed stand behind the header's last word, both end the header, or the line feed
+// is a part of the first value: then the file has a byte too few, or too many.
+void find_body(const PlySource& source, PlyHeader& header) {
+  const std::string_view bytes = *source.bytes;
+  const std::string_view behind = bytes.substr(header.size - 1);
+  const bool may_be_longer = behind.starts_with("\r\n");
+  const bool may_be_shorter = header.size > 1 && bytes.substr(header.size - 2).starts_with("\r\n");
+  if (header.encoding == PlyEncoding::Ascii || !(may_be_longer || may_be_shorter)) return;
+  if (fill_file(source, header)) return;
+  PlyHeader other = header;
+  other.size = may_be_longer ? header.size + 1 : header.size - 1;
+  other.is_plain = false;
+  if (fill_file(source, other)) header = std::move(other);
 }
 
 }  // namespace
@@ -167,8 +197,9 @@ std::optional<Import> read_ply(const std::string& path, const ReadOptions& optio
   source.bytes = grf::read_file(path, diagnostics);
   if (!source.bytes) return std::nullopt;
   source.file = std::make_shared<grf::SourceFile>(grf::SourceFile{path, {}, source.bytes});
-  const auto header = read_ply_header(source, diagnostics);
+  auto header = read_ply_header(source, diagnostics);
   if (!header) return std::nullopt;
+  find_body(source, *header);
   auto scene = PlyReader(source, *header, options, diagnostics).run();
   if (!scene) return std::nullopt;
   return Import{std::move(*scene), {}};

@@ -40,6 +40,14 @@ class Stream {
     return is_gzip(rest) && inflateReset(&stream_) == Z_OK;
   }
 
+  /// Of bytes that were not read, those from the first on that is not zero, with which archives are filled
+  /// up.
+  std::size_t rest() const {
+    const std::string_view fed(reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in);
+    const std::size_t zeros = std::min(fed.find_first_not_of('\0'), fed.size());
+    return fed.size() - zeros + bytes_.size();
+  }
+
  private:
   // In parts, since zlib counts in 32 bits.
   void feed() {
@@ -74,12 +82,12 @@ Inflated inflate_gzip(std::string_view bytes, std::size_t most_bytes) {
       return ended(State::TooLarge);
     }
     if (code == Z_STREAM_END) {
-      if (!stream.next_member()) return ended(State::Whole);
-    } else if (code == Z_BUF_ERROR) {
-      return ended(State::CutOff);
-    } else if (code != Z_OK) {
-      return ended(State::Damaged);
+      if (stream.next_member()) continue;
+      inflated.rest = stream.rest();
+      return ended(State::Whole);
     }
+    if (code == Z_BUF_ERROR) return ended(State::CutOff);
+    if (code != Z_OK) return ended(State::Damaged);
   }
 }
 

@@ -13,6 +13,7 @@ struct Inflated {
   enum class State { Whole, CutOff, Damaged, TooLarge };
   std::string text;
   State state = State::Whole;
+  std::size_t rest = 0;  ///< bytes behind the end that are neither compressed nor zero
 };
 
 /// What the bytes were before they were compressed, or as much of it as can be had: no more than so many

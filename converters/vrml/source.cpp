@@ -8,6 +8,7 @@
 
 #include "converters/text_encoding.h"
 #include "converters/vrml/gzip.h"
+#include "converters/wording.h"
 #include "grf/text_file.h"
 
 namespace convert::vrml {
@@ -100,6 +101,10 @@ std::shared_ptr<const Source> make_source(std::string_view bytes, const std::str
   if (is_compressed) {
     Inflated result = inflate_gzip(bytes, LargestInflated);
     if (result.state != Inflated::State::Whole) return fail(what_is_wrong(result.state));
+    if (result.rest > 0) {
+      return fail(fmt::format("{} behind the end of the compressed file",
+                              counted(result.rest, "byte stands", "bytes stand")));
+    }
     inflated = std::move(result.text);
     bytes = inflated;
   }

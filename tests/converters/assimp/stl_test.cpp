@@ -62,10 +62,25 @@ TEST(Stl, FilesThatWereCutOffAreErrors) {
               HasSubstr("error: the file ends behind 0 of 85899346 facets"));
 }
 
-TEST(Stl, BytesBehindTheLastFacetAreSaid) {
-  const Reading reading = read_bytes("a.stl", binary_stl(2, Square) + "end");
-  ASSERT_TRUE(reading.scene.has_value()) << reading.text();
-  EXPECT_THAT(reading.text(), HasSubstr("warning: 3 bytes are not read behind the last facet"));
+TEST(Stl, EveryCutIsAnError) {
+  const std::string whole = binary_stl(2, Square);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const Reading reading = read_bytes("a.stl", std::string_view(whole).substr(0, size));
+    EXPECT_FALSE(reading.scene.has_value()) << size;
+    EXPECT_TRUE(reading.diagnostics.has_errors()) << size;
+  }
+}
+
+// One byte too many in the middle moves all behind it: the size is all that shows it.
+TEST(Stl, BytesBehindTheLastFacetAreErrors) {
+  std::string moved = binary_stl(2, Square);
+  moved.insert(100, 1, '\r');
+  for (const std::string& bytes : {moved, binary_stl(2, Square) + "end", binary_stl(1, Square)}) {
+    const Reading reading = read_bytes("a.stl", bytes);
+    EXPECT_FALSE(reading.scene.has_value());
+    EXPECT_THAT(reading.text(), HasSubstr(" behind the last of "));
+  }
+  EXPECT_EQ(read_bytes("a.stl", binary_stl(2, Square) + "\r\n\x1A").text(), "") << "which says nothing";
 }
 
 constexpr std::string_view TextFacet =

@@ -16,6 +16,11 @@ using testing::HasSubstr;
 const std::vector<float> Fold = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0};
 const std::vector<std::vector<unsigned>> FoldFaces = {{0, 2, 1}, {0, 1, 3}};
 
+/// Chunks of a map: how often the image is repeated (Autodesk's 3DS File Toolkit, MAT_MAP_USCALE and
+/// _VSCALE).
+constexpr unsigned UScale = 0xA354;
+constexpr unsigned VScale = 0xA356;
+
 Reading read_object(const ThreeDsParts& parts, const std::string& materials = "") {
   return read_bytes("model.3ds", three_ds_file(materials + object("fold", parts)));
 }
@@ -115,19 +120,32 @@ TEST(ThreeDs, MaterialsBecomeBrdfs) {
 
 TEST(ThreeDs, ATextureStandsInThePlaceOfTheDiffuseColour) {
   const std::string map = chunk(
-      0xA200, chunk(0xA300, text("WALL.JPG")) + chunk(0xA354, floats({2})) + chunk(0xA356, floats({4})));
+      0xA200, chunk(0xA300, text("WALL.JPG")) + chunk(UScale, floats({2})) + chunk(VScale, floats({4})));
   const std::string brick = material("brick", colour_chunk(0xA020, 0.2F, 0.2F, 0.2F) + map);
   const Reading reading =
       read_object({Fold, FoldFaces, {}, {{"brick", {0, 1}}}, {0, 0, 0.5F, 0.5F, 1, 1, 0, 1}}, brick);
   const grf::Mesh mesh = only_mesh(reading);
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene).at(0)), "diffuse kd=1");
   EXPECT_EQ(std::get<grf::Texture>(*mesh.surface(0).texture).file, "WALL.JPG");
-  // The image is repeated about its centre, twice in one of its directions and four times in the other.
+  // The image is repeated about its centre, twice along u and four times along v.
   ASSERT_TRUE(mesh.uvs.has(mesh.face(0)[0]));
   const grf::Vec2f corner = mesh.uvs[mesh.face(0)[0]];
   const grf::Vec2f centre = mesh.uvs[mesh.face(0)[2]];
   EXPECT_EQ(centre, grf::Vec2f(0.5F, 0.5F));
-  EXPECT_EQ(corner.x * corner.y, -0.5F * -1.5F);
+  EXPECT_EQ(corner, grf::Vec2f(-0.5F, -1.5F));
+}
+
+TEST(ThreeDs, TilesAnImageAlongUAndAlongVApart) {
+  const auto corner_of = [](const std::string& chunks) {
+    const std::string map = chunk(0xA200, chunk(0xA300, text("WALL.JPG")) + chunks);
+    const grf::Mesh mesh =
+        only_mesh(read_object({Fold, FoldFaces, {}, {{"brick", {0, 1}}}, {0, 0.25F, 0.5F, 0.5F, 1, 1, 0, 1}},
+                              material("brick", map)));
+    return mesh.uvs[mesh.face(0)[0]];
+  };
+  EXPECT_EQ(corner_of(""), grf::Vec2f(0, 0.25F));
+  EXPECT_EQ(corner_of(chunk(UScale, floats({3}))), grf::Vec2f(-1, 0.25F));
+  EXPECT_EQ(corner_of(chunk(VScale, floats({3}))), grf::Vec2f(0, -0.25F));
 }
 
 TEST(ThreeDs, AnUnknownMaterialIsSaidAndGivesNoBrdf) {
@@ -153,12 +171,25 @@ TEST(ThreeDs, BrokenFilesAreErrorsWithAnOffset) {
   EXPECT_THAT(read_object({far, FoldFaces, {}, {}, {}}).text(), HasSubstr("is not finite"));
 }
 
-TEST(ThreeDs, EveryPrefixOfAFileIsReadOrAnError) {
+TEST(ThreeDs, EveryCutIsAnError) {
   const std::string whole = three_ds_file(material("a", percentage_chunk(0xA084, 50)) +
                                           object("fold", {Fold, FoldFaces, {1, 1}, {{"a", {0}}}, {}}));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const Reading reading = read_bytes("model.3ds", std::string_view(whole).substr(0, size));
-    EXPECT_NE(reading.scene.has_value(), reading.diagnostics.has_errors()) << size;
+    EXPECT_FALSE(reading.scene.has_value()) << size;
+    EXPECT_TRUE(reading.diagnostics.has_errors()) << size;
+  }
+  EXPECT_TRUE(read_bytes("model.3ds", whole).scene.has_value());
+}
+
+TEST(ThreeDs, AChunkThatEndsBehindTheOneItIsInIsAnError) {
+  const ThreeDsParts parts = {Fold, FoldFaces, {}, {}, {}};
+  for (const std::uint32_t size : {0U, 5U, 1000U, 0xFFFFFFFFU}) {
+    std::string wrong = object("fold", parts);
+    wrong.replace(2, 4, little_endian(size, 4));
+    const Reading reading = read_bytes("model.3ds", three_ds_file(object("whole", parts) + wrong));
+    EXPECT_FALSE(reading.scene.has_value()) << size;
+    EXPECT_THAT(reading.text(), HasSubstr("a chunk ends behind the one that it is in")) << size;
   }
 }
 

@@ -134,6 +134,20 @@ TEST(GltfErrors, ABinaryPartThatEndsTooSoonIsNotReadBeyond) {
   expect_error(GltfMaker::read_bytes("a.glb", glb), "the binary part of the file is cut off");
 }
 
+TEST(GltfErrors, ASizeThatTheBytesDoNotBearOutIsAnError) {
+  const std::string glb = GltfMaker::triangle().glb();
+  for (std::size_t size = 0; size < glb.size(); ++size) {
+    expect_error(GltfMaker::read_bytes("a.glb", glb.substr(0, size)), "error: ");
+  }
+  expect_error(GltfMaker::read_bytes("a.glb", glb + "rest"), "and says that it has");
+  std::string with_another_part = glb + std::string("\x08\0\0\0PART", 8) + "1234";
+  with_another_part[8] = static_cast<char>(with_another_part.size());
+  expect_error(GltfMaker::read_bytes("a.glb", with_another_part), "the binary part of the file is cut off");
+  std::string of_another_kind = glb;
+  of_another_kind.replace(glb.find("BIN"), 3, "ABC");
+  expect_error(GltfMaker::read_bytes("a.glb", of_another_kind), "error: ");
+}
+
 TEST(GltfErrors, AFewBytesCannotAskForEndlessWork) {
   GltfMaker maker;
   const int positions = maker.floats(std::vector<float>(3 * 3000), "VEC3");

@@ -271,6 +271,65 @@ TEST(Gltf, ASkinMayHaveNoMatrices) {
   expect_near(world_corners(*reading.scene)[0], {0, 0, 7});
 }
 
+/// The directions of the triangle's normals, and what they are read as.
+std::vector<grf::Vec3d> normals_of(const GltfMaker& maker) {
+  const Reading reading = maker.read();
+  const grf::Mesh mesh = only_mesh(reading);
+  std::vector<grf::Vec3d> normals;
+  for (const std::uint32_t corner : mesh.corners) {
+    EXPECT_TRUE(mesh.normals.has(corner));
+    normals.push_back(grf::Vec3d(mesh.normals[corner]).normalized());
+  }
+  return normals;
+}
+
+grf::Vec3d along(double x, double y, double z) { return grf::Vec3d(x, y, z).normalized(); }
+
+TEST(Gltf, NormalsOfMorphTargetsStandAtTheirWeights) {
+  GltfMaker maker = GltfMaker::triangle();
+  maker.attributes()["NORMAL"] = maker.floats({0, 0, 1, 0, 0, 1, 0, 1, 0}, "VEC3");
+  const int target = maker.floats({2, 0, 0, 0, 4, 0, 0, -2, 2}, "VEC3");
+  const int other = maker.floats({0, 2, 0, 0, 0, 0, 0, 0, 0}, "VEC3");
+  maker.primitive()["targets"] = {{{"NORMAL", target}}, {{"NORMAL", other}}};
+  maker.json["meshes"][0]["weights"] = {0.5, 1};
+  const auto normals = normals_of(maker);
+  expect_near(normals.at(0), along(1, 2, 1));
+  expect_near(normals.at(1), along(0, 2, 1));
+  expect_near(normals.at(2), along(0, 0, 1));
+}
+
+/// The triangle that follows two joints: one that stretches along x, and one that turns by a quarter about z.
+GltfMaker skinned_triangle(const std::vector<float>& weights) {
+  GltfMaker maker = GltfMaker::triangle({{"skin", 0}, {"scale", {1, 7, 1}}});
+  maker.attributes()["JOINTS_0"] =
+      maker.add<std::uint8_t>({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4", 5121);
+  maker.attributes()["WEIGHTS_0"] = maker.floats(weights, "VEC4");
+  maker.attributes()["NORMAL"] = maker.floats({0.6F, 0.8F, 0, 0.6F, 0.8F, 0, 0, 1, 0}, "VEC3");
+  maker.json["skins"] = {{{"joints", {1, 2}}}};
+  const double half = std::sqrt(0.5);
+  maker.json["nodes"].push_back({{"scale", {2, 1, 1}}});
+  maker.json["nodes"].push_back({{"rotation", {0, 0, half, half}}, {"translation", {5, 6, 7}}});
+  maker.json["scenes"][0]["nodes"] = {0, 1, 2};
+  return maker;
+}
+
+// A normal is at right angles to what the joint makes of the tangents: of (0.8, -0.6, 0) and z, of which the
+// first joint makes (1.6, -0.6, 0) and the second one (0.6, 0.8, 0). Half of both, the third normal's tangent
+// x becomes (1, 0.5, 0).
+TEST(Gltf, NormalsFollowTheJointsOfTheirMesh) {
+  const auto normals = normals_of(skinned_triangle({1, 0, 0, 0, 0, 0.5F, 0, 0, 0.5F, 0.5F, 0, 0}));
+  expect_near(normals.at(0), along(0.6, 1.6, 0));
+  expect_near(normals.at(1), along(-0.8, 0.6, 0));
+  expect_near(normals.at(2), along(-1, 2, 0));
+}
+
+TEST(Gltf, NormalsAreMorphedBeforeTheyFollowJoints) {
+  GltfMaker maker = skinned_triangle({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  maker.primitive()["targets"] = {{{"NORMAL", maker.floats({0, 0, 0, 0, 0, 0, 2, 0, 0}, "VEC3")}}};
+  maker.json["meshes"][0]["weights"] = {0.5};
+  expect_near(normals_of(maker).at(2), along(0.5, 1, 0));
+}
+
 TEST(Gltf, TheDefaultSceneIsRead) {
   GltfMaker maker = GltfMaker::triangle();
   maker.add_root({{"mesh", 0}, {"translation", {0, 0, 3}}});

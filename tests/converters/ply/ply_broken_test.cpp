@@ -1,4 +1,5 @@
 // PLY files that are broken: one clear error, with the line, or the byte of a binary file.
+#include <bit>
 #include <string>
 
 #include <fmt/format.h>
@@ -72,8 +73,54 @@ TEST(BrokenPly, BinarySaysTheByte) {
       error_of(file.bytes().substr(0, file.bytes().size() - 5)),
       HasSubstr(fmt::format("face 2 of 2, at byte {}: a list of 3 values, for which the file is too short",
                             body + 36 + 13)));
-  const Reading longer = read_path(folder.add("longer.ply", file.bytes() + "ab"));
-  EXPECT_THAT(longer.text(), HasSubstr("warning: 2 bytes stand behind the last element"));
+  EXPECT_THAT(error_of(file.bytes() + "ab"), HasSubstr("error: 2 bytes stand behind the last element"));
+  EXPECT_THAT(error_of(file.bytes() + '\0'), HasSubstr("error: 1 byte stands behind the last element"));
+  EXPECT_EQ(read_path(folder.add("ended.ply", file.bytes() + "\r\n")).text(), "") << "a line end is no value";
+}
+
+/// A triangle in binary, with these line ends in the header and behind it.
+std::string triangle_of(const std::string& line_end, const std::string& last_end, float first_value) {
+  std::string bytes;
+  for (const auto* line :
+       {"ply", "format binary_little_endian 1.0", "element vertex 3", "property float x", "property float y",
+        "property float z", "element face 1", "property list uchar int vertex_indices"}) {
+    bytes += line + line_end;
+  }
+  PlyBytes values("binary_little_endian");
+  const std::size_t header = values.bytes().size();
+  for (const float value : {first_value, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F}) values.put(value);
+  values.put(std::uint8_t{3}).put(std::int32_t{0}).put(std::int32_t{1}).put(std::int32_t{2});
+  return bytes + "end_header" + last_end + values.bytes().substr(header);
+}
+
+// A body that is read from one byte off is rubbish in which nothing need be wrong.
+TEST(BrokenPly, TheHeaderMayEndInAnotherLineEndThanItsOtherLines) {
+  const float line_feed_first = std::bit_cast<float>(0x3F80000AU);
+  const float return_first = std::bit_cast<float>(0x3F80000DU);
+  for (const std::string line_end : {"\n", "\r\n", "\r"}) {
+    for (const std::string last_end : {"\n", "\r\n", "\r", " \n"}) {
+      if (line_end == "\r" && last_end.ends_with("\n") && last_end != "\r\n") continue;  // is no header
+      for (const float first_value : {1.0F, line_feed_first, return_first}) {
+        const Reading reading = read_bytes("model.ply", triangle_of(line_end, last_end, first_value));
+        ASSERT_TRUE(reading.scene.has_value()) << reading.text();
+        EXPECT_EQ(reading.text(), "");
+        const auto meshes = meshes_of(*reading.scene);
+        ASSERT_EQ(meshes.size(), 1U);
+        EXPECT_THAT(meshes[0].positions, testing::ElementsAre(grf::Vec3f(first_value, 0, 0),
+                                                              grf::Vec3f(1, 0, 0), grf::Vec3f(0, 1, 0)));
+        EXPECT_THAT(meshes[0].corners, testing::ElementsAre(0, 1, 2));
+      }
+    }
+  }
+  EXPECT_THAT(error_of(triangle_of("\n", " x\n", 1)),
+              HasSubstr("9:12: error: the line 'end_header' goes on"));
+}
+
+// The header says less than a line has: each vertex after the first would begin in the one before it.
+TEST(BrokenPly, TextWithMoreNumbersThanTheHeaderNamesIsNoModel) {
+  EXPECT_THAT(error_of(Header + "0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n"), HasSubstr("error: "));
+  EXPECT_THAT(error_of(Header + Triangle + "3 0 1 2\n3 0 2 1\n"),
+              HasSubstr("error: 9 bytes stand behind the last element: the header has a wrong count"));
 }
 
 TEST(BrokenPly, TextThatWasCutOffIsNoModel) {

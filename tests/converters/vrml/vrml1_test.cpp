@@ -297,5 +297,13 @@ TEST(Vrml1Textures, MultiplyTheDiffuseColour) {
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene)[0]), "diffuse kd=(0.5, 0, 0)");
 }
 
+TEST(Vrml1Solids, LookOutside) {
+  constexpr double Pi = 3.14159265358979;
+  EXPECT_NEAR(volume_of(mesh1("Cube { width 1 height 2 depth 3 }")), 6, 1e-5);
+  EXPECT_NEAR(volume_of(mesh1("Sphere { radius 2 }")), 32 * Pi / 3, 1);
+  EXPECT_NEAR(volume_of(mesh1("Cylinder { radius 2 height 3 }")), 12 * Pi, 1);
+  EXPECT_NEAR(volume_of(mesh1("Cone { bottomRadius 3 height 4 }")), 12 * Pi, 1);
+}
+
 }  // namespace
 }  // namespace convert

@@ -177,6 +177,19 @@ TEST(VrmlCreaseAngle, SmoothsAcrossEdgesOfLess) {
   EXPECT_LT((normals_of(mesh_of(bent(60, "creaseAngle 1.1 ccw FALSE")), 0)[3] + normals[1]).length(), 1e-6);
 }
 
+// Three sides of a box of 1, 2 and 3 meet at right angles, whatever their areas, and though one is cut in two
+// there.
+TEST(VrmlCreaseAngle, WeighsFacesByTheirAngle) {
+  const grf::Mesh mesh = mesh_of(
+      "IndexedFaceSet { creaseAngle 2 coord Coordinate { point [ 0 0 0, 1 0 0, 1 2 0, 0 2 0, 0 0 3, 1 0 3, 0 "
+      "2 3 ] }"
+      " coordIndex [ 0 3 2 1 -1 0 1 5 -1 0 5 4 -1 0 4 6 3 -1 ] }");
+  const Vec3f normal = normals_of(mesh, 0)[0];
+  EXPECT_LT((normal + Vec3f(1, 1, 1).normalized()).length(), 1e-6)
+      << normal.x << ' ' << normal.y << ' ' << normal.z;
+  EXPECT_EQ(normals_of(mesh, 2)[0], normal);
+}
+
 TEST(VrmlCreaseAngle, OfHalfATurnSmoothsEverything) {
   EXPECT_FALSE(mesh_of(bent(179.9, "creaseAngle 3.1416")).normals.empty());
   EXPECT_TRUE(mesh_of(bent(179.9, "creaseAngle 3")).normals.empty());
@@ -219,8 +232,41 @@ TEST(VrmlSolids, HaveNormalsOfTheirTrueShape) {
   for (std::size_t i = 0; i < sphere.positions.size(); ++i) {
     EXPECT_LT((sphere.normals[i] * 2.0F - sphere.positions[i]).length(), 1e-5);
   }
+}
+
+// The slope of a cone of radius 3 and height 4 looks 4 parts outwards and 3 parts up, and so it does at the
+// apex, where each face looks to its middle.
+TEST(VrmlSolids, ConesHaveNormalsOfTheirSlope) {
   const grf::Mesh cone = mesh_of("Cone { bottomRadius 3 height 4 bottom FALSE }");
-  for (const Vec3f& normal : normals_of(cone, 5)) EXPECT_NEAR(normal.y, 0.6, 1e-6);
+  ASSERT_EQ(cone.face_count(), 32U);
+  for (std::size_t i = 0; i < cone.face_count(); ++i) {
+    const auto corners = corners_of(cone, i);
+    const auto normals = normals_of(cone, i);
+    ASSERT_EQ(corners.size(), 3U);
+    Vec3f middle(0);
+    for (const Vec3f& corner : corners) middle += Vec3f(corner.x, 0, corner.z);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_apex = corners[k].y > 0;
+      const Vec3f outwards = (is_apex ? middle : Vec3f(corners[k].x, 0, corners[k].z)).normalized();
+      EXPECT_LT((normals[k] - (outwards * 0.8F + Y * 0.6F)).length(), 1e-5) << i << ' ' << k;
+    }
+  }
+}
+
+TEST(VrmlSolids, CylindersHaveNormalsOutwardsAndFlatEnds) {
+  const grf::Mesh cylinder = mesh_of("Cylinder { radius 2 height 5 }");
+  ASSERT_EQ(cylinder.face_count(), 34U);
+  for (std::size_t i = 0; i < 32; ++i) {
+    const auto corners = corners_of(cylinder, i);
+    const auto normals = normals_of(cylinder, i);
+    ASSERT_EQ(corners.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_LT((normals[k] - Vec3f(corners[k].x, 0, corners[k].z) * 0.5F).length(), 1e-5) << i << ' ' << k;
+    }
+  }
+  for (const std::size_t end : {32U, 33U}) {
+    EXPECT_THAT(normals_of(cylinder, end), testing::Each(Vec3f(0))) << "it is as flat as it is";
+  }
 }
 
 TEST(VrmlSolids, LeaveOutPartsThatAreNotThere) {
@@ -312,6 +358,32 @@ TEST(VrmlExtrusion, FollowsItsSpine) {
   EXPECT_GT(volume_of(bend), 0);
 }
 
+// The spine bends to the right, and then to the left, where the axis of the bend points the other way. The
+// standard keeps the cross-sections from turning over there. All of them stand upright on the plane of the
+// spine, so that the solid is as thick as they are, over the outline that their ends make.
+TEST(VrmlExtrusion, AlongASpineLikeAnSDoesNotTurnOver) {
+  const grf::Mesh mesh = mesh_of(
+      "Extrusion { spine [ 0 0 0, 0 2 0, 2 2 0, 2 4 0 ] crossSection [ 0.5 1, 0.5 -1, -0.5 -1, -0.5 1, 0.5 1 "
+      "] }");
+  const double d = 0.5 * std::sqrt(0.5);  // half of the width, on lines at 45 degrees
+  const std::vector<grf::Vec2d> outline = {{0.5, 0}, {d, 2 - d},     {2 + d, 2 - d}, {2.5, 4},
+                                           {1.5, 4}, {2 - d, 2 + d}, {-d, 2 + d},    {-0.5, 0}};
+  double area = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const grf::Vec2d& next = outline[(i + 1) % outline.size()];
+    area += (outline[i].x * next.y - next.x * outline[i].y) / 2;
+    for (const double z : {-1.0, 1.0}) {
+      const auto is_there = [&](const Vec3f& p) {
+        return (grf::Vec3d(p) - grf::Vec3d(outline[i].x, outline[i].y, z)).length() < 1e-6;
+      };
+      EXPECT_EQ(std::count_if(mesh.positions.begin(), mesh.positions.end(), is_there), 1) << i << ' ' << z;
+    }
+  }
+  EXPECT_NEAR(volume_of(mesh), 2 * area, 1e-5);
+  EXPECT_EQ(mesh.positions.size(), 16U);
+  EXPECT_EQ(mesh.face_count(), 14U);
+}
+
 TEST(VrmlExtrusion, ThatIsClosedIsARing) {
   std::string spine;
   for (int i = 0; i <= 32; ++i) {
@@ -324,7 +396,7 @@ TEST(VrmlExtrusion, ThatIsClosedIsARing) {
   const grf::Mesh mesh = meshes_of(*reading.scene)[0];
   EXPECT_EQ(mesh.positions.size(), 32U * 4);
   EXPECT_EQ(grf::summarize(*reading.scene).boundary_edges, 0U);
-  EXPECT_NEAR(std::abs(volume_of(mesh)), 2 * std::numbers::pi * 5 * 4, 3);
+  EXPECT_NEAR(volume_of(mesh), 2 * std::numbers::pi * 5 * 4, 3);
 }
 
 TEST(VrmlExtrusion, ThatDegeneratesIsNoCrash) {

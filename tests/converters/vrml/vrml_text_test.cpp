@@ -53,6 +53,20 @@ TEST(VrmlText, IsToldByItsFirstLineAlsoCompressed) {
   EXPECT_EQ(format_of("c.dat", compressed("Group {}")), "");
 }
 
+TEST(VrmlText, ThatWasCompressedHasNothingBehindItsEnd) {
+  const std::string bytes = compressed(Header + shape("Box {}"));
+  EXPECT_EQ(read_bytes("a.wrz", bytes).text(), "");
+  EXPECT_EQ(read_bytes("a.wrz", bytes + std::string(512, '\0')).text(), "") << "archives are filled up so";
+  const std::string half = compressed(Header + "Shape { geometry ");
+  EXPECT_EQ(read_bytes("a.wrz", half + compressed("Box {} }")).text(), "");
+  EXPECT_THAT(error_of(read_bytes("a.wrz", bytes + "rest")),
+              HasSubstr("error: 4 bytes stand behind the end of the compressed file"));
+  for (std::size_t size = 2; size < bytes.size(); ++size) {
+    EXPECT_THAT(error_of(read_bytes("a.wrz", bytes.substr(0, size))),
+                HasSubstr("the compressed file was cut off"));
+  }
+}
+
 TEST(VrmlText, OfAnotherKindIsAnError) {
   const test::TemporaryFolder folder;
   const auto error = [&](std::string_view bytes) { return error_of(read_path(folder.add("a.wrl", bytes))); };
