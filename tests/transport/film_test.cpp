@@ -135,6 +135,90 @@ TEST(Film, IsNotMisledByARareBrightSample) {
   EXPECT_NEAR(*film.estimated_error(), std::sqrt(1000.0 * 1000 / 1.01 / 81), 1);
 }
 
+// On black, where the neighbours tell nothing: a lamp that covers half of a pixel, and is smaller than that.
+TEST(Film, DividesThePixelOfASmallLampByItself) {
+  Film film(9, 9);
+  for (int half = 0; half < Film::Scramblings; ++half) {
+    add_to_tile(film, 0, half,
+                [&](int x, int y) { return Rgb(x == 4 && y == 4 ? 9.0F + static_cast<float>(half) : 0.0F); });
+  }
+  // A deviation of 0.5 from 9.5.
+  EXPECT_NEAR(*film.estimated_error(), 0.5 / 9.5 / 9, 0.01 * 0.5 / 9.5 / 9);
+}
+
+// The edge of a lamp: each pixel of a column has another part of it, which the halves know to 2 %.
+TEST(Film, DividesThePixelsOfAnEdgeByThemselves) {
+  constexpr int Side = Film::TileSize;
+  Film film(Side, Side);
+  for (int half = 0; half < Film::Scramblings; ++half) {
+    const float factor = half == 0 ? 0.98F : 1.02F;
+    add_to_tile(film, 0, half, [&](int x, int y) {
+      return Rgb(x < 8 ? 0.05F : x > 8 ? 20.0F : factor * static_cast<float>(y + 2));
+    });
+  }
+  const double expected = 0.02 / std::sqrt(static_cast<double>(Side));
+  EXPECT_NEAR(*film.estimated_error(), expected, 0.03 * expected);
+}
+
+// Dots that are hit once, where half of them were not seen at all: that is known from those which were hit in
+// both halves. Each of `Dots` pixels has its radiance 1 in one sample of a half with the probability 1/2, so
+// the mean is 1/2 with the variance 1/8.
+TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
+  constexpr int Side = 160;
+  constexpr int Apart = 4;
+  std::mt19937 random(3);
+  std::bernoulli_distribution hit(0.5);
+  Film film(Side, Side);
+  for (int tile = 0; tile < film.tile_count(); ++tile) {
+    for (int half = 0; half < Film::Scramblings; ++half) {
+      add_to_tile(film, tile, half, [&](int x, int y) {
+        return Rgb(x % Apart == 2 && y % Apart == 2 && hit(random) ? 100.0F : 0.0F);
+      });
+    }
+  }
+  const double expected = std::sqrt(0.5) / Apart;
+  EXPECT_NEAR(*film.estimated_error(), expected, 0.3 * expected);
+}
+
+/// Normally distributed noise of one part in a hundred.
+Film film_with_noise(std::mt19937& random, int width, int height) {
+  std::normal_distribution<float> noise(1, 0.01F);
+  Film film(width, height);
+  for (int tile = 0; tile < film.tile_count(); ++tile) {
+    for (int half = 0; half < Film::Scramblings; ++half) {
+      add_to_tile(film, tile, half, [&](int, int) { return Rgb(noise(random)); });
+    }
+  }
+  return film;
+}
+
+// The quotient of two chi-square variables of N degrees of freedom has a logarithm with about the variance
+// 4 / N; that of the error is half of it.
+TEST(Film, StatesTheIntervalOfNormalNoise) {
+  std::mt19937 random(4);
+  const auto estimate = *film_with_noise(random, 64, 64).error_estimate();
+  const double expected = std::exp(1.96 / 64);
+  EXPECT_NEAR(std::log(estimate.high / estimate.error), std::log(expected), 0.25 * std::log(expected));
+  EXPECT_NEAR(std::log(estimate.error / estimate.low), std::log(expected), 0.25 * std::log(expected));
+}
+
+// Of 400 intervals, 20 miss in the mean; fewer than 5 or more than 34 do in one case of 10,000 and 1,000.
+TEST(Film, StatesAnIntervalThatHoldsAndIsNotTooWide) {
+  std::mt19937 random(5);
+  constexpr int Films = 400;
+  int missed = 0;
+  for (int i = 0; i < Films; ++i) {
+    const Film film = film_with_noise(random, 32, 16);
+    double squares = 0;
+    for (const Rgb& pixel : film.mean().pixels) squares += std::pow(pixel.x - 1.0, 2);
+    const double error = std::sqrt(squares / (32 * 16) / 1.01);
+    const auto estimate = *film.error_estimate();
+    missed += error < estimate.low || error > estimate.high ? 1 : 0;
+  }
+  EXPECT_GE(missed, 5);
+  EXPECT_LE(missed, 34);
+}
+
 TEST(Film, WeighsHalvesThatWerePlacedAlike) {
   Film film(1, 1);
   for (const int scrambling : {0, 0, 0, 1}) add(film, 0, scrambling, Rgb(scrambling == 0 ? 1.0F : 4.0F));
