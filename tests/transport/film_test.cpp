@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/transport/image/image_error.h"
+
 namespace {
 
 using transport::Film;
@@ -153,7 +155,7 @@ TEST(Film, DividesThePixelsOfAnEdgeByThemselves) {
   for (int half = 0; half < Film::Scramblings; ++half) {
     const float factor = half == 0 ? 0.98F : 1.02F;
     add_to_tile(film, 0, half, [&](int x, int y) {
-      return Rgb(x < 8 ? 0.05F : x > 8 ? 20.0F : factor * static_cast<float>(y + 2));
+      return Rgb(x < 8 ? 0.05F : x > 8 ? 60.0F : factor * static_cast<float>(y + 2));
     });
   }
   const double expected = 0.02 / std::sqrt(static_cast<double>(Side));
@@ -178,6 +180,43 @@ TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
   }
   const double expected = std::sqrt(0.5) / Apart;
   EXPECT_NEAR(*film.estimated_error(), expected, 0.3 * expected);
+}
+
+// The edges of lamps on black. Most of the error is in pixels of which so little is covered that one of 16
+// samples has hit it, or none: each is covered by another random part. Samples are spread as evenly as they
+// can be, so that a half has hit floor or ceil of what the covered part is of its samples.
+TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
+  constexpr int Films = 60;
+  constexpr double HalfSamples = 8;
+  constexpr int Side = 2 * Film::TileSize;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform;
+  int inside = 0;
+  double quotients = 0;
+  for (int i = 0; i < Films; ++i) {
+    Image truth{Side, Side, std::vector<Rgb>(static_cast<std::size_t>(Side) * Side)};
+    for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
+      truth.pixels[p] = Rgb(p % 8 == 4 ? static_cast<float>(10 * uniform(random)) : p % 8 > 4 ? 10.0F : 0.0F);
+    }
+    Film film(Side, Side);
+    for (int tile = 0; tile < film.tile_count(); ++tile) {
+      const transport::TileBounds bounds = film.bounds_of(tile);
+      for (int half = 0; half < Film::Scramblings; ++half) {
+        add_to_tile(film, tile, half, [&](int x, int y) {
+          const double covered = truth.at(bounds.x + x, bounds.y + y).x / 10.0;
+          return Rgb(
+              static_cast<float>(10 * std::floor(HalfSamples * covered + uniform(random)) / HalfSamples));
+        });
+      }
+    }
+    const auto estimate = *film.error_estimate();
+    const double error = std::sqrt(error_of(film.mean(), truth).relmse);
+    inside += error >= estimate.low && error <= estimate.high ? 1 : 0;
+    quotients += estimate.error / error / Films;
+  }
+  EXPECT_GE(inside, Films - 8);
+  EXPECT_GT(quotients, 0.85);
+  EXPECT_LT(quotients, 1.2);
 }
 
 /// Normally distributed noise of one part in a hundred.
