@@ -7,12 +7,12 @@
 namespace transport {
 namespace {
 
-constexpr int Channels = 3;
+constexpr int PixelChannels = 3;
 /// What relMSE adds to the squared radiance.
-constexpr double Floor = 0.01;
+constexpr double RelmseFloor = 0.01;
 
 /// Of the standard normal distribution: 95 % are within so many standard deviations.
-constexpr double Quantile = 1.96;
+constexpr double NormalQuantile = 1.96;
 
 /// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
 /// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
@@ -75,8 +75,8 @@ double visible_part(const Surroundings& around, double difference, double varian
 
 /// The squared relative error of a value, unless it is counted as lone or touched.
 double add_value(const Surroundings& around, double mean, double variance, ErrorSums& sums) {
-  if (around.count == 0) return variance / (mean * mean + Floor);
-  const bool is_lone = mean > LoneContrast * (around.brightest + std::sqrt(Floor));
+  if (around.count == 0) return variance / (mean * mean + RelmseFloor);
+  const bool is_lone = mean > LoneContrast * (around.brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
     const double excess = mean - around.brightest;
     ++sums.lone.count;
@@ -86,15 +86,15 @@ double add_value(const Surroundings& around, double mean, double variance, Error
   const double difference = mean - around.mean;
   const double visible = visible_part(around, difference, variance);
   const double radiance = around.mean + visible * difference;
-  const double error = variance / (radiance * radiance + Floor);
+  const double error = variance / (radiance * radiance + RelmseFloor);
   if (variance <= OneHalfBright * OneHalfBright * mean * mean) return error;
-  const double own_error = variance / (mean * mean + Floor);
+  const double own_error = variance / (mean * mean + RelmseFloor);
   if (is_lone) {
     sums.lone.own += own_error;
     sums.lone.neighbours += error;
     return 0;
   }
-  const double brighter = mean * mean / (around.darkest * around.darkest + Floor);
+  const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
   const bool is_touched = visible > 0.5 && brighter > 4 && mean <= around.brightest;
   if (!is_touched) return error;
   sums.touched.errors += own_error;
@@ -110,11 +110,13 @@ struct Supplement {
 };
 
 /// If all are alike, and the channels of a pixel alike, too.
-Supplement spread_over(double errors, double values) { return {errors, errors * errors * Channels / values}; }
+Supplement spread_over(double errors, double values) {
+  return {errors, errors * errors * PixelChannels / values};
+}
 
 Supplement errors_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return {};
-  const double pixels = touched.errors / Channels;
+  const double pixels = touched.errors / PixelChannels;
   const double brighter = std::exp(touched.logarithms / touched.errors);
   const double tail = TailGrowth * std::log1p(std::min(brighter, 4 * pixels));
   return spread_over(touched.errors * (1 + tail), touched.errors);
@@ -147,12 +149,12 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
 
 ErrorSums error_sums_of(const PixelMoments& pixels) {
   ErrorSums sums;
-  sums.values = Channels * static_cast<double>(pixels.means.size());
+  sums.values = PixelChannels * static_cast<double>(pixels.means.size());
   for (int y = 0; y < pixels.height; ++y) {
     for (int x = 0; x < pixels.width; ++x) {
       const auto index = static_cast<std::size_t>(y * pixels.width + x);
       double error = 0;
-      for (int c = 0; c < Channels; ++c) {
+      for (int c = 0; c < PixelChannels; ++c) {
         error += add_value(surroundings_of(pixels, x, y, c), pixels.means[index][c],
                            pixels.variances[index][c], sums);
       }
@@ -172,7 +174,7 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   if (!(errors > 0)) return ErrorEstimate();
   // Of the logarithm of the squared error.
   const double squares = std::max(0.0, sums.squares) + touched.squares + lone.squares;
-  const double deviation = 2 * Quantile * std::sqrt(UncertainPart * squares) / errors;
+  const double deviation = 2 * NormalQuantile * std::sqrt(UncertainPart * squares) / errors;
   const double doubt =
       (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors;
   const double tail_above = std::log1p(std::max(0.0, sums.touched.bounds) / errors);
