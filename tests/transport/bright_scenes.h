@@ -1,8 +1,9 @@
 // Scenes of high contrast, with lamps in view: what an error estimate finds difficult.
 #pragma once
 
+#include <array>
 #include <cmath>
-#include <memory>
+#include <iterator>
 #include <numbers>
 #include <random>
 #include <string>
