@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/error_scenes.h"
 
