@@ -2,74 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace transport {
-namespace {
-
-/// Of the standard normal distribution: 95 % are within so many standard deviations.
-constexpr double Quantile = 1.96;
-
-/// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
-/// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
-/// variance is not known at all count in full. Measured: 1/2 is a little too much (error_statistics_test).
-constexpr double UncertainPart = 0.4;
-
-/// The two smallest and the two largest of some numbers, each channel for itself.
-struct Extremes {
-  Imath::V3d lowest = Imath::V3d(std::numeric_limits<double>::max());
-  Imath::V3d low = lowest;
-  Imath::V3d highest = -lowest;
-  Imath::V3d high = -lowest;
-
-  void add(const Imath::V3d& value) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], std::max(lowest[i], value[i]));
-      lowest[i] = std::min(lowest[i], value[i]);
-      high[i] = std::max(high[i], std::min(highest[i], value[i]));
-      highest[i] = std::max(highest[i], value[i]);
-    }
-  }
-};
-
-/// A pixel's mean, between the second lowest and the second highest of its neighbours within the tile. The
-/// mean itself, where there are no three of them.
-Imath::V3d between_neighbours(const TileBounds& bounds, const std::vector<Imath::V3d>& means, int x, int y) {
-  const auto mean_at = [&](int i, int k) { return means[bounds.index_of(i, k)]; };
-  Extremes extremes;
-  int count = 0;
-  for (int k = std::max(y - 1, 0); k <= std::min(y + 1, bounds.height - 1); ++k) {
-    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, bounds.width - 1); ++i) {
-      if (i == x && k == y) continue;
-      extremes.add(mean_at(i, k));
-      ++count;
-    }
-  }
-  Imath::V3d mean = mean_at(x, y);
-  for (int c = 0; c < 3 && count > 2; ++c) mean[c] = std::clamp(mean[c], extremes.low[c], extremes.high[c]);
-  return mean;
-}
-
-}  // namespace
-
-ErrorSums& ErrorSums::operator+=(const ErrorSums& other) {
-  values += other.values;
-  errors += other.errors;
-  squares += other.squares;
-  return *this;
-}
-
-ErrorSums ErrorSums::operator-(const ErrorSums& other) const {
-  return {values - other.values, errors - other.errors, squares - other.squares};
-}
-
-std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
-  if (!(sums.values > 0)) return std::nullopt;
-  if (!(sums.errors > 0)) return ErrorEstimate();
-  const double error = std::sqrt(sums.errors / sums.values);
-  const double factor = std::exp(Quantile * std::sqrt(std::max(0.0, sums.squares)) / sums.errors);
-  return ErrorEstimate{error, error / factor, error * factor};
-}
 
 bool FilmTile::add(int x, int y, int scrambling, const Rgb& radiance) {
   const bool finite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
@@ -108,23 +42,12 @@ Imath::V3d FilmTile::exact_variance(const PixelSums& sums) const {
 
 ErrorSums FilmTile::error_sums() const {
   if (counts[0] == 0 || counts[1] == 0) return {};
-  std::vector<Imath::V3d> means;
-  means.reserve(pixels.size());
-  for (const PixelSums& sums : pixels) means.push_back(exact_mean(sums));
-  ErrorSums result;
-  result.values = 3 * static_cast<double>(pixels.size());
-  for (int y = 0; y < bounds.height; ++y) {
-    for (int x = 0; x < bounds.width; ++x) {
-      const std::size_t pixel = bounds.index_of(x, y);
-      const Imath::V3d mean = between_neighbours(bounds, means, x, y);
-      const Imath::V3d spread = exact_variance(pixels[pixel]);
-      double error = 0;
-      for (int i = 0; i < 3; ++i) error += spread[i] / (mean[i] * mean[i] + 0.01);
-      result.errors += error;
-      result.squares += UncertainPart * error * error;
-    }
+  PixelMoments moments{bounds.width, bounds.height, {}, {}};
+  for (const PixelSums& sums : pixels) {
+    moments.means.push_back(exact_mean(sums));
+    moments.variances.push_back(exact_variance(sums));
   }
-  return result;
+  return error_sums_of(moments);
 }
 
 // Of n and m samples, the difference of the two means has 1/n + 1/m of the variance of one.

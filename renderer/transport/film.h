@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/reflectance/geometry.h"
+#include "renderer/transport/error_estimate.h"
 #include "renderer/transport/image/image.h"
 
 namespace transport {
@@ -27,35 +28,6 @@ struct TileBounds {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }
 };
-
-/// What the pixels of an image say about its error, to be added up over parts of the image.
-struct ErrorSums {
-  double values = 0;  ///< pixels times channels
-  /// Of the estimated squared relative error of each value.
-  double errors = 0;
-  /// Of the square of what the channels of a pixel have of it together: how uneven it is.
-  double squares = 0;
-
-  ErrorSums& operator+=(const ErrorSums& other);
-  ErrorSums operator-(const ErrorSums& other) const;
-};
-
-/// How far an image is from the truth, as far as its own samples tell: sqrt(relMSE) with
-/// relMSE = mean((image - truth)^2 / (truth^2 + 0.01)) over pixels and channels.
-struct ErrorEstimate {
-  double error = 0;
-  double low = 0;  ///< 95 % of images are between these
-  double high = 0;
-};
-
-/// Nothing without values.
-///
-/// With a and b the means of a pixel's halves, x = (a + b) / 2 its value and t the truth, (a - b) / 2 has the
-/// distribution of x - t. More than that, ((a - b) / 2)^2 differs from (x - t)^2 by -(a - t)(b - t) alone.
-/// That has mean 0 because the halves are independent, and variance 4 var(x)^2, however heavy the tails of a
-/// and b are. So the logarithm of the error has about the standard deviation 1 / sqrt(N), where N = (sum of
-/// var)^2 / sum of var^2 is how many pixels the error is spread over.
-std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
 
 /// The sums of one tile, which a worker takes out of the film, adds samples to, and puts back. All pixels of
 /// a tile have as many samples.
@@ -84,9 +56,7 @@ class FilmTile {
   Rgb mean(std::size_t pixel) const;
   /// The variance of that mean, from the two halves; 0 while there is but one.
   Rgb variance(std::size_t pixel) const;
-  /// Zeros while there is but one half. Each pixel's variance is over its mean^2 + 0.01, with a mean between
-  /// the second lowest and the second highest of its neighbours': a rare bright sample must not excuse
-  /// itself.
+  /// What the tile's pixels say about the error; zeros while there is but one half.
   ErrorSums error_sums() const;
   /// The sum over pixels and channels of the relative variance of one sample of a half, as far as the samples
   /// before and after a moment tell: `before` is the tile as it was then. Both must be of at least one

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "renderer/transport/image/image_error.h"
@@ -13,6 +14,8 @@ namespace test {
 struct ErrorStudy {
   int runs = 0;
   int inside = 0;                 ///< true errors that were in their interval
+  double quotients = 0;           ///< sum of stated over true error
+  double widths = 0;              ///< sum of the upper over the lower bound of intervals
   double stated = 0, actual = 0;  ///< sums of squared errors, each as a part of its scene's mean one
   int stopped = 0;                ///< renders with a target
   int missed = 0;                 ///< of which the true error was above the target by more than the margin
@@ -20,6 +23,8 @@ struct ErrorStudy {
   ErrorStudy& operator+=(const ErrorStudy& other) {
     runs += other.runs;
     inside += other.inside;
+    quotients += other.quotients;
+    widths += other.widths;
     stated += other.stated;
     actual += other.actual;
     stopped += other.stopped;
@@ -27,6 +32,8 @@ struct ErrorStudy {
     return *this;
   }
   double coverage() const { return static_cast<double>(inside) / runs; }
+  double mean_quotient() const { return quotients / runs; }
+  double mean_width() const { return widths / runs; }
   double stated_over_true() const { return std::sqrt(stated / actual); }
   double missed_share() const { return static_cast<double>(missed) / stopped; }
 };
@@ -60,9 +67,14 @@ class SeedImages {
   int count_ = 0;
 };
 
-/// One scene, with so many seeds: renders of `samples` a pixel whose error is estimated, and as many that
-/// stop at a target of two thirds of the mean error that those have.
-inline void study_errors(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
+/// What renders of one scene with other seeds have shown.
+struct StudiedScene {
+  SeedImages images;
+  double squared_error = 0;  ///< the mean one
+};
+
+/// Compares the stated with the true errors of renders of one scene with so many seeds.
+inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
   transport::RenderSettings settings = scene.settings;
   settings.samples = samples;
   std::vector<transport::Image> images;
@@ -80,23 +92,33 @@ inline void study_errors(const SampleScene& scene, int seeds, int samples, Error
   double mean = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const double squared = all.relmse(images[i], true, 1);
-    study.inside += std::sqrt(squared) >= estimates[i].low && std::sqrt(squared) <= estimates[i].high ? 1 : 0;
+    const double error = std::sqrt(squared);
+    study.inside += error >= estimates[i].low && error <= estimates[i].high ? 1 : 0;
+    study.quotients += estimates[i].error / error;
+    study.widths += estimates[i].high / estimates[i].low;
     mean += squared / seeds;
     stated += estimates[i].error * estimates[i].error;
   }
   study.runs += seeds;
   study.stated += stated / mean;
   study.actual += seeds;
+  return {std::move(all), mean};
+}
 
+/// One scene, with so many seeds: renders of `samples` a pixel whose error is estimated, and as many that
+/// stop at a target of two thirds of the mean error that those have.
+inline void study_errors(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
+  const StudiedScene studied = study_intervals(scene, seeds, samples, study);
+  transport::RenderSettings settings = scene.settings;
   settings.samples = transport::RenderSettings::Unlimited;
-  settings.target_error = std::sqrt(mean) * 2 / 3;
+  settings.target_error = std::sqrt(studied.squared_error) * 2 / 3;
   settings.adaptive = true;
   for (int seed = 0; seed < seeds; ++seed) {
     settings.seed = static_cast<std::uint32_t>(1'000'000 + seed);
     transport::Render render(scene.scene, settings);
     render.run();
     const double share = render.samples_per_pixel() / samples;
-    const double error = std::sqrt(all.relmse(render.film().mean(), false, share));
+    const double error = std::sqrt(studied.images.relmse(render.film().mean(), false, share));
     ++study.stopped;
     study.missed += error > transport::RenderSettings::ErrorMargin * *settings.target_error ? 1 : 0;
   }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/transport/image/image_error.h"
+
 namespace {
 
 using transport::Film;
@@ -133,6 +135,127 @@ TEST(Film, IsNotMisledByARareBrightSample) {
   add(film, 0, 0, Rgb(1));
   add_to_tile(film, 0, 1, [](int x, int y) { return Rgb(x == 4 && y == 4 ? 2001.0F : 1.0F); });
   EXPECT_NEAR(*film.estimated_error(), std::sqrt(1000.0 * 1000 / 1.01 / 81), 1);
+}
+
+// On black, where the neighbours tell nothing: a lamp that covers half of a pixel, and is smaller than that.
+TEST(Film, DividesThePixelOfASmallLampByItself) {
+  Film film(9, 9);
+  for (int half = 0; half < Film::Scramblings; ++half) {
+    add_to_tile(film, 0, half,
+                [&](int x, int y) { return Rgb(x == 4 && y == 4 ? 9.0F + static_cast<float>(half) : 0.0F); });
+  }
+  // A deviation of 0.5 from 9.5.
+  EXPECT_NEAR(*film.estimated_error(), 0.5 / 9.5 / 9, 0.01 * 0.5 / 9.5 / 9);
+}
+
+// The edge of a lamp: each pixel of a column has another part of it, which the halves know to 2 %.
+TEST(Film, DividesThePixelsOfAnEdgeByThemselves) {
+  constexpr int Side = Film::TileSize;
+  Film film(Side, Side);
+  for (int half = 0; half < Film::Scramblings; ++half) {
+    const float factor = half == 0 ? 0.98F : 1.02F;
+    add_to_tile(film, 0, half, [&](int x, int y) {
+      return Rgb(x < 8 ? 0.05F : x > 8 ? 60.0F : factor * static_cast<float>(y + 2));
+    });
+  }
+  const double expected = 0.02 / std::sqrt(static_cast<double>(Side));
+  EXPECT_NEAR(*film.estimated_error(), expected, 0.03 * expected);
+}
+
+// Dots that are hit once, where half of them were not seen at all: that is known from those which were hit in
+// both halves. Each of `Dots` pixels has its radiance 1 in one sample of a half with the probability 1/2, so
+// the mean is 1/2 with the variance 1/8.
+TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
+  constexpr int Side = 160;
+  constexpr int Apart = 4;
+  std::mt19937 random(3);
+  std::bernoulli_distribution hit(0.5);
+  Film film(Side, Side);
+  for (int tile = 0; tile < film.tile_count(); ++tile) {
+    for (int half = 0; half < Film::Scramblings; ++half) {
+      add_to_tile(film, tile, half, [&](int x, int y) {
+        return Rgb(x % Apart == 2 && y % Apart == 2 && hit(random) ? 100.0F : 0.0F);
+      });
+    }
+  }
+  const double expected = std::sqrt(0.5) / Apart;
+  EXPECT_NEAR(*film.estimated_error(), expected, 0.3 * expected);
+}
+
+// The edges of lamps on black. Most of the error is in pixels of which so little is covered that one of 16
+// samples has hit it, or none: each is covered by another random part. Samples are spread as evenly as they
+// can be, so that a half has hit floor or ceil of what the covered part is of its samples.
+TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
+  constexpr int Films = 60;
+  constexpr double HalfSamples = 8;
+  constexpr int Side = 2 * Film::TileSize;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform;
+  int inside = 0;
+  double quotients = 0;
+  for (int i = 0; i < Films; ++i) {
+    Image truth{Side, Side, std::vector<Rgb>(static_cast<std::size_t>(Side) * Side)};
+    for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
+      truth.pixels[p] = Rgb(p % 8 == 4 ? static_cast<float>(10 * uniform(random)) : p % 8 > 4 ? 10.0F : 0.0F);
+    }
+    Film film(Side, Side);
+    for (int tile = 0; tile < film.tile_count(); ++tile) {
+      const transport::TileBounds bounds = film.bounds_of(tile);
+      for (int half = 0; half < Film::Scramblings; ++half) {
+        add_to_tile(film, tile, half, [&](int x, int y) {
+          const double covered = truth.at(bounds.x + x, bounds.y + y).x / 10.0;
+          return Rgb(
+              static_cast<float>(10 * std::floor(HalfSamples * covered + uniform(random)) / HalfSamples));
+        });
+      }
+    }
+    const auto estimate = *film.error_estimate();
+    const double error = std::sqrt(error_of(film.mean(), truth).relmse);
+    inside += error >= estimate.low && error <= estimate.high ? 1 : 0;
+    quotients += estimate.error / error / Films;
+  }
+  EXPECT_GE(inside, Films - 8);
+  EXPECT_GT(quotients, 0.85);
+  EXPECT_LT(quotients, 1.2);
+}
+
+/// Normally distributed noise of one part in a hundred.
+Film film_with_noise(std::mt19937& random, int width, int height) {
+  std::normal_distribution<float> noise(1, 0.01F);
+  Film film(width, height);
+  for (int tile = 0; tile < film.tile_count(); ++tile) {
+    for (int half = 0; half < Film::Scramblings; ++half) {
+      add_to_tile(film, tile, half, [&](int, int) { return Rgb(noise(random)); });
+    }
+  }
+  return film;
+}
+
+// The quotient of two chi-square variables of N degrees of freedom has a logarithm with about the variance
+// 4 / N; that of the error is half of it.
+TEST(Film, StatesTheIntervalOfNormalNoise) {
+  std::mt19937 random(4);
+  const auto estimate = *film_with_noise(random, 64, 64).error_estimate();
+  const double expected = std::exp(1.96 / 64);
+  EXPECT_NEAR(std::log(estimate.high / estimate.error), std::log(expected), 0.25 * std::log(expected));
+  EXPECT_NEAR(std::log(estimate.error / estimate.low), std::log(expected), 0.25 * std::log(expected));
+}
+
+// Of 400 intervals, 20 miss in the mean; fewer than 5 or more than 34 do in one case of 10,000 and 1,000.
+TEST(Film, StatesAnIntervalThatHoldsAndIsNotTooWide) {
+  std::mt19937 random(5);
+  constexpr int Films = 400;
+  int missed = 0;
+  for (int i = 0; i < Films; ++i) {
+    const Film film = film_with_noise(random, 32, 16);
+    double squares = 0;
+    for (const Rgb& pixel : film.mean().pixels) squares += std::pow(pixel.x - 1.0, 2);
+    const double error = std::sqrt(squares / (32 * 16) / 1.01);
+    const auto estimate = *film.error_estimate();
+    missed += error < estimate.low || error > estimate.high ? 1 : 0;
+  }
+  EXPECT_GE(missed, 5);
+  EXPECT_LE(missed, 34);
 }
 
 TEST(Film, WeighsHalvesThatWerePlacedAlike) {

@@ -1,0 +1,188 @@
+#include "renderer/transport/error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace transport {
+namespace {
+
+constexpr int PixelChannels = 3;
+/// What relMSE adds to the squared radiance.
+constexpr double RelmseFloor = 0.01;
+
+/// Of the standard normal distribution: 95 % are within so many standard deviations.
+constexpr double NormalQuantile = 1.96;
+
+/// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
+/// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
+/// variance is not known at all count in full. Measured: 1/2 is a little too much (error_statistics_test).
+constexpr double UncertainPart = 0.4;
+
+/// How much more the pixels must differ than the halves, so that it is no noise.
+constexpr double ContrastOverNoise = 1.5;
+/// Above this ratio of deviation and mean, only one half of a pixel is bright.
+constexpr double OneHalfBright = 0.7;
+/// How many times as bright as all neighbours, and as the floor, lone pixels are.
+constexpr double LoneContrast = 2;
+
+// Measured, as UncertainPart was.
+constexpr double DoubtPart = 0.4;      ///< of second-order errors that the denominators' bias makes
+constexpr double LoneDoubtPart = 0.8;  ///< the same, of lone pixels' errors
+constexpr double TailGrowth = 0.45;    ///< with the logarithm of the number of touched pixels
+constexpr double TailBound = 25;       ///< of a touched pixel's squared relative error, in most images
+constexpr double TailPart = 0.9;       ///< of what the tail adds, that may as well not be there
+
+/// What the neighbours of a value are like.
+struct Surroundings {
+  int count = 0;
+  double mean = 0;
+  double noise = 0;     ///< sum of their variances
+  double contrast = 0;  ///< sum of squared differences from their mean
+  double darkest = std::numeric_limits<double>::max();
+  double brightest = 0;
+};
+
+Surroundings surroundings_of(const PixelMoments& pixels, int x, int y, int channel) {
+  Surroundings around;
+  double sum = 0;
+  double squares = 0;
+  for (int k = std::max(y - 1, 0); k <= std::min(y + 1, pixels.height - 1); ++k) {
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, pixels.width - 1); ++i) {
+      if (i == x && k == y) continue;
+      const auto index = static_cast<std::size_t>(k * pixels.width + i);
+      const double value = pixels.means[index][channel];
+      ++around.count;
+      sum += value;
+      squares += value * value;
+      around.noise += pixels.variances[index][channel];
+      around.darkest = std::min(around.darkest, value);
+      around.brightest = std::max(around.brightest, value);
+    }
+  }
+  if (around.count == 0) return around;
+  around.mean = sum / around.count;
+  around.contrast = std::max(0.0, squares - sum * around.mean);
+  return around;
+}
+
+/// From 0 where neighbours differ by noise, to 1 where they do by what is seen.
+double visible_part(const Surroundings& around, double difference, double variance) {
+  const double contrast = around.contrast + difference * difference;
+  const double noise = around.noise * (around.count - 1) / around.count + variance;
+  return contrast > 0 ? std::max(0.0, 1 - ContrastOverNoise * noise / contrast) : 0;
+}
+
+/// The squared relative error of a value, unless it is counted as lone or touched.
+double add_value(const Surroundings& around, double mean, double variance, ErrorSums& sums) {
+  if (around.count == 0) return variance / (mean * mean + RelmseFloor);
+  const bool is_lone = mean > LoneContrast * (around.brightest + std::sqrt(RelmseFloor));
+  if (is_lone) {
+    const double excess = mean - around.brightest;
+    ++sums.lone.count;
+    sums.lone.agreement += 1 - variance / (excess * excess);
+  }
+  if (!(variance > 0)) return 0;
+  const double difference = mean - around.mean;
+  const double visible = visible_part(around, difference, variance);
+  const double radiance = around.mean + visible * difference;
+  const double error = variance / (radiance * radiance + RelmseFloor);
+  if (variance <= OneHalfBright * OneHalfBright * mean * mean) return error;
+  const double own_error = variance / (mean * mean + RelmseFloor);
+  if (is_lone) {
+    sums.lone.own += own_error;
+    sums.lone.neighbours += error;
+    return 0;
+  }
+  const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
+  const bool is_touched = visible > 0.5 && brighter > 4 && mean <= around.brightest;
+  if (!is_touched) return error;
+  sums.touched.errors += own_error;
+  sums.touched.logarithms += own_error * std::log(brighter);
+  sums.touched.bounds += own_error * std::min(TailBound, brighter);
+  return 0;
+}
+
+/// What some pixels that are not counted alone add to the sums.
+struct Supplement {
+  double errors = 0;
+  double squares = 0;
+};
+
+/// If all are alike, and the channels of a pixel alike, too.
+Supplement spread_over(double errors, double values) {
+  return {errors, errors * errors * PixelChannels / values};
+}
+
+Supplement errors_of(const ErrorSums::Touched& touched) {
+  if (!(touched.errors > 0)) return {};
+  const double pixels = touched.errors / PixelChannels;
+  const double brighter = std::exp(touched.logarithms / touched.errors);
+  const double tail = TailGrowth * std::log1p(std::min(brighter, 4 * pixels));
+  return spread_over(touched.errors * (1 + tail), touched.errors);
+}
+
+Supplement errors_of(const ErrorSums::Lone& lone) {
+  if (!(lone.count > 0.5)) return {};
+  const double agreement = std::clamp(lone.agreement / lone.count, 0.0, 1.0);
+  const double hits = std::min(1.0, 4 * agreement / (1 + agreement));
+  const double own = hits > 0 ? lone.own / (hits * hits) : std::numeric_limits<double>::max();
+  return spread_over(std::min(lone.neighbours, own), lone.count);
+}
+
+}  // namespace
+
+ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
+  values += sign * other.values;
+  errors += sign * other.errors;
+  squares += sign * other.squares;
+  doubt += sign * other.doubt;
+  touched.errors += sign * other.touched.errors;
+  touched.logarithms += sign * other.touched.logarithms;
+  touched.bounds += sign * other.touched.bounds;
+  lone.count += sign * other.lone.count;
+  lone.agreement += sign * other.lone.agreement;
+  lone.own += sign * other.lone.own;
+  lone.neighbours += sign * other.lone.neighbours;
+  return *this;
+}
+
+ErrorSums error_sums_of(const PixelMoments& pixels) {
+  ErrorSums sums;
+  sums.values = PixelChannels * static_cast<double>(pixels.means.size());
+  for (int y = 0; y < pixels.height; ++y) {
+    for (int x = 0; x < pixels.width; ++x) {
+      const auto index = static_cast<std::size_t>(y * pixels.width + x);
+      double error = 0;
+      for (int c = 0; c < PixelChannels; ++c) {
+        error += add_value(surroundings_of(pixels, x, y, c), pixels.means[index][c],
+                           pixels.variances[index][c], sums);
+      }
+      sums.errors += error;
+      sums.squares += error * error;
+      sums.doubt += error * error / (1 + error);
+    }
+  }
+  return sums;
+}
+
+std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
+  if (!(sums.values > 0)) return std::nullopt;
+  const Supplement touched = errors_of(sums.touched);
+  const Supplement lone = errors_of(sums.lone);
+  const double errors = sums.errors + touched.errors + lone.errors;
+  if (!(errors > 0)) return ErrorEstimate();
+  // Of the logarithm of the squared error.
+  const double squares = std::max(0.0, sums.squares) + touched.squares + lone.squares;
+  const double deviation = 2 * NormalQuantile * std::sqrt(UncertainPart * squares) / errors;
+  const double doubt =
+      (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors;
+  const double tail_above = std::log1p(std::max(0.0, sums.touched.bounds) / errors);
+  const double tail = std::max(0.0, touched.errors - sums.touched.errors);
+  const double tail_below = -std::log1p(-TailPart * tail / errors);
+  const double error = std::sqrt(errors / sums.values);
+  return ErrorEstimate{error, error * std::exp(-std::hypot(deviation, doubt, tail_below) / 2),
+                       error * std::exp(std::hypot(deviation, doubt, tail_above) / 2)};
+}
+
+}  // namespace transport

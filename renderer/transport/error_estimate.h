@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "grf/math.h"
+
+namespace transport {
+
+/// The error sums collect what the pixels of an image say about its error, to be added up over parts of the
+/// image. Errors are squared and relative, as in relMSE; pixels and channels count alone.
+struct ErrorSums {
+  double values = 0;  ///< pixels times channels
+  /// Estimates of the squared error where it is known what to divide by.
+  double errors = 0;
+  /// Squares of what the channels of a pixel add to `errors`: how unevenly the error is spread.
+  double squares = 0;
+  /// The part of the error that is of second order, e^2 / (1 + e): what is divided by is itself uncertain.
+  double doubt = 0;
+
+  /// Pixels at an edge that few samples have hit, so that their radiance is hardly known.
+  struct Touched {
+    double errors = 0;      ///< as if a pixel's own mean were its radiance
+    double logarithms = 0;  ///< of how much brighter they are than the dark side, times that error
+    double bounds = 0;      ///< of the squared error, for most of such pixels
+  } touched;
+
+  /// Values that stand out from all neighbours.
+  struct Lone {
+    double count = 0;
+    double agreement = 0;   ///< from 0, only one half is bright, to 1 for each value
+    double own = 0;         ///< the squared error, if the pixels are as bright as they seem
+    double neighbours = 0;  ///< the same, if they are as their neighbours
+  } lone;
+
+  ErrorSums& operator+=(const ErrorSums& other) { return add(other, 1); }
+  ErrorSums operator-(const ErrorSums& other) const { return ErrorSums(*this).add(other, -1); }
+
+ private:
+  ErrorSums& add(const ErrorSums& other, double sign);
+};
+
+/// An error estimate says how far an image is from the truth, as far as its own samples tell: sqrt(relMSE)
+/// with relMSE = mean((image - truth)^2 / (truth^2 + 0.01)) over pixels and channels.
+struct ErrorEstimate {
+  double error = 0;
+  double low = 0;  ///< 95 % of images are between these
+  double high = 0;
+};
+
+/// Pixels of a rectangle, row by row: the mean of each, and the variance of that mean.
+struct PixelMoments {
+  int width = 0;
+  int height = 0;
+  std::vector<Imath::V3d> means;
+  std::vector<Imath::V3d> variances;
+};
+
+/// Adds up the estimated errors of the pixels of a rectangle, with their neighbours within it.
+///
+/// With a and b the means of a pixel's halves, x = (a + b) / 2 its value and t the truth, d = (a - b) / 2 has
+/// the distribution of x - t. More than that, d^2 differs from (x - t)^2 by -(a - t)(b - t) alone. That has
+/// mean 0 because the halves are independent, and variance 4 var(x)^2, however heavy the tails of a and b
+/// are. So the numerator is unbiased. The denominator t^2 is the difficulty: a rare bright sample makes d and
+/// x large together, and would excuse itself if d^2 were divided by x^2; but next to a lamp, the neighbours
+/// are no measure of a pixel. So t is taken to be
+///
+///     m + g (x - m),   g = 1 - 1.5 (sum of d^2) / (sum of (x - m)^2), at least 0,
+///
+/// with the neighbours' mean m and sums over the pixel and its neighbours: an empirical Bayes estimate, that
+/// goes from the neighbours' mean, where all that differs is noise, to the pixel's own where the contrast is
+/// more than that (Efron and Morris 1973, "Stein's estimation rule and its competitors"). Two kinds of pixel
+/// of which one half alone is bright are kept apart, see `error_estimate_of`.
+ErrorSums error_sums_of(const PixelMoments& pixels);
+
+/// The error of an image, and an interval that holds it in 95 % of images; nothing without values.
+///
+/// The interval. The logarithm of the error has about the standard deviation 1 / sqrt(N), where N = (sum of
+/// var)^2 / sum of var^2 is how many pixels the error is spread over. To that comes the doubt about what is
+/// divided by, which does not become less with more pixels.
+///
+/// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean; all h are as likely. Of
+/// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
+/// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
+/// pixels is about M times ln(M) plus a constant, and seldom above M times 50.
+///
+/// Lone pixels. A value that stands out from all neighbours belongs to a small bright thing or is a rare
+/// bright sample of a dark one. If such things are hit h times in the mean, the halves of those that were hit
+/// agree with about h / 4: so all lone pixels of an image together tell h, and h times what was found is
+/// their radiance.
+std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
+
+}  // namespace transport
