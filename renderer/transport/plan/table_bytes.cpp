@@ -3,6 +3,7 @@
 #include <set>
 
 #include "grf/visit.h"
+#include "renderer/parallel/loops.h"
 #include "renderer/transport/scene/reflector_set.h"
 
 namespace transport {
@@ -16,7 +17,7 @@ void add_bytes(const grf::ResolvedSurface& surface, const CompileSettings& setti
   ReflectorSetBuilder builder(settings.scheme, settings.missed_part, settings.precision, diagnostics);
   builder.index_of(surface);
   if (diagnostics.error_count() > 0) return;
-  const ReflectorSet set = builder.build(settings.threads);
+  const ReflectorSet set = builder.build();
   for (const TableInfo& table : set.tables) bytes[{table.brdf, table.scheme}] = table.bytes;
 }
 
@@ -42,7 +43,7 @@ Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf:
       add_bytes(surface, settings, bytes, reflects(mesh, i) ? diagnostics : unheard);
     }
   };
-  grf::visit(scene, visitor);
+  parallel::run_with_threads(settings.threads, [&] { grf::visit(scene, visitor); });
   return bytes;
 }
 
