@@ -107,7 +107,7 @@ TEST(RaisedPoint, TakesARayWhereItIsUsed) {
   EXPECT_EQ(rays, 0U);
   ASSERT_TRUE(scene.start_of(*point, along - 0.01F * normal, normal, rays));
   EXPECT_EQ(rays, 1U);
-  EXPECT_FALSE(scene.start_of(*point, along - 0.01F * normal, -normal, rays)) << "from inside it is hollow";
+  EXPECT_FALSE(scene.start_of(*point, along + 0.01F * normal, -normal, rays)) << "from inside it is hollow";
   EXPECT_EQ(rays, 1U);
 }
 
