@@ -34,6 +34,8 @@ class Overwriting {
             std::this_thread::sleep_for(std::chrono::microseconds(500));
             file.write(bytes.data() + bytes.size() / 2,
                        static_cast<std::streamsize>(bytes.size() - bytes.size() / 2));
+            file.close();
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));  // whoever looks now sees a whole file
           }
         }) {}
 
