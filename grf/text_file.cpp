@@ -10,7 +10,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -59,39 +58,56 @@ class FileToRead {
     is_open_ = file_.value() >= 0 && ::fstat(file_.value(), &status_) == 0;
   }
 
-  bool is_regular() const { return is_open_ && S_ISREG(status_.st_mode); }
-  int descriptor() const { return file_.value(); }
-  std::size_t size() const { return static_cast<std::size_t>(status_.st_size); }
+  /// All of its bytes, as they were at one time; null if there is a problem.
+  std::shared_ptr<const std::string> bytes() {
+    if (!is_regular()) return nullptr;
+    auto bytes = read_all();
+    has_changed_ = bytes && was_written_to();
+    return has_changed_ ? nullptr : bytes;
+  }
 
   /// Why it cannot be read, said at the place that asked for it or of the file itself.
   std::string problem(const SourceLocation& asked_for_at) const {
-    const bool is_another_kind = is_open_ && !is_regular();
-    const std::string why =
-        is_another_kind ? fmt::format("it is {}, expected a file", what_it_is(status_)) : reason();
+    const std::string why = has_changed_ ? "it was changed while it was read"
+                            : is_open_ && !is_regular()
+                                ? fmt::format("it is {}, expected a file", what_it_is(status_))
+                                : reason();
     return asked_for_at.file ? fmt::format("cannot read '{}': {}", path_, why)
                              : fmt::format("cannot read the file: {}", why);
   }
 
  private:
+  bool is_regular() const { return is_open_ && S_ISREG(status_.st_mode); }
+
+  std::shared_ptr<const std::string> read_all() const {
+    const auto size = static_cast<std::size_t>(status_.st_size);
+    auto bytes = std::make_shared<std::string>(size, '\0');
+    std::size_t done = 0;
+    while (done < size) {
+      const ssize_t count = ::read(file_.value(), bytes->data() + done, size - done);
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) return nullptr;
+      if (count == 0) break;
+      done += static_cast<std::size_t>(count);
+    }
+    bytes->resize(done);
+    return bytes;
+  }
+
+  // As its time of change tells, which goes in steps of some milliseconds.
+  bool was_written_to() const {
+    struct stat now = {};
+    if (::fstat(file_.value(), &now) != 0) return false;
+    return now.st_size != status_.st_size || now.st_mtim.tv_sec != status_.st_mtim.tv_sec ||
+           now.st_mtim.tv_nsec != status_.st_mtim.tv_nsec;
+  }
+
   std::string path_;
   Descriptor file_;
   struct stat status_ = {};
   bool is_open_ = false;
+  bool has_changed_ = false;
 };
-
-std::shared_ptr<std::string> read_all(int descriptor, std::size_t size) {
-  auto bytes = std::make_shared<std::string>(size, '\0');
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t count = ::read(descriptor, bytes->data() + done, size - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return nullptr;
-    if (count == 0) break;
-    done += static_cast<std::size_t>(count);
-  }
-  bytes->resize(done);
-  return bytes;
-}
 
 bool write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -168,31 +184,13 @@ class Replacement {
 
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
                                              const SourceLocation& asked_for_at) {
-  const FileToRead file(path);
-  auto bytes = file.is_regular() ? read_all(file.descriptor(), file.size()) : nullptr;
+  FileToRead file(path);
+  auto bytes = file.bytes();
   if (!bytes)
     diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
   else
     diagnostics.add_file(path);
   return bytes;
-}
-
-std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagnostics& diagnostics,
-                                                 const SourceLocation& asked_for_at) {
-  const FileToRead file(path);
-  if (file.is_regular()) diagnostics.add_file(path);
-  if (file.is_regular() && file.size() == 0) return std::make_shared<const std::string_view>();
-  void* bytes = file.is_regular() ? ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, file.descriptor(), 0)
-                                  : MAP_FAILED;
-  if (bytes == MAP_FAILED) {
-    diagnostics.error(asked_for_at.file ? asked_for_at : whole_file(path), file.problem(asked_for_at));
-    return nullptr;
-  }
-  const auto unmap = [](const std::string_view* mapped) {
-    ::munmap(const_cast<char*>(mapped->data()), mapped->size());
-    delete mapped;
-  };
-  return {new std::string_view(static_cast<const char*>(bytes), file.size()), unmap};
 }
 
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {

@@ -15,15 +15,12 @@ namespace grf {
 /// Some editors put this before UTF-8 text; it is no part of the text.
 inline constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 
-/// The bytes of a regular file, or a diagnostic at `asked_for_at` (or, if that names no file, at the file
-/// itself): missing, a directory, a pipe or device, unreadable.
+/// Reads the bytes of a regular file. A diagnostic at `asked_for_at` (or, if that names no file, at the file
+/// itself) says why it cannot be read: it is missing, a directory, a pipe or a device, may not be read, or
+/// was changed by another program meanwhile. Files are not mapped into memory: one that became shorter would
+/// end the program.
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
                                              const SourceLocation& asked_for_at = {});
-
-/// The same, mapped into memory: what is not looked at is not read. A file that is made shorter meanwhile
-/// ends the program, so this is for large data that nobody edits.
-std::shared_ptr<const std::string_view> map_file(const std::string& path, Diagnostics& diagnostics,
-                                                 const SourceLocation& asked_for_at = {});
 
 /// Replaces the file by the bytes, or leaves it as it was and says why: a temporary file beside it is
 /// filled, forced to the disk and renamed over it.

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 17> Indifferent = {
 
 std::uint32_t sum_of_file(std::uint32_t before, const std::string& path) {
   grf::Diagnostics unheard;  // the file was read a moment ago
-  const auto bytes = grf::map_file(path, unheard);
+  const auto bytes = grf::read_file(path, unheard);
   const std::uint64_t size = bytes ? bytes->size() : 0;
   // The size keeps files apart that follow each other.
   before = transport::check_sum(before, {reinterpret_cast<const char*>(&size), sizeof(size)});

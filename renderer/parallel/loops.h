@@ -15,14 +15,15 @@
 
 namespace parallel {
 
-/// Runs a function whose parallel loops use that many threads; 0: as many as the machine has.
+/// Runs a function whose parallel loops use at most that many threads, of which the calling one is the first;
+/// 0: as many as the machine has. Jobs that run at the same time do not limit each other.
 template <class Function>
 void run_with_threads(int threads, const Function& function) {
-  const int count = threads > 0 ? threads : tbb::info::default_concurrency();
-  // Without this, TBB would start no more threads than there are cores, whatever was asked for.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(count));
-  tbb::task_arena arena(count);
+  // TBB starts no more threads than there are cores for all jobs of the process together, unless it is
+  // allowed to. The least that it is allowed at one time holds for all of them, so every job says the same.
+  constexpr std::size_t MoreThanAnyJobUses = 4096;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, MoreThanAnyJobUses);
+  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
   arena.execute(function);
 }
 

@@ -78,7 +78,7 @@ HalfAngles MerlTable::angles_of(std::size_t half, std::size_t difference, std::s
 
 std::shared_ptr<const MerlTable> MerlTable::load(const std::string& path, grf::Diagnostics& diagnostics,
                                                  const grf::SourceLocation& asked_for_at) {
-  const auto bytes = grf::map_file(path, diagnostics, asked_for_at);
+  const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
   if (!bytes) return nullptr;
   const auto fail = [&](const std::string& what) {
     diagnostics.error(asked_for_at.file ? asked_for_at : grf::whole_file(path),

@@ -69,7 +69,7 @@ bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
 std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                                                         const Fingerprint& fingerprint,
                                                         grf::Diagnostics& diagnostics) {
-  auto file = grf::map_file(path, diagnostics);
+  auto file = grf::read_file(path, diagnostics);
   if (!file) return std::nullopt;
   std::string_view bytes = *file;
   std::string problem = defect_of(bytes, kind);

@@ -41,8 +41,8 @@ bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                             grf::Diagnostics& diagnostics);
 
 struct CheckpointContents {
-  std::shared_ptr<const std::string_view> file;  ///< holds the bytes
-  std::string_view bytes;                        ///< what `fill` wrote
+  std::shared_ptr<const std::string> file;  ///< holds the bytes
+  std::string_view bytes;                   ///< what `fill` wrote
 };
 
 /// What an existing checkpoint holds. One that is broken or belongs to something else is an error.

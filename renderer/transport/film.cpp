@@ -91,8 +91,8 @@ void Film::copy_tile(int tile, FilmTile& copy) const {
   copy.pixels.assign(first, first + static_cast<std::ptrdiff_t>(copy.bounds.pixel_count()));
 }
 
-void Film::put_back(int tile, const FilmTile& copy) {
-  tiles_[index(tile)] = {copy.counts, copy.spreads, copy.error_sums()};
+void Film::put_back(int tile, const FilmTile& copy, const ErrorSums& error_sums) {
+  tiles_[index(tile)] = {copy.counts, copy.spreads, error_sums};
   std::copy(copy.pixels.begin(), copy.pixels.end(),
             pixels_.begin() + static_cast<std::ptrdiff_t>(first_pixel(copy.bounds)));
 }

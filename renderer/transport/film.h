@@ -99,7 +99,9 @@ class Film {
 
   /// Copies a tile; what the copy held is overwritten.
   void copy_tile(int tile, FilmTile& copy) const;
-  void put_back(int tile, const FilmTile& copy);
+  void put_back(int tile, const FilmTile& copy) { put_back(tile, copy, copy.error_sums()); }
+  /// The same with the copy's `error_sums()`, which take much longer than all else: for who holds a lock.
+  void put_back(int tile, const FilmTile& copy, const ErrorSums& error_sums);
 
   /// How many samples a pixel has.
   std::uint32_t sample_count(int x, int y) const;

@@ -181,9 +181,10 @@ void Render::render_pixel(const TileWork& work, int x, int y, FilmTile& tile, Re
 void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderTotals& done,
                        std::uint64_t sampling_ticks) {
   const ErrorSums before = film_.error_sums_of(work.tile);
+  const ErrorSums now = tile.error_sums();
   {
     const std::lock_guard lock(lock_of(work.tile));
-    film_.put_back(work.tile, tile);
+    film_.put_back(work.tile, tile, now);
   }
   const std::lock_guard lock(totals_lock_);
   totals_.paths += done.paths;
@@ -191,7 +192,7 @@ void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderT
   totals_.rejected += done.rejected;
   totals_.first_rejected = std::min(totals_.first_rejected, done.first_rejected);
   sampling_ticks_ += sampling_ticks;
-  error_sums_ += film_.error_sums_of(work.tile) - before;
+  error_sums_ += now - before;
 }
 
 // Each scrambling takes the points of its own sequence in order.

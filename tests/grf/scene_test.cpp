@@ -1,7 +1,10 @@
 #include "grf/scene.h"
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -27,6 +30,25 @@ TEST(Shared, IsEditedInPlaceWhereNobodyElseHasIt) {
   const std::string* place = &*a;
   a.edit() = "two";
   EXPECT_EQ(&*a, place);
+}
+
+// Nothing but the count of owners orders the one thread's reading before the other one's writing: it is for
+// ThreadSanitizer to say whether that is enough.
+TEST(Shared, IsEditedInPlaceOnceAnotherThreadHasLetGo) {
+  for (int i = 0; i < 100; ++i) {
+    Shared<std::string> value(std::string("one"));
+    const std::string* place = &*value;
+    std::atomic<bool> has_let_go = false;
+    std::thread reader([&, copy = std::make_unique<Shared<std::string>>(value)]() mutable {
+      EXPECT_EQ(**copy, "one");
+      copy.reset();
+      has_let_go.store(true, std::memory_order_relaxed);
+    });
+    while (!has_let_go.load(std::memory_order_relaxed)) std::this_thread::yield();
+    value.edit() = "two";
+    EXPECT_EQ(&*value, place);
+    reader.join();
+  }
 }
 
 TEST(Shared, ComparesValues) {

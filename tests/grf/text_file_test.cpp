@@ -1,8 +1,10 @@
 #include "grf/text_file.h"
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -113,6 +115,28 @@ TEST_F(TextFile, ThatCannotBeReadIsExplained) {
   EXPECT_EQ(failure_to_read("secret/file"), "cannot read the file: Not a directory");
   const OrdinaryUser user;
   EXPECT_EQ(failure_to_read("secret"), "cannot read the file: Permission denied");
+}
+
+// Cut off and written to again by another program, over and over: reading it takes longer than that.
+TEST_F(TextFile, ThatIsWrittenToMeanwhileIsNotHalfOfEach) {
+  constexpr std::uintmax_t Size = 64U << 20U;
+  const std::string path = folder.add("file", "");
+  fs::resize_file(path, Size);
+  std::jthread writer([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      fs::resize_file(path, Size / 2);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      fs::resize_file(path, Size);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  });
+  Diagnostics diagnostics;
+  for (int i = 0; i < 20 && diagnostics.error_count() == 0; ++i) read_file(path, diagnostics);
+  ASSERT_EQ(diagnostics.error_count(), 1U);
+  EXPECT_EQ(diagnostics.entries()[0].message, "cannot read the file: it was changed while it was read");
+  writer.request_stop();
+  writer.join();
+  EXPECT_EQ(read_file(path, diagnostics)->size(), Size);
 }
 
 TEST_F(TextFile, ThatIsADeviceIsNotReadForEver) {

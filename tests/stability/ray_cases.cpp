@@ -336,7 +336,8 @@ Errors leaks_by_normals() {
     const Scattering scattering(point, *scene.reflector(*point.surface), back);
     const Vec3f direction = direction_over(random, scattering.frame.z);
     if (scattering.is_above(direction)) {
-      const auto ray = scattering.ray_towards(scene, direction);
+      std::uint64_t rays = 0;
+      const auto ray = scattering.ray_towards(scene, direction, rays);
       if (ray && !scene.intersect(*ray)) ++counts.ours;
     }
     const Vec3f normal = point.shading_normal.dot(back) < 0 ? -point.shading_normal : point.shading_normal;

@@ -1,5 +1,11 @@
-#include <gtest/gtest.h>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
+#include <gtest/gtest.h>
+#include <tbb/task_scheduler_observer.h>
+
+#include "renderer/parallel/loops.h"
 #include "renderer/transport/camera.h"
 #include "tests/transport/scene_helpers.h"
 
@@ -209,6 +215,51 @@ TEST(Compile, RendersAMeshLightAndAnInstanceAsWhatTheyStandFor) {
   EXPECT_GT(test::mean_radiance(b).mean, 0);
   EXPECT_FLOAT_EQ(static_cast<float>(test::mean_radiance(a).mean),
                   static_cast<float>(test::mean_radiance(b).mean));
+}
+
+/// Counts the workers that help the calling thread in loops outside of any job.
+class HelpersOutsideJobs : public tbb::task_scheduler_observer {
+ public:
+  HelpersOutsideJobs() { observe(true); }
+  HelpersOutsideJobs(const HelpersOutsideJobs&) = delete;
+  HelpersOutsideJobs& operator=(const HelpersOutsideJobs&) = delete;
+  ~HelpersOutsideJobs() override { observe(false); }
+
+  void on_scheduler_entry(bool is_worker) override { count_ += is_worker ? 1 : 0; }
+  int count() const { return count_; }
+
+ private:
+  std::atomic<int> count_ = 0;
+};
+
+/// A floor of so many tiles a side, all of which shine.
+std::string shining_tiles(int side) {
+  std::string text = "begin mesh light rgb (1,1,1) begin vertexs\n";
+  for (int i = 0; i <= side * (side + 2); ++i) {
+    text += fmt::format("({},{},0)\n", i % (side + 1), i / (side + 1));
+  }
+  text += "end vertexs begin faces\n";
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const int corner = y * (side + 1) + x;
+      text += fmt::format("({},{},{},{})\n", corner, corner + 1, corner + side + 2, corner + side + 1);
+    }
+  }
+  return text + "end faces end mesh\n";
+}
+
+// Building what casts rays and the tree of lights takes long here, and could use all threads that there are.
+TEST(Compile, UsesNoOtherThreadsThanItsSettingsSay) {
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read_text(shining_tiles(100), "test.grf", diagnostics);
+  transport::CompileSettings settings;
+  settings.threads = 1;
+  const HelpersOutsideJobs helpers;
+  ASSERT_TRUE(transport::compile(scene.value(), diagnostics, settings)) << diagnostics.to_text();
+  EXPECT_EQ(helpers.count(), 0);
+  if (std::thread::hardware_concurrency() == 1) GTEST_SKIP() << "nobody could help";
+  parallel::for_each_index(100, [](int) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+  EXPECT_GT(helpers.count(), 0) << "would have been seen";
 }
 
 TEST(Camera, LooksThroughTheMiddleOfTheImage) {

@@ -84,13 +84,31 @@ TEST(RaisedPoint, DoesNotPassThroughAWall) {
     if (!point) continue;
     const Vec3f grazing = Vec3f(point->position.x, point->position.y, 0).normalized();
     const Vec3f under = (grazing - 1e-3F * point->geometric_normal).normalized();
-    const auto start = scene.start_of(*point, under, point->geometric_normal);
+    std::uint64_t rays = 0;
+    const auto start = scene.start_of(*point, under, point->geometric_normal, rays);
     ++met;
     if (start) {
       EXPECT_LT(start->origin.z, 0.985F);
     }
   }
   EXPECT_GT(met, 100);
+}
+
+// On a ball of few triangles, directions just under a triangle leave from the sphere, which takes a ray to
+// find out whether the way there is free; those above it leave from the triangle.
+TEST(RaisedPoint, TakesARayWhereItIsUsed) {
+  const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse", 8, true));
+  const auto point = scene.intersect({Vec3f(0.1F, 0.2F, 3), Vec3f(0, 0, -1)});
+  ASSERT_TRUE(point && point->rise.length() > 0);
+  const Vec3f normal = point->geometric_normal;
+  const Vec3f along = normal.cross(Vec3f(1, 0, 0)).normalized();
+  std::uint64_t rays = 0;
+  ASSERT_TRUE(scene.start_of(*point, along + 0.01F * normal, normal, rays));
+  EXPECT_EQ(rays, 0U);
+  ASSERT_TRUE(scene.start_of(*point, along - 0.01F * normal, normal, rays));
+  EXPECT_EQ(rays, 1U);
+  EXPECT_FALSE(scene.start_of(*point, along + 0.01F * normal, -normal, rays)) << "from inside it is hollow";
+  EXPECT_EQ(rays, 1U);
 }
 
 // Light from one side on a ball of few triangles ends where it would on the sphere, as far as a mesh lets it.

@@ -265,7 +265,7 @@ void decode_srgb(const std::uint8_t* bytes, Image& image) {
 
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at) {
-  const auto bytes = grf::map_file(path, diagnostics, asked_for_at);
+  const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
   if (!bytes) return std::nullopt;
   const auto fail = [&](const std::string& why) {
     if (asked_for_at.file) {

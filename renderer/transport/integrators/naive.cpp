@@ -90,7 +90,7 @@ std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const Sca
   const Vec3f direction = scattering.frame.to_world(drawn.direction);
   if (!scattering.is_above(direction)) return std::nullopt;
   if (drawn.is_mirror && !settings_.reflects_mirrors) return std::nullopt;
-  auto ray = scattering.ray_towards(scene_, direction);
+  auto ray = scattering.ray_towards(scene_, direction, counter_.rays);
   if (ray && !drawn.is_mirror) ray->cone = ray->cone.widened(drawn.density);
   return ray;
 }

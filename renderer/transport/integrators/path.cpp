@@ -170,7 +170,7 @@ void Path<Has>::add_area_light(const Scattering& scattering, float choice, const
   const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
   const Vec3f end = offset_towards(light->position, light->error, light->normal, -light->direction);
-  const auto ray = scattering.ray_to(scene_, end, light->direction);
+  const auto ray = scattering.ray_to(scene_, end, light->direction, counter_.rays);
   if (!ray) return;
   ++counter_.rays;
   seen("radiance of a light", light->radiance, &scattering.point);
@@ -183,7 +183,7 @@ void Path<Has>::add_environment_light(const Scattering& scattering, const Vec2f&
   if (!light || !scattering.is_above(light->direction)) return;
   const auto lit = lit_from(scattering, light->direction, environment_share_ * light->density);
   if (!lit) return;
-  const auto ray = scattering.ray_towards(scene_, light->direction);
+  const auto ray = scattering.ray_towards(scene_, light->direction, counter_.rays);
   if (!ray) return;
   ++counter_.rays;
   if (scene_.escapes(*ray)) radiance_ += *lit * light->radiance;
@@ -202,7 +202,7 @@ void Path<Has>::add_resampled_light(const Scattering& scattering) {
   };
   const auto add_if_visible = [&](const Vec3f& v, const Rgb& estimate) {
     const Vec3f direction = scattering.frame.to_world(v);
-    const auto ray = scattering.ray_towards(scene_, direction);
+    const auto ray = scattering.ray_towards(scene_, direction, counter_.rays);
     if (!ray) return;
     ++counter_.rays;
     if (!scene_.escapes(*ray)) return;
@@ -238,7 +238,7 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   density_ = drawn->is_mirror ? 0 : static_cast<float>(ways_) * drawn->density;
   from_ = scattering.point.position;
   from_normal_ = scattering.frame.z;
-  const auto ray = scattering.ray_towards(scene_, direction);
+  const auto ray = scattering.ray_towards(scene_, direction, counter_.rays);
   if (!ray) return false;
   ray_ = *ray;
   if (density_ > 0) {

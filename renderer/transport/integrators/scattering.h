@@ -24,15 +24,18 @@ class Scattering {
     return direction.dot(geometric_normal) > 0 || (point.rise.length2() > 0 && direction.dot(frame.z) > 0);
   }
 
-  /// A ray that leaves in a direction; nothing if that is through the surface.
-  std::optional<Ray> ray_towards(const CompiledScene& scene, const Vec3f& direction) const {
-    const auto start = scene.start_of(point, direction, geometric_normal);
+  /// A ray that leaves in a direction; nothing if that is through the surface. Rays that are cast to find its
+  /// origin are added to `rays`.
+  std::optional<Ray> ray_towards(const CompiledScene& scene, const Vec3f& direction,
+                                 std::uint64_t& rays) const {
+    const auto start = scene.start_of(point, direction, geometric_normal, rays);
     if (!start) return std::nullopt;
     return Ray{start->origin, direction, start->from, point.cone};
   }
   /// To a place in this direction, which is where the ray's parameter is 1.
-  std::optional<Ray> ray_to(const CompiledScene& scene, const Vec3f& end, const Vec3f& direction) const {
-    const auto start = scene.start_of(point, direction, geometric_normal);
+  std::optional<Ray> ray_to(const CompiledScene& scene, const Vec3f& end, const Vec3f& direction,
+                            std::uint64_t& rays) const {
+    const auto start = scene.start_of(point, direction, geometric_normal, rays);
     if (!start) return std::nullopt;
     return Ray{start->origin, end - start->origin, start->from, point.cone};
   }

@@ -4,6 +4,7 @@
 
 #include "grf/visit.h"
 #include "grf/write.h"
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/scene/reflector_set.h"
 
@@ -26,7 +27,7 @@ void add_bytes(const grf::ResolvedSurface& surface, const IdentityAndScheme& key
   ReflectorSetBuilder builder(settings.scheme, settings.missed_part, settings.precision, diagnostics);
   builder.index_of(surface);
   if (diagnostics.error_count() > 0) return;
-  const ReflectorSet set = builder.build(settings.threads);
+  const ReflectorSet set = builder.build();
   for (const TableInfo& table : set.tables) bytes[key] = table.bytes;
 }
 
@@ -56,7 +57,7 @@ Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf:
       add_bytes(surface, *key, settings, bytes, reflects(mesh, i) ? diagnostics : of_what_is_black);
     }
   };
-  grf::visit(scene, visitor);
+  parallel::run_with_threads(settings.threads, [&] { grf::visit(scene, visitor); });
   return bytes;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "grf/visit.h"
+#include "renderer/parallel/loops.h"
 #include "renderer/transport/scene/compiled_scene.h"
 #include "renderer/transport/scene/mesh_builder.h"
 #include "renderer/transport/scene/surface_set.h"
@@ -252,9 +253,9 @@ std::optional<CompiledScene> Compiler::finish() {
   const std::span<const TextureFile> read_before =
       before_ != nullptr ? std::span(before_->textures()) : std::span<const TextureFile>();
   if (is_to_stop()) return std::nullopt;
-  std::vector<TextureFile> textures = textures_.build(settings_.threads, read_before);
+  std::vector<TextureFile> textures = textures_.build(read_before);
   if (diagnostics_.error_count() > errors_before || is_to_stop()) return std::nullopt;
-  ReflectorSet reflectors = reflectors_.build(settings_.threads, settings_.stop);
+  ReflectorSet reflectors = reflectors_.build(settings_.stop);
   if (is_to_stop()) return std::nullopt;
   const auto geometry = std::make_shared<const Geometry>(std::move(geometry_));
   return CompiledScene(geometry, caster_of(geometry), surfaces_.take(), std::move(reflectors),
@@ -280,14 +281,18 @@ std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& 
 
 std::optional<CompiledScene> compile(grf::Scene&& scene, grf::Diagnostics& diagnostics,
                                      const CompileSettings& settings, const CompiledScene* before) {
-  const std::size_t errors_before = diagnostics.error_count();
-  Compiler compiler(scene, settings, diagnostics, before);
-  if (!compiler.has_room()) return std::nullopt;
-  compiler.list(scene);
-  if (diagnostics.error_count() > errors_before || settings.stop.stop_requested()) return std::nullopt;
-  compiler.build();
-  scene = {};
-  return compiler.finish();
+  std::optional<CompiledScene> compiled;
+  parallel::run_with_threads(settings.threads, [&] {
+    const std::size_t errors_before = diagnostics.error_count();
+    Compiler compiler(scene, settings, diagnostics, before);
+    if (!compiler.has_room()) return;
+    compiler.list(scene);
+    if (diagnostics.error_count() > errors_before || settings.stop.stop_requested()) return;
+    compiler.build();
+    scene = {};
+    compiled = compiler.finish();
+  });
+  return compiled;
 }
 
 }  // namespace transport

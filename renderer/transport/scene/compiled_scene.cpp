@@ -52,13 +52,14 @@ SurfacePoint CompiledScene::front_point(const TriangleId& id, const Vec2f& weigh
   return point;
 }
 
-std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point,
-                                                    const Vec3f& geometric_side) const {
+std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point, const Vec3f& geometric_side,
+                                                    std::uint64_t& rays) const {
   // Less than that is no way up from the triangle; normals that point away from it may lead down.
   const float least = 4 * absolute(point.geometric_normal).dot(point.error);
   if (!(point.rise.dot(geometric_side) > least)) return std::nullopt;
   const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, point.rise);
   const Vec3f raised = point.position + point.rise;
+  ++rays;
   if (caster_.is_occluded({foot, raised - foot, point.id})) return std::nullopt;
   return RayStart{raised, TriangleId()};
 }

@@ -35,10 +35,11 @@ class CompiledScene {
 
   /// Where a ray starts that leaves a surface in a direction above it, on the side of this normal. Under it
   /// only if `rise` leads up to that side, and nothing is on that way: light does not get through a wall.
+  /// Adds the rays that this takes to `rays`.
   std::optional<RayStart> start_of(const SurfacePoint& point, const Vec3f& direction,
-                                   const Vec3f& geometric_side) const {
+                                   const Vec3f& geometric_side, std::uint64_t& rays) const {
     if (direction.dot(geometric_side) > 0) return RayStart{point.origin_towards(direction), point.id};
-    return raised_start(point, geometric_side);
+    return raised_start(point, geometric_side, rays);
   }
   /// A point of a triangle as a ray would meet it from the front, with the weights of the second and the
   /// third corner; without colour, texture and tangent.
@@ -78,7 +79,8 @@ class CompiledScene {
   const std::vector<TextureFile>& textures() const { return textures_; }
 
  private:
-  std::optional<RayStart> raised_start(const SurfacePoint& point, const Vec3f& geometric_side) const;
+  std::optional<RayStart> raised_start(const SurfacePoint& point, const Vec3f& geometric_side,
+                                       std::uint64_t& rays) const;
 
   std::shared_ptr<const Geometry> geometry_;
   std::vector<CompiledSurface> surfaces_;
@@ -92,9 +94,9 @@ struct CompileSettings {
   std::optional<SchemeOverride> scheme;  ///< checked against the catalogue too
   reflectance::MissedPart missed_part = reflectance::MissedPart::DrawnByCosine;
   reflectance::Precision precision = reflectance::Precision::Float;
-  int threads = 0;              ///< that make tables and read textures; 0: as many as the machine has
-  bool has_irradiance = false;  ///< keeps the irradiance of vertices
-  EffectSet effects = EffectSet::all();                  ///< what of others is to be in the scene
+  int threads = 0;                       ///< threads to compile with; 0: as many as the machine has
+  bool has_irradiance = false;           ///< keeps the irradiance of vertices
+  EffectSet effects = EffectSet::all();  ///< what of others is to be in the scene
   std::shared_ptr<const ReflectingSurfaces> reflecting;  ///< the others are black; null: all
   /// A mesh that is placed more than once is copied if all its copies together have no more triangles than
   /// that: rays meet them sooner than instances.

@@ -4,10 +4,12 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 namespace transport {
 namespace {
@@ -92,11 +94,29 @@ RTCGeometry instance_of(RTCDevice device, RTCScene scene, const AffineMap& map) 
   return geometry;
 }
 
+/// The first error that Embree reports.
+struct EmbreeError {
+  RTCError code = RTC_ERROR_NONE;
+  std::string text;
+};
+
+void keep_first_error(void* to, RTCError code, const char* text) {
+  auto& error = *static_cast<EmbreeError*>(to);
+  if (error.code == RTC_ERROR_NONE) error = {code, text != nullptr ? text : ""};
+}
+
+[[noreturn]] void throw_error(const EmbreeError& error) {
+  if (error.code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw std::runtime_error(
+      fmt::format("Embree reports error {}: {}", static_cast<int>(error.code), error.text));
+}
+
 }  // namespace
 
 struct RayCaster::Scenes {
   std::shared_ptr<const Geometry> geometry;  ///< whose arrays Embree reads
   RTCDevice device = nullptr;
+  EmbreeError error;  ///< of the device; only who builds makes any
   RTCScene top = nullptr;
   std::vector<RTCScene> meshes;  ///< of instances; null for the first mesh
 
@@ -113,12 +133,18 @@ struct RayCaster::Scenes {
 
   RTCScene new_scene() const {
     RTCScene scene = rtcNewScene(device);
-    if (scene == nullptr) throw std::bad_alloc();
+    check();
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     return scene;
   }
+  /// Builds on the threads of the TBB arena that this is called in.
+  void commit(RTCScene scene) const {
+    check();  // Embree would build of what it has refused, and crash
+    rtcCommitScene(scene);
+    check();
+  }
   void check() const {
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
+    if (error.code != RTC_ERROR_NONE) throw_error(error);
   }
   void build_meshes();
   void build_top();
@@ -134,7 +160,8 @@ struct RayCaster::Scenes {
 
 RayCaster::Scenes::Scenes(std::shared_ptr<const Geometry> of)
     : geometry(std::move(of)), device(rtcNewDevice(nullptr)) {
-  if (device == nullptr) throw std::runtime_error("Embree cannot start on this processor");
+  if (device == nullptr) throw_error({rtcGetDeviceError(nullptr), "it cannot start on this processor"});
+  rtcSetDeviceErrorFunction(device, keep_first_error, &error);
 }
 
 void RayCaster::Scenes::build_meshes() {
@@ -142,8 +169,7 @@ void RayCaster::Scenes::build_meshes() {
   for (std::size_t i = 1; i < meshes.size(); ++i) {
     meshes[i] = new_scene();
     attach(meshes[i], triangles_of(device, geometry->meshes[i]), 0);
-    rtcCommitScene(meshes[i]);
-    check();
+    commit(meshes[i]);
   }
 }
 
@@ -155,8 +181,7 @@ void RayCaster::Scenes::build_top() {
     const Instance& instance = geometry->instances[i];
     attach(top, instance_of(device, meshes[instance.mesh], instance.to_scene), static_cast<unsigned>(i));
   }
-  rtcCommitScene(top);
-  check();
+  commit(top);
 }
 
 RayCaster::RayCaster(std::shared_ptr<const Geometry> geometry) {

@@ -105,19 +105,17 @@ bool ReflectorSetBuilder::use_factors_file(const grf::ResolvedSurface& surface, 
   return is_right;
 }
 
-ReflectorSet ReflectorSetBuilder::build(int threads, const std::stop_token& stop) {
+ReflectorSet ReflectorSetBuilder::build(const std::stop_token& stop) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::optional<Reflector>> made(pairs_.size());
-  parallel::run_with_threads(threads, [&] {
-    parallel::for_each_index(pairs_.size(), [&](std::size_t i) {
-      if (stop.stop_requested()) return;
-      const Pair& pair = pairs_[i];
-      if (pair.known != nullptr) {
-        made[i] = *pair.known;
-      } else {
-        made[i].emplace(pair.brdf, pair.scheme, missed_part_, precision_);
-      }
-    });
+  parallel::for_each_index(pairs_.size(), [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    const Pair& pair = pairs_[i];
+    if (pair.known != nullptr) {
+      made[i] = *pair.known;
+    } else {
+      made[i].emplace(pair.brdf, pair.scheme, missed_part_, precision_);
+    }
   });
   if (stop.stop_requested()) return {};
   ReflectorSet set;

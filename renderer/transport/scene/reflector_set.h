@@ -71,7 +71,7 @@ class ReflectorSetBuilder {
 
   /// Makes the tables of all of them, in parallel, and warns of schemes that miss part of their BRDF. There
   /// must have been no error. Those that are not begun when it is told to stop are missing then.
-  ReflectorSet build(int threads, const std::stop_token& stop = {});
+  ReflectorSet build(const std::stop_token& stop = {});
 
  private:
   struct Pair {

@@ -49,15 +49,11 @@ std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture) {
   return known->second;
 }
 
-std::vector<TextureFile> TextureSetBuilder::build(int threads, std::span<const TextureFile> before) {
+std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> before) {
   std::vector<Read> results(files_.size());
-  if (!files_.empty()) {
-    parallel::run_with_threads(threads, [&] {
-      parallel::for_each_index(files_.size(), [&](std::size_t i) {
-        read(files_[i].path, files_[i].asked_for_at, before, results[i]);
-      });
-    });
-  }
+  parallel::for_each_index(files_.size(), [&](std::size_t i) {
+    read(files_[i].path, files_[i].asked_for_at, before, results[i]);
+  });
   std::vector<TextureFile> textures;
   for (Read& result : results) {
     for (const grf::Diagnostic& entry : result.diagnostics.entries()) {

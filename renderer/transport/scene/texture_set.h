@@ -33,7 +33,7 @@ class TextureSetBuilder {
 
   /// Reads all files, in parallel, but for those that were read before and have not changed. One that cannot
   /// be read is an error where it is named first, and leaves a white texture.
-  std::vector<TextureFile> build(int threads, std::span<const TextureFile> before = {});
+  std::vector<TextureFile> build(std::span<const TextureFile> before = {});
 
  private:
   struct File {

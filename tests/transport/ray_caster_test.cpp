@@ -1,0 +1,116 @@
+#include "renderer/transport/scene/ray_caster.h"
+
+#include <cmath>
+#include <new>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "renderer/parallel/loops.h"
+#include "renderer/parallel/thread_sanitizer.h"
+
+// Sanitizers need address space of their own.
+#if defined(__SANITIZE_ADDRESS__)
+#define GRANADA_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define GRANADA_ADDRESS_SANITIZER 1
+#endif
+#endif
+
+namespace {
+
+using transport::Geometry;
+using transport::RayCaster;
+using transport::TriangleMesh;
+using transport::Vec3f;
+
+/// Waves of so many squares a side over the unit square, several times at the same place.
+std::shared_ptr<Geometry> layers_of_waves(std::uint32_t side, std::uint32_t layers) {
+  auto geometry = std::make_shared<Geometry>();
+  geometry->instances.emplace_back(grf::Matrix44d());
+  TriangleMesh& mesh = geometry->meshes.emplace_back();
+  const std::uint32_t columns = side + 1;
+  for (std::uint32_t i = 0; i < columns * columns; ++i) {
+    const float x = static_cast<float>(i % columns) / static_cast<float>(side);
+    const float y = static_cast<float>(i / columns) / static_cast<float>(side);
+    mesh.positions.emplace_back(x, y, 0.1F * std::sin(20 * x) * std::cos(30 * y));
+  }
+  mesh.positions.emplace_back(0.0F);  // padding
+  for (std::uint32_t i = 0; i < layers * side * side; ++i) {
+    const std::uint32_t corner = i / side % side * columns + i % side;
+    mesh.triangles.push_back({{corner, corner + 1, corner + columns + 1}});
+    mesh.triangles.push_back({{corner, corner + columns + 1, corner + columns}});
+  }
+  return geometry;
+}
+
+/// What rays down onto the unit square meet.
+std::vector<std::uint32_t> triangles_below(const RayCaster& caster, int side) {
+  std::vector<std::uint32_t> met;
+  for (int i = 0; i < side * side; ++i) {
+    const float x = (static_cast<float>(i % side) + 0.37F) / static_cast<float>(side);
+    const float y = (static_cast<float>(i / side) + 0.61F) / static_cast<float>(side);
+    const auto hit = caster.intersect({Vec3f(x, y, 1), Vec3f(0, 0, -1)});
+    met.push_back(hit ? hit->id.triangle : transport::None);
+  }
+  return met;
+}
+
+// Of faces at the same place, rays meet one that the threads which build do not decide about.
+TEST(RayCaster, MeetsTheSameWhateverTheNumberOfThreadsThatBuildIt) {
+  const auto geometry = layers_of_waves(100, 4);
+  std::set<std::vector<std::uint32_t>> found;
+  for (const int threads : {1, 2, 5, 7}) {
+    parallel::run_with_threads(threads, [&] { found.insert(triangles_below(RayCaster(geometry), 200)); });
+  }
+  EXPECT_EQ(found.size(), 1U);
+}
+
+/// The message of what a caster of the geometry throws.
+std::string refusal_of(std::shared_ptr<const Geometry> geometry) {
+  try {
+    const RayCaster caster(std::move(geometry));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// An instance of no mesh stands for all that Embree may refuse.
+TEST(RayCaster, SaysWhatEmbreeRefuses) {
+  const auto geometry = layers_of_waves(2, 1);
+  geometry->instances.emplace_back(grf::Matrix44d());
+  EXPECT_THAT(refusal_of(geometry), testing::MatchesRegex("Embree reports error 2: .*invalid argument.*"));
+}
+
+#if !defined(GRANADA_THREAD_SANITIZER) && !defined(GRANADA_ADDRESS_SANITIZER)
+/// Builds a caster with so little memory that Embree cannot get what it needs.
+void build_without_memory(std::shared_ptr<const Geometry> geometry) {
+  parallel::run_with_threads(1, [&] {
+    const RayCaster caster(layers_of_waves(2, 1));  // what is allocated once is there
+    const rlimit least = {std::size_t(1) << 20, std::size_t(1) << 20};
+    ::setrlimit(RLIMIT_AS, &least);
+    try {
+      const RayCaster too_large(geometry);
+    } catch (const std::bad_alloc&) {
+      ::_exit(7);
+    } catch (const std::exception&) {
+      ::_exit(8);
+    }
+    ::_exit(9);
+  });
+}
+
+TEST(RayCaster, RunsOutOfMemory) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(build_without_memory(layers_of_waves(400, 1)), testing::ExitedWithCode(7), "");
+}
+#endif
+
+}  // namespace
