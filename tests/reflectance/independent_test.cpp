@@ -1,5 +1,8 @@
 // All models against values and albedos of another program: independent_values.py, which has their papers'
 // formulas and a quadrature of its own.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -8,6 +11,7 @@
 
 #include "renderer/reflectance/albedo.h"
 #include "tests/reflectance/brdf_cases.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -89,6 +93,53 @@ INSTANTIATE_TEST_SUITE_P(Instances, Independent,
                            const std::string text = independent_table()["instances"][instance.param]["brdf"];
                            return text.substr(0, text.find(' ')) + "_" + std::to_string(instance.index);
                          });
+
+/// A file whose cells say where they are, by the index that the data base publishes: each channel has one of
+/// the cell's three places, and 1 more.
+std::string merl_file_of_places() {
+  const std::array<std::int32_t, 3> dimensions = {90, 90, 180};
+  std::vector<double> cells(3 * 90 * 90 * 180);
+  for (std::size_t half = 0; half < 90; ++half) {
+    for (std::size_t difference = 0; difference < 90; ++difference) {
+      for (std::size_t azimuth = 0; azimuth < 180; ++azimuth) {
+        const std::size_t index = azimuth + 180 * (difference + 90 * half);
+        cells[index] = 1500 * static_cast<double>(half + 1);
+        cells[index + 1'458'000] = 1500 / 1.15 * static_cast<double>(difference + 1);
+        cells[index + 2'916'000] = 1500 / 1.66 * static_cast<double>(azimuth + 1);
+      }
+    }
+  }
+  std::string bytes(reinterpret_cast<const char*>(dimensions.data()), sizeof(dimensions));
+  return bytes.append(reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(double));
+}
+
+TEST(IndependentTable, HasThePlacesOfPairsInMeasuredData) {
+  const test::TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  const auto table = reflectance::MerlTable::load(folder.add("a.binary", merl_file_of_places()), diagnostics);
+  ASSERT_NE(table, nullptr) << diagnostics.to_text();
+  reflectance::Measured measured;
+  measured.data = std::make_shared<const reflectance::MeasuredData>(table);
+  int compared = 0;
+  for (std::size_t i = 0; i < independent_table()["pairs"].size(); ++i) {
+    const json& pair = independent_table()["pairs"][i];
+    const json& place = independent_table()["merl"][i];
+    if (place.is_null() || place[2] < 1 || place[2] > 179) continue;  // phi_d has no meaning, or comes round
+    const V3d u = in_double(pair[0], pair[1]);
+    const V3d v = in_double(pair[2], pair[3]);
+    const V3d places = channels_of(place);
+    measured.linear = true;  // a cell's value is at its centre, half a cell in
+    expect_channels(measured.evaluate(u, v), places + V3d(0.5), 1e-4, " at " + pair.dump());
+    measured.linear = false;
+    const V3d cell(std::floor(places.x), std::floor(places.y), std::floor(places.z));
+    const V3d share = places - cell;
+    if (std::min({share.x, share.y, share.z}) < 1e-3 || std::max({share.x, share.y, share.z}) > 1 - 1e-3)
+      continue;
+    expect_channels(measured.evaluate(u, v), cell + V3d(1), 1e-5, " in the cell at " + pair.dump());
+    ++compared;
+  }
+  EXPECT_GE(compared, 15);
+}
 
 TEST(IndependentTable, HasFiveAlbedosOfEachModel) {
   std::map<std::string, std::size_t> counts;
