@@ -91,6 +91,62 @@ TEST(MerlTable, HasTheValuesOfTheBrdfAtTheCentresOfCells) {
   }
 }
 
+/// Of a pair of directions what is the same however they are turned together, but not for others, nor for
+/// their images in a mirror, nor swapped.
+Rgb invariants_of(const Vec3f& u, const Vec3f& v) { return {u.z, v.z, 1 + u.x * v.y - u.y * v.x}; }
+
+/// The same of the centre of a cell, by spherical trigonometry.
+Rgb invariants_of_cell(int half, int difference, int azimuth) {
+  const double theta_half = M_PI / 2 * std::pow((half + 0.5) / 90, 2);
+  const double theta_difference = M_PI / 2 * (difference + 0.5) / 90;
+  const double phi = M_PI * (azimuth + 0.5) / 180;
+  const double along = std::cos(theta_half) * std::cos(theta_difference);
+  const double across = std::sin(theta_half) * std::sin(theta_difference) * std::cos(phi);
+  const double turn = std::sin(theta_half) * std::sin(2 * theta_difference) * std::sin(phi);
+  return {static_cast<float>(along + across), static_cast<float>(along - across),
+          static_cast<float>(1 + turn)};
+}
+
+struct CellPlace {
+  int half, difference, azimuth;
+};
+constexpr CellPlace SomeCells[] = {{0, 0, 0},    {1, 0, 0},    {0, 1, 0},    {0, 0, 1},     {40, 20, 5},
+                                   {40, 20, 90}, {40, 20, 91}, {40, 21, 90}, {41, 20, 90},  {60, 30, 120},
+                                   {30, 50, 60}, {20, 70, 30}, {5, 80, 170}, {55, 35, 100}, {70, 10, 179}};
+
+TEST(MerlTable, IsMadeOfWhatABrdfIsAtEachCellsAngles) {
+  const MerlTable table(invariants_of);
+  for (const auto& [half, difference, azimuth] : SomeCells) {
+    const double share = (half + 0.5) / 90;
+    const HalfAngles centre = {M_PI / 2 * share * share, M_PI / 2 * (difference + 0.5) / 90,
+                               M_PI * (azimuth + 0.5) / 180};
+    const Rgb expected = invariants_of_cell(half, difference, azimuth);
+    EXPECT_NEAR((table.nearest(centre) - expected).length(), 0, 1e-5)
+        << half << " " << difference << " " << azimuth;
+    EXPECT_NEAR((table.linear(centre) - expected).length(), 0, 1e-4)
+        << half << " " << difference << " " << azimuth;
+  }
+}
+
+// Index and scales as the data base publishes them.
+TEST(MerlTable, IsWrittenInTheOrderOfTheDataBase) {
+  const test::TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(MerlTable(invariants_of).write(folder.path("a.binary"), diagnostics));
+  const std::string bytes = test::bytes_of(folder.path("a.binary"));
+  constexpr double ScaleOfChannel[] = {1 / 1500.0, 1.15 / 1500, 1.66 / 1500};
+  for (const auto& [half, difference, azimuth] : SomeCells) {
+    const Rgb expected = invariants_of_cell(half, difference, azimuth);
+    for (int channel = 0; channel < 3; ++channel) {
+      const int index = azimuth + 180 * (difference + 90 * half) + 90 * 90 * 180 * channel;
+      double value = 0;
+      std::memcpy(&value, bytes.data() + 12 + sizeof(value) * static_cast<std::size_t>(index), sizeof(value));
+      EXPECT_NEAR(value * ScaleOfChannel[channel], expected[channel], 1e-5)
+          << half << " " << difference << " " << azimuth;
+    }
+  }
+}
+
 TEST(MerlTable, IsReadAsItWasWritten) {
   const test::TemporaryFolder folder;
   grf::Diagnostics diagnostics;

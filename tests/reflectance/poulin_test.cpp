@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -87,6 +88,30 @@ TEST(Poulin, ConservesEnergy) {
       const auto brdf = brdf_of("poulin d=" + std::to_string(d) + " h=" + std::to_string(h) + " " + parts);
       for (const double angle : {0.0, 50.0, 80.0})
         EXPECT_LT(test::albedo(brdf, direction(angle, 70), 1e-6), 1.001) << d << " " << h << parts << angle;
+    }
+  }
+}
+
+// Cylinders that nearly coincide or are very far apart, floors at their feet and at their tops, lobes of all
+// widths.
+TEST(Poulin, IsInFloatWhatItIsInDoubleAtItsLimits) {
+  const std::vector<test::Pair> pairs = test::direction_pairs(40, 12);
+  reflectance::Poulin poulin;
+  for (const float d : {0.0F, 1e-7F, 1.1e-6F, 1e-4F, 0.01F, 1.0F, 1.9999999F, 2.0F, 2.0000002F, 1e3F, 1e6F}) {
+    for (const float h : {0.0F, 1e-8F, 1e-4F, 0.5F, 0.9999F, 0.9999999F, 1.0F}) {
+      for (const float n : {0.0F, 1e3F, 1e6F}) {
+        poulin.d = d;
+        poulin.h = h;
+        poulin.n = n;
+        std::vector<double> exact;
+        for (const test::Pair& pair : pairs) exact.push_back(poulin.evaluate(Vec(pair.u), Vec(pair.v)).x);
+        const double peak = *std::max_element(exact.begin(), exact.end());
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+          if (exact[i] < 1e-6 * peak) continue;
+          ASSERT_NEAR(poulin.evaluate(pairs[i].u, pairs[i].v).x, exact[i], 1e-4 * exact[i])
+              << d << " " << h << " " << n << pairs[i].u << pairs[i].v;
+        }
+      }
     }
   }
 }

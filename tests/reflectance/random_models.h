@@ -149,6 +149,7 @@ class Failures {
     text_ = fmt::format("{} u ({}, {}, {}) v ({}, {}, {}): {} and not {}", instance_of(model), pair.u.x,
                         pair.u.y, pair.u.z, pair.v.x, pair.v.y, pair.v.z, got, expected);
   }
+  bool are_none() const { return count_ == 0; }
   void expect_none() const { EXPECT_EQ(count_, 0) << "the worst by " << worst_ << ": " << text_; }
 
  private:

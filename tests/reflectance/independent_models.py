@@ -1,0 +1,339 @@
+"""The BRDF models as their papers have them, in double precision and without any care for speed.
+
+Nothing here is taken from renderer/reflectance: angles where that has vectors, complex numbers for Fresnel's
+equations, series term by term, roots by bisection, normalisations by quadrature, and for `poulin` rays that meet
+circles. Each model is a function of its parameters (one colour channel) and of the directions u, to the eye, and v,
+to the light; its value is in 1/sr, without the Dirac part, which is in MIRRORS.
+"""
+import functools
+import struct
+from math import asin, atan2, cos, erfc, exp, hypot, pi, sin, sqrt, tan
+
+from independent_basics import (added, angles_of_half, dot, fresnel, half_lobe_scale, integral, lobe, mirror_angle,
+                                schlick_fresnel, unit)
+from independent_surfaces import he, he_mirror, poulin, westin, westin_mirror
+
+
+def black(p, u, v):
+    return 0.0
+
+
+def diffuse(p, u, v):
+    return p.kd / pi
+
+
+def minnaert(p, u, v):
+    return p.kd / pi * (cos(u.theta) * cos(v.theta)) ** (p.k - 1)
+
+
+def phong(p, u, v):
+    return p.kd / pi + p.ks * lobe(mirror_angle(u, v), p.n)
+
+
+def blinn(p, u, v):
+    return p.kd / pi + p.ks * lobe(angles_of_half(u, v)[0], p.n)
+
+
+def lewis(p, u, v):
+    return p.kd / pi + p.ks * (p.n + 2) / (2 * pi) * lobe(mirror_angle(u, v), p.n)
+
+
+def ward(p, u, v):
+    delta, phi, _ = angles_of_half(u, v)
+    slopes = (cos(phi) / p.sx) ** 2 + (sin(phi) / p.sy) ** 2
+    return p.kd / pi + p.ks * exp(-tan(delta) ** 2 * slopes) / (
+        4 * pi * p.sx * p.sy * sqrt(cos(u.theta) * cos(v.theta)))
+
+
+def torrance(p, u, v):
+    delta, _, beta = angles_of_half(u, v)
+    facets = exp(-(tan(delta) / p.rough) ** 2) / (p.rough ** 2 * cos(delta) ** 4)
+    grooves = min(1, 2 * cos(delta) * cos(u.theta) / cos(beta), 2 * cos(delta) * cos(v.theta) / cos(beta))
+    return p.kd / pi + p.ks * facets * grooves * fresnel(beta, p.nreal, p.nimag) / (
+        4 * pi * cos(u.theta) * cos(v.theta))
+
+
+def schlick_layer(u, v, r, p):
+    def seen(angle):
+        return cos(angle) / (r - r * cos(angle) + cos(angle))
+    delta, phi, _ = angles_of_half(u, v)
+    t, w = cos(delta), abs(cos(phi))
+    if delta == 0:
+        w = sqrt(p / (1 + p))  # h = n has no azimuth: by convention, where the factor is 1
+    zenith = r / (1 + r * t ** 2 - t ** 2) ** 2
+    azimuth = sqrt(p / (p ** 2 - p ** 2 * w ** 2 + w ** 2))
+    both = seen(u.theta) * seen(v.theta)
+    return (both * azimuth * zenith + 1 - both) / (4 * pi * cos(u.theta) * cos(v.theta))
+
+
+def schlick(p, u, v):
+    beta = angles_of_half(u, v)[2]
+    first = schlick_fresnel(p.SC, beta)
+    value = first * schlick_layer(u, v, p.Sr, p.Sp) if p.Sr > 0 else 0.0
+    if p.Ly and p.Dr > 0:
+        value += (1 - first) * schlick_fresnel(p.DC, beta) * schlick_layer(u, v, p.Dr, p.Dp)
+    return value
+
+
+def schlick_mirror(p, u):
+    first = schlick_fresnel(p.SC, u.theta)
+    value = first if p.Sr == 0 else 0.0
+    if p.Ly and p.Dr == 0:
+        value += (1 - first) * schlick_fresnel(p.DC, u.theta)
+    return value
+
+
+def oren(p, u, v):
+    alpha, beta = max(u.theta, v.theta), min(u.theta, v.theta)
+    turn = cos(u.phi - v.phi)
+    s2 = p.s ** 2
+    c1 = 1 - 0.5 * s2 / (s2 + 0.33)
+    if turn >= 0:
+        c2 = 0.45 * s2 / (s2 + 0.09) * sin(alpha)
+    else:
+        c2 = 0.45 * s2 / (s2 + 0.09) * (sin(alpha) - (2 * beta / pi) ** 3)
+    c3 = 0.125 * s2 / (s2 + 0.09) * (4 * alpha * beta / pi ** 2) ** 2
+    direct = c1 + turn * c2 * tan(beta) + (1 - abs(turn)) * c3 * tan((alpha + beta) / 2)
+    between = 0.17 * s2 / (s2 + 0.13) * (1 - turn * (2 * beta / pi) ** 2)
+    return max(0.0, p.r / pi * direct + p.r ** 2 / pi * between)
+
+
+def strauss(p, u, v):
+    def f(x):
+        kf = 1.12
+        return (1 / (x - kf) ** 2 - 1 / kf ** 2) / (1 / (1 - kf) ** 2 - 1 / kf ** 2)
+
+    def g(x):
+        kg = 1.01
+        return (1 / (1 - kg) ** 2 - 1 / (x - kg) ** 2) / (1 / (1 - kg) ** 2 - 1 / kg ** 2)
+
+    kj = 0.1
+    light, eye = v.theta / (pi / 2), u.theta / (pi / 2)
+    exponent = 3 / (1 - p.s)
+    diffuse_reflectivity = 1 - p.s ** 3
+    normal = 1 - diffuse_reflectivity
+    reflectivity = min(1, normal + (normal + kj) * f(light) * g(light) * g(eye))
+    colour = p.kd / max(p.of_all_channels['kd']) if max(p.of_all_channels['kd']) > 0 else 1
+    colour = 1 + p.m * (1 - f(light)) * (colour - 1)
+    return (p.kd * (1 - p.m * p.s) * diffuse_reflectivity / pi +
+            p.ks * colour * reflectivity * (exponent + 2) / (2 * pi) * lobe(mirror_angle(u, v), exponent))
+
+
+def lafortune(p, u, v):
+    base = p.Cx * u.x * v.x + p.Cy * u.y * v.y + p.Cz * u.z * v.z
+    return p.kp / pi + (base ** p.n if base > 0 else 0.0)
+
+
+def coupled(p, u, v):
+    passed = (1 - schlick_fresnel(p.R0, u.theta)) * (1 - schlick_fresnel(p.R0, v.theta))
+    return 21 * p.Rm / (20 * pi * (1 - p.R0)) * passed
+
+
+def coupled_mirror(p, u):
+    return schlick_fresnel(p.R0, u.theta)
+
+
+def ashikhmin(p, u, v):
+    delta, phi, beta = angles_of_half(u, v)
+    exponent = p.ex * cos(phi) ** 2 + p.ey * sin(phi) ** 2
+    glossy = sqrt((p.ex + 1) * (p.ey + 1)) / (8 * pi) * cos(delta) ** exponent * schlick_fresnel(p.Rs, beta) / (
+        cos(beta) * max(cos(u.theta), cos(v.theta)))
+    matte = 28 * p.Rd / (23 * pi) * (1 - p.Rs) * (1 - (1 - cos(u.theta) / 2) ** 5) * (1 - (1 - cos(v.theta) / 2) ** 5)
+    return glossy + matte
+
+
+@functools.lru_cache(maxsize=None)
+def ellipse_in_disc(a, b, x, y):
+    """The area of the ellipse with half axes a and b about (x, y) in the unit disc, by its chords along y."""
+    def chord(at):
+        if abs(at) >= 1 or abs(at - x) >= a:
+            return 0.0
+        disc = sqrt(1 - at * at)
+        ellipse = b * sqrt(1 - ((at - x) / a) ** 2)
+        return max(0.0, min(disc, y + ellipse) - max(-disc, y - ellipse))
+    low, high = max(-1, x - a), min(1, x + a)
+    # Chords end like a square root; in this variable they are smooth there.
+    middle, extent = (low + high) / 2, (high - low) / 2
+    return integral(lambda t: chord(middle - extent * cos(t)) * extent * sin(t), 0, pi, 2000, 4)
+
+
+def neumann(p, u, v):
+    sign = -1 if p.retro else 1
+    x, y = v.x + sign * u.x, v.y + sign * u.y
+    inside = (x / p.r) ** 2 + (y / p.ry) ** 2 <= 1
+    return p.kd / pi + (p.ks / ellipse_in_disc(p.r, p.ry, 0.0, 0.0) if inside else 0.0)
+
+
+def neumann_albedo(p, u):
+    sign = 1 if p.retro else -1
+    return p.kd + p.ks * ellipse_in_disc(p.r, p.ry, sign * u.x, sign * u.y) / ellipse_in_disc(p.r, p.ry, 0.0, 0.0)
+
+
+@functools.lru_cache(maxsize=None)
+def cauchy_scale(sigma):
+    """What makes the integral of D cos over the hemisphere 1, D = 1/(cos (sigma^2 + tan^2))."""
+    return 1 / integral(lambda t: 2 * pi * sin(t) / (sigma ** 2 + tan(t) ** 2), 0, pi / 2, 400)
+
+
+def beardmaxwell(p, u, v):
+    delta, _, beta = angles_of_half(u, v)
+    facets = cauchy_scale(p.sigma) / (cos(delta) * (p.sigma ** 2 + tan(delta) ** 2))
+    facing = exp(-2 * beta / p.tau) if p.tau > 0 else 0.0
+    kept = (1 + delta / p.omega * facing) / (1 + delta / p.omega)
+    first = fresnel(beta, p.nreal, p.nimag) * facets * kept / (4 * cos(u.theta) * cos(v.theta))
+    return p.Rs * first + p.Rd / pi + p.Rv / pi * 2 / (cos(u.theta) + cos(v.theta))
+
+
+def smith(w, ax, ay):
+    """Smith's shadowing of Gaussian slopes."""
+    width = hypot(ax * cos(w.phi), ay * sin(w.phi)) * tan(w.theta)
+    if width == 0:
+        return 1.0
+    x = 1 / width
+    return 1 / (1 + (exp(-x * x) / (x * sqrt(pi)) - erfc(x)) / 2)
+
+
+def beckmann_lobe(u, v, ax, ay):
+    delta, phi, _ = angles_of_half(u, v)
+    slopes = (cos(phi) / ax) ** 2 + (sin(phi) / ay) ** 2
+    facets = exp(-tan(delta) ** 2 * slopes) / (pi * ax * ay * cos(delta) ** 4)
+    return facets * smith(u, ax, ay) * smith(v, ax, ay) / (4 * cos(u.theta) * cos(v.theta))
+
+
+def kajiya(p, u, v):
+    beta = angles_of_half(u, v)[2]
+    surface = beckmann_lobe(u, v, 2 * p.sigma / p.taux, 2 * p.sigma / p.tauy)
+    return p.ks * fresnel(beta, p.nreal, p.nimag) * surface + p.kd / pi
+
+
+def refracted(w, index):
+    """The angle inside by Snell's law, and the direction, which points up."""
+    theta = asin(sin(w.theta) / index)
+    return theta, (sin(theta) * cos(w.phi), sin(theta) * sin(w.phi), cos(theta))
+
+
+def hanrahan(p, u, v):
+    beta = angles_of_half(u, v)[2]
+    passed = (1 - fresnel(u.theta, p.nreal, 0)) * (1 - fresnel(v.theta, p.nreal, 0))
+    theta_u, inner_u = refracted(u, p.nreal)
+    theta_v, inner_v = refracted(v, p.nreal)
+    turned = -dot(inner_u, inner_v)
+    phase = (1 - p.g ** 2) / (4 * pi * (1 + p.g ** 2 - 2 * p.g * turned) ** 1.5)
+    path = p.depth * (1 / cos(theta_u) + 1 / cos(theta_v))
+    single = p.albedo * passed * phase * (1 - exp(-path)) / (p.nreal ** 2 * (cos(theta_u) + cos(theta_v)))
+    surface = fresnel(beta, p.nreal, 0) * beckmann_lobe(u, v, p.rough, p.rough)
+    return p.ks * surface + single + p.kd * passed / pi
+
+
+def wavelength_of(channel):
+    return {'red': 645, 'green': 525, 'blue': 445}[channel]
+
+
+def granier(p, u, v):
+    delta, _, beta = angles_of_half(u, v)
+    normal = ((p.nreal - 1) / (p.nreal + 1)) ** 2
+    outer = p.ks * schlick_fresnel(normal, beta) * half_lobe_scale(p.n) * cos(delta) ** p.n
+    inner_half = unit(added(refracted(u, p.nreal)[1], refracted(v, p.nreal)[1]))
+    inner_cosine = sin(p.tilt) * inner_half[0] + cos(p.tilt) * inner_half[2]
+    entering = (1 - schlick_fresnel(normal, u.theta)) * (1 - schlick_fresnel(normal, v.theta))
+    inner = p.kt * entering * half_lobe_scale(p.m) * max(0, inner_cosine) ** p.m / p.nreal ** 2
+    order = 2 * p.nreal * p.d * cos(delta) / wavelength_of(p.channel)
+    # Fringes of an order over 20 fade, and are averaged from 100 on: three wavelengths cannot show them.
+    shown = 1 if order <= 20 else 0 if order >= 100 else (100 - order) / 80
+    beams = outer + inner + shown * 2 * cos(2 * pi * order) * sqrt(outer * inner)
+    return p.kd / pi + max(0.0, beams)
+
+
+COLOURS = ('red', 'green', 'blue')
+FUNCTIONS = {function.__name__: function for function in (
+    diffuse, phong, blinn, lewis, ward, minnaert, lafortune, oren, torrance, coupled, ashikhmin, schlick, strauss, neumann,
+    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he)}
+FUNCTIONS['specular'] = black
+MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
+           'westin': westin_mirror}
+DEFAULTS = {
+    'specular': 'ks=1',
+    'diffuse': 'kd=0.5',
+    'phong': 'n=100 ks=0.4 kd=0.6',
+    'blinn': 'n=100 ks=0.4 kd=0.6',
+    'lewis': 'n=100 ks=0.4 kd=0.6',
+    'ward': 'sx=0.2 sy=@sx ks=0.5 kd=0.5',
+    'minnaert': 'k=1 kd=0.5',
+    'lafortune': 'n=20 kp=0.5 Cx=-1 Cy=-1 Cz=1',
+    'oren': 's=0.3 r=0.5',
+    'torrance': 'rough=0.35 nreal=1.5 nimag=0 ks=0.7 kd=0.3',
+    'coupled': 'Rm=0.5 R0=0.05',
+    'ashikhmin': 'ex=25 ey=@ex Rs=0.39 Rd=0.6',
+    'schlick': 'SC=0.7 Sr=0.31 Sp=1 Ly=false DC=0.5 Dr=1 Dp=1',
+    'strauss': 's=0.5 m=0 ks=0.5 kd=0.5',
+    'neumann': 'r=0.2 ry=@r retro=false ks=1 kd=0',
+    'beardmaxwell': 'omega=1 tau=0 nreal=1.65 nimag=0 Rs=1 Rd=0.3 Rv=0.1 sigma=0.3',
+    'kajiya': 'sigma=0.2 taux=1 tauy=4 nreal=0 nimag=0 ks=1 kd=0',
+    'hanrahan': 'nreal=1.4 g=0.25 albedo=0.8 depth=10 rough=0.3 ks=1 kd=0.2',
+    'westin': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
+    'granier': 'nreal=(1.50,1.51,1.52) d=400 n=100 m=20 tilt=0 ks=1 kt=0.8 kd=0',
+    'poulin': 'd=2 h=0 n=50 ks=0.5 kd=0.5',
+    'he': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
+}
+ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'}}
+
+
+def to_float(text):
+    """As a scene keeps it, in single precision."""
+    return struct.unpack('f', struct.pack('f', float(text)))[0]
+
+
+def value_of(text):
+    if text in ('true', 'false'):
+        return text == 'true'
+    if text.startswith('('):
+        return tuple(to_float(part) for part in text.strip('()').split(','))
+    return to_float(text)
+
+
+def arguments(text):
+    """`sx=0.1 ks=(1, 0.5, 0)` as a dictionary."""
+    tokens = text.replace(', ', ',').split()
+    return dict(token.split('=') for token in tokens)
+
+
+class Parameters(dict):
+    """Those of one colour channel, as attributes too."""
+    __getattr__ = dict.__getitem__
+
+    def __hash__(self):
+        return id(self)
+
+
+class Instance:
+    """A BRDF as a scene writes it, such as `ward sx=0.1 ks=0.4`."""
+
+    def __init__(self, text):
+        self.keyword, _, rest = text.partition(' ')
+        aliases = ALIASES.get(self.keyword, {})
+        given = {aliases.get(name, name): value for name, value in arguments(rest).items()}
+        values = {}
+        for name, default in arguments(DEFAULTS[self.keyword]).items():
+            chosen = given.pop(name, default)
+            values[name] = values[chosen[1:]] if chosen.startswith('@') else value_of(chosen)
+        assert not given, given
+        split = {name: value if isinstance(value, tuple) else (value,) * 3 for name, value in values.items()}
+        self.channels = []
+        for k, colour in enumerate(COLOURS):
+            channel = Parameters({name: value[k] for name, value in split.items()})
+            channel['channel'], channel['of_all_channels'] = colour, split
+            self.channels.append(channel)
+        coloured = any(isinstance(value, tuple) for value in values.values())
+        self.is_grey = not coloured and self.keyword != 'granier'
+
+    def by_channel(self, function):
+        if self.is_grey:
+            return (function(self.channels[0]),) * 3
+        return tuple(function(channel) for channel in self.channels)
+
+    def value(self, u, v, **options):
+        return self.by_channel(lambda p: FUNCTIONS[self.keyword](p, u, v, **options))
+
+    def mirror(self, u):
+        weight = MIRRORS.get(self.keyword)
+        return self.by_channel(lambda p: weight(p, u) if weight else 0.0)

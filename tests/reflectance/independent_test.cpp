@@ -1,0 +1,156 @@
+// All models against values and albedos of another program: independent_values.py, which has their papers'
+// formulas and a quadrature of its own.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/reflectance/albedo.h"
+#include "tests/reflectance/brdf_cases.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using Imath::V3d;
+using nlohmann::json;
+using reflectance::Brdf;
+using reflectance::Rgb;
+using reflectance::Vec3f;
+
+const json& independent_table() {
+  static const json table =
+      json::parse(std::ifstream(GRANADA_SOURCE_DIR "/tests/reflectance/independent_values.json"));
+  return table;
+}
+
+V3d in_double(double theta_degrees, double phi_degrees) {
+  const double theta = theta_degrees * M_PI / 180;
+  const double phi = phi_degrees * M_PI / 180;
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+/// A grey value is one number.
+V3d channels_of(const json& value) {
+  if (value.is_number()) return V3d(value.get<double>());
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+template <class Vector>
+void expect_channels(const Vector& actual, const V3d& expected, double tolerance, const std::string& where) {
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(double(actual[k]), expected[k], tolerance * expected[k] + 1e-12) << "channel " << k << where;
+  }
+}
+
+class Independent : public testing::TestWithParam<std::size_t> {
+ protected:
+  const json& instance_ = independent_table()["instances"][GetParam()];
+  const Brdf brdf_ = test::brdf_of(instance_["brdf"].get<std::string>());
+};
+
+TEST_P(Independent, HasTheValuesOfThePaper) {
+  const json& pairs = independent_table()["pairs"];
+  ASSERT_EQ(instance_["values"].size(), pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const V3d u = in_double(pairs[i][0], pairs[i][1]);
+    const V3d v = in_double(pairs[i][2], pairs[i][3]);
+    const V3d value = std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf_);
+    const V3d expected = channels_of(instance_["values"][i]);
+    expect_channels(value, expected, 1e-6, " at " + pairs[i].dump());
+    expect_channels(evaluate(brdf_, Vec3f(u), Vec3f(v)), expected, 1e-3, " in float at " + pairs[i].dump());
+  }
+}
+
+TEST_P(Independent, HasTheMirrorPartOfThePaper) {
+  const json& pairs = independent_table()["pairs"];
+  EXPECT_EQ(has_mirror(brdf_), instance_.contains("mirrors"));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const V3d expected = instance_.contains("mirrors") ? channels_of(instance_["mirrors"][i]) : V3d(0);
+    const Vec3f u(in_double(pairs[i][0], pairs[i][1]));
+    expect_channels(mirror(brdf_, u), expected, 1e-4, " at " + pairs[i].dump());
+  }
+}
+
+TEST_P(Independent, HasTheAlbedoOfAnotherQuadrature) {
+  const reflectance::Reflector reflector(brdf_, reflectance::OwnScheme());
+  for (const json& one : instance_["albedos"]) {
+    const Vec3f u(in_double(one["view"][0], one["view"][1]));
+    const V3d expected = channels_of(one["albedo"]);
+    const Rgb sampled = reflectance::albedo(reflector, u, 16384);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(double(sampled[k]), expected[k], 2e-3 * std::max(0.5, expected[k])) << k << one["view"];
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Instances, Independent,
+                         testing::Range(std::size_t(0), independent_table()["instances"].size()),
+                         [](const testing::TestParamInfo<std::size_t>& instance) {
+                           const std::string text = independent_table()["instances"][instance.param]["brdf"];
+                           return text.substr(0, text.find(' ')) + "_" + std::to_string(instance.index);
+                         });
+
+/// A file whose cells say where they are, by the index that the data base publishes: each channel has one of
+/// the cell's three places, and 1 more.
+std::string merl_file_of_places() {
+  const std::array<std::int32_t, 3> dimensions = {90, 90, 180};
+  std::vector<double> cells(3 * 90 * 90 * 180);
+  for (std::size_t half = 0; half < 90; ++half) {
+    for (std::size_t difference = 0; difference < 90; ++difference) {
+      for (std::size_t azimuth = 0; azimuth < 180; ++azimuth) {
+        const std::size_t index = azimuth + 180 * (difference + 90 * half);
+        cells[index] = 1500 * static_cast<double>(half + 1);
+        cells[index + 1'458'000] = 1500 / 1.15 * static_cast<double>(difference + 1);
+        cells[index + 2'916'000] = 1500 / 1.66 * static_cast<double>(azimuth + 1);
+      }
+    }
+  }
+  std::string bytes(reinterpret_cast<const char*>(dimensions.data()), sizeof(dimensions));
+  return bytes.append(reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(double));
+}
+
+TEST(IndependentTable, HasThePlacesOfPairsInMeasuredData) {
+  const test::TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  const auto table = reflectance::MerlTable::load(folder.add("a.binary", merl_file_of_places()), diagnostics);
+  ASSERT_NE(table, nullptr) << diagnostics.to_text();
+  reflectance::Measured measured;
+  measured.data = std::make_shared<const reflectance::MeasuredData>(table);
+  int compared = 0;
+  for (std::size_t i = 0; i < independent_table()["pairs"].size(); ++i) {
+    const json& pair = independent_table()["pairs"][i];
+    const json& place = independent_table()["merl"][i];
+    if (place.is_null() || place[2] < 1 || place[2] > 179) continue;  // phi_d has no meaning, or comes round
+    const V3d u = in_double(pair[0], pair[1]);
+    const V3d v = in_double(pair[2], pair[3]);
+    const V3d places = channels_of(place);
+    measured.linear = true;  // a cell's value is at its centre, half a cell in
+    expect_channels(measured.evaluate(u, v), places + V3d(0.5), 1e-4, " at " + pair.dump());
+    measured.linear = false;
+    const V3d cell(std::floor(places.x), std::floor(places.y), std::floor(places.z));
+    const V3d share = places - cell;
+    if (std::min({share.x, share.y, share.z}) < 1e-3 || std::max({share.x, share.y, share.z}) > 1 - 1e-3)
+      continue;
+    expect_channels(measured.evaluate(u, v), cell + V3d(1), 1e-5, " in the cell at " + pair.dump());
+    ++compared;
+  }
+  EXPECT_GE(compared, 15);
+}
+
+TEST(IndependentTable, HasFiveAlbedosOfEachModel) {
+  std::map<std::string, std::size_t> counts;
+  for (const json& instance : independent_table()["instances"]) {
+    const std::string text = instance["brdf"];
+    counts[text.substr(0, text.find(' '))] += instance["albedos"].size();
+  }
+  for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
+    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;  // it has no formula
+    EXPECT_GE(counts[std::string(model.keyword)], 5U) << model.keyword;
+  }
+}
+
+}  // namespace
