@@ -186,7 +186,7 @@ BrdfParts poulin(const Arguments& a) {
   return {a.colour({"kd"}, 0.5), a.colour({"ks"}, 0.5), a.number({"n"}, 50)};
 }
 
-constexpr std::array<BrdfRule, 22> Rules = {{
+constexpr std::array<BrdfRule, 22> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return matte(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return matte(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return matte(a.colour({"r"}, 0.5)); }},
@@ -228,10 +228,10 @@ class Taker {
   BrdfParts parts(const grf::BrdfModel& brdf, int depth) {
     constexpr int Deepest = 100;
     if (!brdf.terms.empty()) return depth < Deepest ? sum(brdf, depth) : Unknown;
-    const auto* rule = std::find_if(Rules.begin(), Rules.end(), [&](const BrdfRule& candidate) {
+    const auto* rule = std::find_if(BrdfRules.begin(), BrdfRules.end(), [&](const BrdfRule& candidate) {
       return grf::same_keyword(candidate.keyword, brdf.keyword);
     });
-    if (rule == Rules.end()) return Unknown;
+    if (rule == BrdfRules.end()) return Unknown;
     const BrdfParts parts = rule->parts(Arguments(brdf));
     const double exponent = std::isnan(parts.exponent) ? 0 : std::max(parts.exponent, 0.0);
     return {in_unit(parts.matte), in_unit(parts.glossy), exponent};
@@ -290,6 +290,6 @@ BrdfParts brdf_parts(const grf::BrdfModel& brdf, const grf::Scope& scope) {
   return brdf_parts(brdf, terms);
 }
 
-std::span<const BrdfRule> brdf_rules() { return Rules; }
+std::span<const BrdfRule> brdf_rules() { return BrdfRules; }
 
 }  // namespace convert

@@ -15,7 +15,7 @@ constexpr char32_t ReplacementCharacter = 0xFFFD;
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); }
 
-void append(std::string& text, char32_t character) {
+void append_utf8(std::string& text, char32_t character) {
   const auto put = [&text](char32_t byte) { text += static_cast<char>(byte); };
   const auto put_continuation = [&](unsigned shift) { put(0x80U | ((character >> shift) & 0x3FU)); };
   if (character < 0x80) {
@@ -74,7 +74,7 @@ bool is_utf8(std::string_view bytes) {
 std::string from_latin1(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size() + bytes.size() / 8);
-  for (std::size_t i = 0; i < bytes.size(); ++i) append(text, byte_at(bytes, i));
+  for (std::size_t i = 0; i < bytes.size(); ++i) append_utf8(text, byte_at(bytes, i));
   return text;
 }
 
@@ -92,9 +92,9 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
     const bool has_low = i + 3 < bytes.size() && (unit_at(i + 2) & 0xFC00U) == 0xDC00U;
     if (is_surrogate && unit < 0xDC00 && has_low) {
       i += 2;
-      append(text, 0x10000U + ((unit - 0xD800U) << 10U) + (unit_at(i) - 0xDC00U));
+      append_utf8(text, 0x10000U + ((unit - 0xD800U) << 10U) + (unit_at(i) - 0xDC00U));
     } else {
-      append(text, is_surrogate ? ReplacementCharacter : unit);
+      append_utf8(text, is_surrogate ? ReplacementCharacter : unit);
     }
   }
   return text;

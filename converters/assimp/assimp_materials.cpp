@@ -154,7 +154,7 @@ void read_diffuse_map(const aiMaterial& material, AssimpMaterial& result) {
 }
 
 /// What `read_material` reads, and the mapping makes of it; examples are named as in comments.
-constexpr std::array<MaterialRule, 13> Rules = {{
+constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
     {"shading flat, Gouraud, Oren-Nayar, Minnaert or none, or no specular colour", "`diffuse kd=diffuse`",
      "AC3D: shadingm 2; diffuse 0.5; specular 0.25", "diffuse kd=0.5", ""},
     {"other shading or none given, specular colour times its strength > 0",
@@ -244,6 +244,6 @@ bool is_invented(const aiMaterial& material, const AssimpRules& rules) {
   return (name == AI_DEFAULT_MATERIAL_NAME && material.mNumProperties <= 2) || name == "%%%DEFAULT";
 }
 
-std::span<const MaterialRule> assimp_material_rules() { return Rules; }
+std::span<const MaterialRule> assimp_material_rules() { return AssimpMaterialRules; }
 
 }  // namespace convert

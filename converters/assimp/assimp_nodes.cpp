@@ -14,7 +14,7 @@ namespace {
 /// Each level may be a block in a block, of which GRF allows 1,000.
 constexpr std::size_t DeepestTree = 500;
 
-std::string fault_of(const aiMesh& mesh, unsigned material_count) {
+std::string mesh_fault(const aiMesh& mesh, unsigned material_count) {
   if (mesh.mMaterialIndex >= material_count) {
     return fmt::format("material {} of {}", mesh.mMaterialIndex, material_count);
   }
@@ -28,20 +28,20 @@ std::string fault_of(const aiMesh& mesh, unsigned material_count) {
   return "";
 }
 
-std::string fault_of(const aiNode& node, unsigned mesh_count, std::size_t depth) {
+std::string node_fault(const aiNode& node, unsigned mesh_count, std::size_t depth) {
   if (depth > DeepestTree) return fmt::format("objects are nested deeper than {}", DeepestTree);
   for (const unsigned mesh : std::span(node.mMeshes, node.mNumMeshes)) {
     if (mesh >= mesh_count) return fmt::format("mesh {} of {}", mesh, mesh_count);
   }
   for (const aiNode* child : children_of(node)) {
-    if (std::string fault = fault_of(*child, mesh_count, depth + 1); !fault.empty()) return fault;
+    if (std::string fault = node_fault(*child, mesh_count, depth + 1); !fault.empty()) return fault;
   }
   return "";
 }
 
-void count_uses(const aiNode& node, GroupUses& uses) {
+void add_uses(const aiNode& node, GroupUses& uses) {
   if (node.mNumMeshes > 0) ++uses[group_of(node)];
-  for (const aiNode* child : children_of(node)) count_uses(*child, uses);
+  for (const aiNode* child : children_of(node)) add_uses(*child, uses);
 }
 
 // Assimp multiplies columns by matrices, and Imath rows.
@@ -65,16 +65,16 @@ std::vector<const aiNode*> children_of(const aiNode& node) {
 std::string fault_of(const aiScene& scene) {
   if (scene.mRootNode == nullptr) return "the file has no objects";
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
-    if (std::string fault = fault_of(*mesh, scene.mNumMaterials); !fault.empty()) {
+    if (std::string fault = mesh_fault(*mesh, scene.mNumMaterials); !fault.empty()) {
       return fmt::format("an index is out of range: {}", fault);
     }
   }
-  return fault_of(*scene.mRootNode, scene.mNumMeshes, 0);
+  return node_fault(*scene.mRootNode, scene.mNumMeshes, 0);
 }
 
 GroupUses count_uses(const aiNode& root) {
   GroupUses uses;
-  count_uses(root, uses);
+  add_uses(root, uses);
   return uses;
 }
 

@@ -26,7 +26,7 @@ enum ChunkId : unsigned {
   MaterialNameChunk = 0xA000,
 };
 
-constexpr std::size_t HeaderSize = 6;
+constexpr std::size_t ChunkHeaderSize = 6;
 
 /// What is left of a chunk, from an offset in the file. Numbers are little-endian, and may be read as long as
 /// `size` bears them out.
@@ -60,10 +60,10 @@ class ChunkData {
   /// The data of the next chunk inside, with its number; empty behind the last one. A chunk that reaches
   /// beyond this one is cut.
   std::optional<std::pair<unsigned, ChunkData>> take_chunk() {
-    if (size() < HeaderSize) return {};
+    if (size() < ChunkHeaderSize) return {};
     const unsigned id = take_number(2);
     const std::size_t length = take_number(4);
-    const std::size_t data = std::min(length < HeaderSize ? 0 : length - HeaderSize, size());
+    const std::size_t data = std::min(length < ChunkHeaderSize ? 0 : length - ChunkHeaderSize, size());
     ChunkData chunk(file_, position_, position_ + data);
     position_ += data;
     return std::pair(id, chunk);
@@ -115,7 +115,7 @@ class ThreeDsReader {
     const std::string name = data.take_text();
     while (auto chunk = data.take_chunk()) {
       if (chunk->first != TrianglesChunk) continue;
-      places_.emplace_back(file_.objects.size(), chunk->second.position() - HeaderSize);
+      places_.emplace_back(file_.objects.size(), chunk->second.position() - ChunkHeaderSize);
       file_.objects.push_back({name, {}, {}, 0});
       read_triangles(chunk->second, file_.objects.back());
     }
@@ -175,7 +175,7 @@ class ThreeDsReader {
 
   /// The count that a list begins with, or 0 after an error.
   std::size_t count_of(ChunkData& data, std::size_t bytes_each, std::string_view of_what) {
-    const std::size_t begin = data.position() - HeaderSize;
+    const std::size_t begin = data.position() - ChunkHeaderSize;
     const std::size_t count = data.size() < 2 ? 0 : data.take_index();
     const std::size_t there = data.size() / bytes_each;
     if (count <= there) return count;

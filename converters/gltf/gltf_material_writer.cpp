@@ -48,7 +48,7 @@ void emit(json& material, json& root, const grf::Colour& radiance) {
 }
 
 /// What `GltfMaterialWriter::material` writes of a surface.
-constexpr std::array<MaterialRule, 6> Rules = {{
+constexpr std::array<MaterialRule, 6> GltfWriterRules = {{
     {"a matte part m under a highlight g", "D = m/(1 - g) and F0 = g, solved for base colour and metallic",
      "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 0, "
@@ -187,6 +187,6 @@ void GltfMaterialWriter::report() const {
        "images are neither PNG nor JPEG, all that glTF has");
 }
 
-std::span<const MaterialRule> gltf_material_writer_rules() { return Rules; }
+std::span<const MaterialRule> gltf_material_writer_rules() { return GltfWriterRules; }
 
 }  // namespace convert

@@ -63,7 +63,7 @@ TextureLookup lookup_of(int set, const Value* transform) {
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
 /// What `Reading` reads, and the mapping makes of it.
-constexpr std::array<MaterialRule, 15> Rules = {{
+constexpr std::array<MaterialRule, 15> GltfRules = {{
     {"metallic = 1, or D = 0 of specular-glossiness", "`torrance rough=a nreal=1 nimag=100 ks=F0 kd=0`",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"roughnessFactor\": 0.5}",
      "torrance rough=0.25 nreal=1 nimag=100 ks=(1, 0.5, 0.25) kd=0", ""},
@@ -346,6 +346,6 @@ void GltfMaterials::report(const grf::SourceLocation& location, grf::Diagnostics
   }
 }
 
-std::span<const MaterialRule> gltf_material_rules() { return Rules; }
+std::span<const MaterialRule> gltf_material_rules() { return GltfRules; }
 
 }  // namespace convert

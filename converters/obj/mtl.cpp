@@ -47,7 +47,7 @@ bool refracts(int illumination) {
 }
 
 /// What `MtlReader` reads, and the mapping makes of it.
-constexpr std::array<MaterialRule, 14> Rules = {{
+constexpr std::array<MaterialRule, 14> MtlRules = {{
     {"`Ks` = 0 or absent, or `illum` 0 or 1", "`diffuse kd=Kd`; an absent `Kd` is 0.5",
      "Kd 0.5 0.25 0.1; Ks 0.5; illum 1", "diffuse kd=(0.5, 0.25, 0.1)", ""},
     {"`Ks` > 0, any other `illum` or none",
@@ -293,6 +293,6 @@ std::vector<MtlMaterial> read_mtl(const std::string& path, const grf::SourceLoca
   return source ? MtlReader(*source, diagnostics).run() : std::vector<MtlMaterial>();
 }
 
-std::span<const MaterialRule> mtl_rules() { return Rules; }
+std::span<const MaterialRule> mtl_rules() { return MtlRules; }
 
 }  // namespace convert

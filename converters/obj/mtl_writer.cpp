@@ -54,7 +54,7 @@ bool is_exact_in_mtl(const grf::BrdfModel& brdf) {
 }
 
 /// What `MtlWriter::text_of` writes of a surface.
-constexpr std::array<MaterialRule, 6> Rules = {{
+constexpr std::array<MaterialRule, 6> MtlWriterRules = {{
     {"only a matte part", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1", ""},
     {"a highlight of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
      "Kd 0.375 0.375 0.375; Ks 0.25 0.25 0.25; Ns 20; illum 2", ""},
@@ -227,6 +227,6 @@ std::string MtlWriter::text_of(const Material& material) const {
   return text;
 }
 
-std::span<const MaterialRule> mtl_writer_rules() { return Rules; }
+std::span<const MaterialRule> mtl_writer_rules() { return MtlWriterRules; }
 
 }  // namespace convert

@@ -46,7 +46,7 @@ Ends ends_of(const Node& node, Report& report) {
   return {has("SIDES"), has("TOP"), has("BOTTOM")};
 }
 
-Polygons solid_of(const Node& node, Report& report) {
+Polygons vrml1_solid_of(const Node& node, Report& report) {
   const auto size = [&](std::string_view field, double fallback) {
     return read_size(node, field, fallback, report);
   };
@@ -86,7 +86,7 @@ class ShapeReader {
 
  private:
   void read_solid() {
-    parts_.polygons = solid_of(shape_, report_);
+    parts_.polygons = vrml1_solid_of(shape_, report_);
     if (!report_.count_generated(shape_, parts_.polygons.face_count())) return;
     if (!look_.texture) parts_.polygons.uvs.clear();
     std::vector<std::uint32_t> materials = std::move(parts_.polygons.face_materials);

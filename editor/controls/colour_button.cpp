@@ -9,12 +9,11 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/gesture.h"
 #include "grf/srgb.h"
 
 namespace editor {
 namespace {
-
-constexpr int SettlingMilliseconds = 400;
 
 float encoded(float linear) { return grf::srgb_encoded(std::clamp(linear, 0.0F, 1.0F)); }
 

@@ -11,11 +11,11 @@
 #include <limits>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/gesture.h"
 
 namespace editor {
 namespace {
 
-constexpr int SettlingMilliseconds = 400;
 constexpr double Endless = std::numeric_limits<float>::max();
 
 /// The same number, perhaps after arithmetic with floats.

@@ -8,11 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/controls/gesture.h"
+
 namespace editor {
 namespace {
 
 constexpr int Positions = 1000;
-constexpr int SettlingMilliseconds = 400;
 
 /// Where a logarithmic way turns linear.
 double knee(double minimum, double maximum) {

@@ -16,6 +16,7 @@
 #include "renderer/command/brdf_instance.h"
 #include "renderer/command/brdf_plot.h"
 #include "renderer/command/directions.h"
+#include "renderer/command/json_values.h"
 #include "renderer/command/sampling_plot.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
@@ -32,10 +33,6 @@ using reflectance::Reflector;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-nlohmann::ordered_json to_json(const Rgb& rgb) {
-  return {grf::shortest(rgb.x), grf::shortest(rgb.y), grf::shortest(rgb.z)};
-}
-
 std::optional<Vec3f> direction_option(const std::string& text, const char* option) {
   const auto angles = angles_option(text, option);
   return angles ? std::optional(direction_of(*angles)) : std::nullopt;
@@ -44,7 +41,7 @@ std::optional<Vec3f> direction_option(const std::string& text, const char* optio
 void print_values(const std::vector<Rgb>& values, bool json) {
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Rgb& value : values) list.push_back(to_json(value));
+    for (const Rgb& value : values) list.push_back(json_array(value));
     fmt::print("{}\n", nlohmann::ordered_json{{"values", list}}.dump());
     return;
   }
@@ -187,7 +184,7 @@ ExitCode print_albedo(const BrdfArguments& arguments) {
   if (!u) return ExitCode::BadCommandLine;
   const Rgb value = reflectance::albedo(*reflector, *u);
   if (arguments.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"albedo", to_json(value)}}.dump());
+    fmt::print("{}\n", nlohmann::ordered_json{{"albedo", json_array(value)}}.dump());
   } else {
     fmt::print("{} {} {}\n", value.x, value.y, value.z);
   }

@@ -13,6 +13,7 @@
 #include "renderer/command/brdf_instance.h"
 #include "renderer/command/directions.h"
 #include "renderer/command/drawn_samples.h"
+#include "renderer/command/json_values.h"
 #include "renderer/plot/fit_file.h"
 
 namespace command {
@@ -22,10 +23,6 @@ using grf::ExitCode;
 using reflectance::ScatterSample;
 using reflectance::Vec3f;
 
-nlohmann::ordered_json to_json(const Vec3f& v) {
-  return {grf::shortest(v.x), grf::shortest(v.y), grf::shortest(v.z)};
-}
-
 /// `pdfs` and `values` are without the mirror part, whose density no number gives: 0 stands for it.
 nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
   auto directions = nlohmann::ordered_json::array();
@@ -33,10 +30,10 @@ nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, 
   auto values = nlohmann::ordered_json::array();
   auto weights = nlohmann::ordered_json::array();
   for (const ScatterSample& sample : drawn.samples) {
-    directions.push_back(to_json(sample.direction));
+    directions.push_back(json_array(sample.direction));
     densities.push_back(grf::shortest(sample.density));
-    values.push_back(to_json(instance.reflector.evaluate(u, sample.direction)));
-    weights.push_back(to_json(sample.weight));
+    values.push_back(json_array(instance.reflector.evaluate(u, sample.direction)));
+    weights.push_back(json_array(sample.weight));
   }
   return {{"directions", directions},
           {"pdfs", densities},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/command/json_values.h"
 #include "renderer/transport/image/image_error.h"
 
 namespace command {
@@ -31,10 +32,6 @@ std::optional<ImageError> compare(const CompareArguments& arguments, Diagnostics
   diagnostics.error(grf::whole_file(arguments.image),
                     fmt::format("no pixel is finite both here and in '{}'", arguments.reference));
   return std::nullopt;
-}
-
-nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
 }
 
 void print_json(const ImageError& error) {

@@ -8,6 +8,7 @@
 
 #include "grf/text_file.h"
 #include "renderer/command/cost_chart.h"
+#include "renderer/command/json_values.h"
 #include "renderer/command/render_progress.h"
 
 namespace command {
@@ -16,10 +17,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double OnePercent = 0.01;
-
-ordered_json number_or_null(const std::optional<double>& number) {
-  return number && std::isfinite(*number) ? ordered_json(*number) : ordered_json(nullptr);
-}
 
 ordered_json json_of_line(const CostLineResult& result) {
   const options::RenderOptions& options = result.line.options;

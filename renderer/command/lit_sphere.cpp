@@ -14,7 +14,7 @@ using reflectance::Rgb;
 using reflectance::Uniforms;
 using reflectance::Vec3f;
 
-constexpr int Subpixels = 2;  // along each side of a pixel
+constexpr int SphereSubpixels = 2;  // along each side of a pixel
 constexpr int SamplesOfASubpixel = 24;
 constexpr float WindowRadiance = 12;
 constexpr float HalfWindow = 0.28F;  // of its sides, at distance 1
@@ -129,15 +129,15 @@ Rgb subpixel(const Reflector& reflector, int column, int row, int side) {
 
 transport::Image lit_sphere(const Reflector& reflector, int side) {
   transport::Image image{side, side, {}};
-  const int fine_side = Subpixels * side;
+  const int fine_side = SphereSubpixels * side;
   for (int i = 0; i < side * side; ++i) {
     Rgb sum(0);
-    for (int k = 0; k < Subpixels * Subpixels; ++k) {
-      const int x = Subpixels * (i % side) + k % Subpixels;
-      const int y = Subpixels * (i / side) + k / Subpixels;
+    for (int k = 0; k < SphereSubpixels * SphereSubpixels; ++k) {
+      const int x = SphereSubpixels * (i % side) + k % SphereSubpixels;
+      const int y = SphereSubpixels * (i / side) + k / SphereSubpixels;
       sum += subpixel(reflector, x, y, fine_side);
     }
-    image.pixels.push_back(sum / static_cast<float>(Subpixels * Subpixels));
+    image.pixels.push_back(sum / static_cast<float>(SphereSubpixels * SphereSubpixels));
   }
   return image;
 }

@@ -14,9 +14,9 @@
 namespace options {
 namespace {
 
-using Problem = std::optional<std::string>;
+constexpr float LargestNumber = std::numeric_limits<float>::max();
 
-constexpr float Largest = std::numeric_limits<float>::max();
+using Problem = std::optional<std::string>;
 
 template <class Number>
 bool parse(const std::string& word, Number& number) {
@@ -24,7 +24,7 @@ bool parse(const std::string& word, Number& number) {
   const char* last = word.data() + word.size();
   const auto [end, error] = std::from_chars(first, last, number);
   if (error != std::errc() || end != last) return false;
-  if constexpr (std::is_floating_point_v<Number>) return number >= -Largest && number <= Largest;
+  if constexpr (std::is_floating_point_v<Number>) return number >= -LargestNumber && number <= LargestNumber;
   return true;
 }
 
@@ -163,7 +163,7 @@ Problem set(RenderOptions& options, const VectorOption& option, const std::vecto
 
 Problem set(RenderOptions& options, const PlaceOption& option, const std::vector<std::string>& words) {
   grf::Vec3f place;
-  if (Problem problem = parse_vector(words, -Largest, place)) return problem;
+  if (Problem problem = parse_vector(words, -LargestNumber, place)) return problem;
   options.*option.field = place;
   return std::nullopt;
 }

@@ -37,7 +37,7 @@ double rounded_down(double value) {
 }
 
 /// `1e-4` or `0.02`.
-std::string label_of(double value) {
+std::string tick_label(double value) {
   return value >= 0.01 && value < 1e4 ? fmt::format("{:.4g}", value)
                                       : fmt::format("1e{:.0f}", std::log10(value));
 }
@@ -96,7 +96,7 @@ void draw(const ColourScale& scale, const Place& place, Svg& svg) {
   for (const double tick : ticks_of(scale)) {
     const double y = bottom - place.height * std::log(tick / scale.lowest()) / range;
     svg.line({place.corner.x + place.width, y}, {place.corner.x + place.width + 4, y}, {"#888", 1});
-    svg.text({place.corner.x + place.width + 7, y + 4}, label_of(tick), {11, "#333", Anchor::Start, 0});
+    svg.text({place.corner.x + place.width + 7, y + 4}, tick_label(tick), {11, "#333", Anchor::Start, 0});
   }
 }
 

@@ -7,13 +7,13 @@
 namespace reflectance {
 namespace {
 
-constexpr double HalfPi = Pi / 2;
+constexpr double RightAngle = Pi / 2;
 /// Rings beyond this angle of h are seen at grazing angles alone, where measurements are worst.
 constexpr std::size_t RingsOfTheMatte = 73;  // 60 degrees
 
 double edge(std::size_t ring) {
   const double share = static_cast<double>(ring) / MerlTable::HalfCount;
-  return HalfPi * share * share;
+  return RightAngle * share * share;
 }
 
 /// The mean value of the table at an angle of h, over directions not too far from it.

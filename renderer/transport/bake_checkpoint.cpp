@@ -8,10 +8,10 @@
 namespace transport {
 namespace {
 
-constexpr CheckpointKind Kind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '1'}, "bake"};
+constexpr CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '1'}, "bake"};
 
 /// The contents of the file start with this; each vertex's tally and sums follow, and an `End`.
-struct Header {
+struct BakeHeader {
   std::uint64_t vertices = 0;
   std::uint64_t sums_per_vertex = 0;
 };
@@ -22,7 +22,7 @@ struct End {
   std::int64_t stage = 0;
   RenderTotals totals;
 };
-static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 2 * 8 &&
+static_assert(std::is_trivially_copyable_v<BakeHeader> && sizeof(BakeHeader) == 2 * 8 &&
                   std::is_trivially_copyable_v<End> && sizeof(End) == 8 + 6 * 8,
               "the file has no gaps of unknown content");
 static_assert(std::is_trivially_copyable_v<BakeTally> && sizeof(BakeTally) == 40);
@@ -62,7 +62,7 @@ void restore_vertices(std::string_view bytes, Bake& bake) {
 bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, const Bake& bake,
                       grf::Diagnostics& diagnostics) {
   const auto fill = [&](const grf::FileWriter& write) {
-    if (!write(transport::bytes_of(Header{bake.vertex_count(), bake.sums_per_vertex()}))) return false;
+    if (!write(transport::bytes_of(BakeHeader{bake.vertex_count(), bake.sums_per_vertex()}))) return false;
     BakeTally tally;
     std::vector<Imath::V3d> sums;
     for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
@@ -71,24 +71,24 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
     }
     return write(transport::bytes_of(End{bake.stage(), bake.totals()}));
   };
-  return write_checkpoint_frame(path, Kind, fingerprint, fill, diagnostics);
+  return write_checkpoint_frame(path, BakeKind, fingerprint, fill, diagnostics);
 }
 
 bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerprint, Bake& bake,
                             grf::Diagnostics& diagnostics) {
   if (!std::filesystem::exists(path)) return true;
-  const auto contents = read_checkpoint_frame(path, Kind, fingerprint, diagnostics);
+  const auto contents = read_checkpoint_frame(path, BakeKind, fingerprint, diagnostics);
   if (!contents) return false;
   const auto refuse = [&](const std::string& why) {
     refuse_checkpoint(path, why, diagnostics);
     return false;
   };
   std::string_view rest = contents->bytes;
-  if (rest.size() < sizeof(Header)) return refuse("it is broken (it ends early)");
-  Header header;
+  if (rest.size() < sizeof(BakeHeader)) return refuse("it is broken (it ends early)");
+  BakeHeader header;
   take(rest, &header, 1);
   if (header.vertices != bake.vertex_count() || header.sums_per_vertex != bake.sums_per_vertex()) {
-    return refuse(belongs_elsewhere(Kind, "with other options"));
+    return refuse(belongs_elsewhere(BakeKind, "with other options"));
   }
   const std::size_t vertex_bytes = bake.vertex_count() * bytes_per_vertex(bake);
   if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is broken (its size is wrong)");

@@ -8,18 +8,18 @@
 namespace transport {
 namespace {
 
-constexpr CheckpointKind Kind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '3'}, "render"};
+constexpr CheckpointKind RenderKind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '3'}, "render"};
 
 /// The contents of the file start with this; each tile's counts, spreads and sums follow, in the order of the
 /// film.
-struct Header {
+struct RenderHeader {
   std::uint32_t tile_size = Film::TileSize;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t unused = 0;
   RenderTotals totals;
 };
-static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 4 * 4 + 6 * 8,
+static_assert(std::is_trivially_copyable_v<RenderHeader> && sizeof(RenderHeader) == 4 * 4 + 6 * 8,
               "the file has no gaps of unknown content");
 
 std::string_view bytes_of(const std::vector<FilmTile::PixelSums>& sums) {
@@ -32,8 +32,8 @@ static_assert(PixelBytes == 48);
 constexpr std::size_t TileBytes = sizeof(FilmTile::Counts) + sizeof(FilmTile::spreads);
 
 /// As a checkpoint of this render starts.
-Header header_of(const Render& render) {
-  Header header;
+RenderHeader header_of(const Render& render) {
+  RenderHeader header;
   header.width = static_cast<std::uint32_t>(render.settings().width);
   header.height = static_cast<std::uint32_t>(render.settings().height);
   header.totals = render.totals();
@@ -42,7 +42,7 @@ Header header_of(const Render& render) {
 
 std::size_t size_of_contents(const Film& film) {
   const std::size_t pixels = static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(film.height());
-  return sizeof(Header) + static_cast<std::size_t>(film.tile_count()) * TileBytes + pixels * PixelBytes;
+  return sizeof(RenderHeader) + static_cast<std::size_t>(film.tile_count()) * TileBytes + pixels * PixelBytes;
 }
 
 /// The most samples that a pixel has; the mean, if the render is adaptive.
@@ -92,26 +92,26 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
     }
     return true;
   };
-  return write_checkpoint_frame(path, Kind, fingerprint, fill, diagnostics);
+  return write_checkpoint_frame(path, RenderKind, fingerprint, fill, diagnostics);
 }
 
 bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerprint, Render& render,
                             grf::Diagnostics& diagnostics) {
   if (!std::filesystem::exists(path)) return true;
-  const auto contents = read_checkpoint_frame(path, Kind, fingerprint, diagnostics);
+  const auto contents = read_checkpoint_frame(path, RenderKind, fingerprint, diagnostics);
   if (!contents) return false;
   const auto refuse = [&](const std::string& why) {
     refuse_checkpoint(path, why, diagnostics);
     return false;
   };
   std::string_view rest = contents->bytes;
-  if (rest.size() < sizeof(Header)) return refuse("it is broken (it ends early)");
-  Header header;
+  if (rest.size() < sizeof(RenderHeader)) return refuse("it is broken (it ends early)");
+  RenderHeader header;
   take(rest, &header, 1);
-  const Header expected = header_of(render);
+  const RenderHeader expected = header_of(render);
   if (header.width != expected.width || header.height != expected.height ||
       header.tile_size != expected.tile_size) {
-    return refuse(belongs_elsewhere(Kind, "with other options"));
+    return refuse(belongs_elsewhere(RenderKind, "with other options"));
   }
   if (contents->bytes.size() != size_of_contents(render.film())) {
     return refuse("it is broken (its size is wrong)");

@@ -9,8 +9,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-enum class PacketType : std::uint8_t { CloseImage = 2, CreateImage = 4, UpdateImageWithStrides = 6 };
-
 constexpr std::array<std::string_view, 3> Channels = {"R", "G", "B"};
 
 class Packet {

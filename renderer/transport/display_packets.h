@@ -3,12 +3,22 @@
 // texts end with a zero.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "renderer/transport/film.h"
 
 namespace transport {
+
+/// What a packet asks the viewer for.
+enum class PacketType : std::uint8_t {
+  CloseImage = 2,
+  UpdateImage = 3,
+  CreateImage = 4,
+  UpdateImageOfChannels = 5,
+  UpdateImageWithStrides = 6
+};
 
 /// Has the viewer forget an image of that name, if it has one.
 std::string close_image_packet(std::string_view name);

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "renderer/transport/display_packets.h"
+
 namespace transport {
 namespace {
-
-enum class PacketType : std::uint8_t {
-  CloseImage = 2,
-  UpdateImage = 3,
-  CreateImage = 4,
-  UpdateImageOfChannels = 5,
-  UpdateImageWithStrides = 6
-};
 
 constexpr std::int64_t MostPixels = std::int64_t(1) << 27;
 constexpr std::int32_t MostChannels = 256;

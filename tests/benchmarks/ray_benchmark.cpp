@@ -9,6 +9,7 @@
 #include "grf/read.h"
 #include "renderer/transport/camera.h"
 #include "renderer/transport/scene/compiled_scene.h"
+#include "tests/support/paths.h"
 
 namespace {
 

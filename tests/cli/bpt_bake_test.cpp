@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/bpt.h"
+#include "tests/support/paths.h"
 
 namespace {
 

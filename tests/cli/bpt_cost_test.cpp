@@ -7,6 +7,7 @@
 #include "renderer/command/cost_fit.h"
 #include "tests/cli/bpt.h"
 #include "tests/plot/reading.h"
+#include "tests/support/paths.h"
 
 namespace {
 

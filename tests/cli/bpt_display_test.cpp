@@ -8,6 +8,7 @@
 
 #include "tests/cli/bpt.h"
 #include "tests/support/listener.h"
+#include "tests/support/paths.h"
 
 namespace {
 

@@ -14,6 +14,7 @@
 
 #include "renderer/transport/image/image.h"
 #include "tests/cli/bpt.h"
+#include "tests/support/paths.h"
 
 namespace {
 

@@ -20,6 +20,7 @@
 #include "converters/format.h"
 #include "tests/cli/grfconvert.h"
 #include "tests/cli/mutation.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

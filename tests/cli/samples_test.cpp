@@ -16,6 +16,7 @@
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/image/image.h"
+#include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,6 +9,7 @@
 #include "renderer/plot/svg.h"
 #include "renderer/transport/image/image.h"
 #include "samples/studies/thesis/printed.h"
+#include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 

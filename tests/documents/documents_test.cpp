@@ -15,6 +15,7 @@
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/scheme.h"
 #include "tests/support/generated_document.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

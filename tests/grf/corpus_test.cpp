@@ -13,6 +13,7 @@
 #include "grf/lexer.h"
 #include "grf/read.h"
 #include "grf/write.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace grf {

@@ -13,6 +13,7 @@
 #include "grf/write.h"
 #include "tests/grf/reading.h"
 #include "tests/grf/scene_generator.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace grf {

@@ -6,6 +6,7 @@
 
 #include "grf/visit.h"
 #include "tests/grf/reading.h"
+#include "tests/support/paths.h"
 
 namespace grf {
 namespace {

@@ -12,6 +12,7 @@
 #include "grf/read.h"
 #include "grf/write.h"
 #include "tests/grf/allocation_meter.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace grf {

@@ -6,6 +6,7 @@
 
 #include "grf/read.h"
 #include "grf/visit.h"
+#include "tests/support/paths.h"
 
 namespace grf {
 namespace {

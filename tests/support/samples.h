@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 
+#include "tests/support/paths.h"
+
 namespace test {
 
 inline std::filesystem::path samples_folder() {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/merl_table.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/plan_helpers.h"
 

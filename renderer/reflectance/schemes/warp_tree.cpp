@@ -9,7 +9,7 @@ namespace reflectance {
 namespace {
 
 // Places on a cell in thirds of a 3 x 3 grid: corner, middle of an edge or centre.
-constexpr std::array<int, 4> Corners = {0, 2, 6, 8};
+constexpr std::array<int, 4> NodeCorners = {0, 2, 6, 8};
 constexpr std::array<int, 5> Inner = {1, 3, 4, 5, 7};
 constexpr std::array<float, 5> InnerShares = {0.15F, 0.15F, 0.4F, 0.15F, 0.15F};
 
@@ -152,7 +152,7 @@ class Builder {
       child.x = 2 * parent.x + k % 2;
       child.y = 2 * parent.y + k / 2;
       child.depth = parent.depth + 1;
-      for (const int place : Corners) {
+      for (const int place : NodeCorners) {
         const std::uint32_t column = k % 2 + static_cast<std::uint32_t>(place) % 3 / 2;
         const std::uint32_t row = k / 2 + static_cast<std::uint32_t>(place) / 6;
         child.values[static_cast<std::size_t>(place)] = parent.values[3 * row + column];

@@ -39,9 +39,9 @@ class MemoryStream : public Imf::OStream {
 };
 
 /// Channels of a file, and where their values are.
-class Channels {
+class ExrChannels {
  public:
-  Channels(Imf::Header& header, int width) : header_(header), width_(static_cast<std::size_t>(width)) {}
+  ExrChannels(Imf::Header& header, int width) : header_(header), width_(static_cast<std::size_t>(width)) {}
 
   /// One of `count` values that each pixel has from there on.
   void add(const std::string& name, const float* first, std::size_t count) {
@@ -60,7 +60,7 @@ class Channels {
   Imf::FrameBuffer buffer_;
 };
 
-void add_layer(const ImageLayer& layer, Channels& channels) {
+void add_layer(const ImageLayer& layer, ExrChannels& channels) {
   if (layer.channels.empty()) return channels.add(layer.name, layer.values.data(), 1);
   for (std::size_t i = 0; i < layer.channels.size(); ++i) {
     channels.add(layer.name + "." + layer.channels[i], layer.values.data() + i, layer.channels.size());
@@ -85,7 +85,7 @@ std::string encode_exr(const ImageFile& file) {
     header.compression() = Imf::ZIP_COMPRESSION;
     if (file.screen_width > 0) header.screenWindowWidth() = file.screen_width;
     for (const ImageAttribute& attribute : file.attributes) add_attribute(attribute, header);
-    Channels channels(header, file.image.width);
+    ExrChannels channels(header, file.image.width);
     const float* first = &file.image.pixels.front().x;
     constexpr std::size_t Components = sizeof(Rgb) / sizeof(float);
     for (const auto& [name, offset] : {std::pair("R", 0), {"G", 1}, {"B", 2}}) {

@@ -9,7 +9,7 @@ namespace {
 
 using reflectance::Rgb;
 
-bool is_finite(const Rgb& pixel) {
+bool is_finite_pixel(const Rgb& pixel) {
   return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z);
 }
 
@@ -45,7 +45,7 @@ struct Sums {
 
 /// The brightness of a pixel; nothing where it is not finite.
 double brightness(const Rgb& pixel) {
-  return is_finite(pixel) ? (static_cast<double>(pixel.x) + pixel.y + pixel.z) / 3 : 0;
+  return is_finite_pixel(pixel) ? (static_cast<double>(pixel.x) + pixel.y + pixel.z) / 3 : 0;
 }
 
 double mean_brightness(const Image& image) {
@@ -85,7 +85,7 @@ ImageError error_of(const Image& image, const Image& reference) {
   assert(image.width == reference.width && image.height == reference.height);
   Sums sums;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    if (is_finite(image.pixels[i]) && is_finite(reference.pixels[i])) {
+    if (is_finite_pixel(image.pixels[i]) && is_finite_pixel(reference.pixels[i])) {
       sums.add(image.pixels[i], reference.pixels[i]);
     }
   }

@@ -22,9 +22,9 @@ struct Header {
   float exposure = 1;
 };
 
-class Decoder {
+class RadianceDecoder {
  public:
-  explicit Decoder(std::string_view bytes) : rest_(bytes) {}
+  explicit RadianceDecoder(std::string_view bytes) : rest_(bytes) {}
 
   Image run() {
     const Header header = read_header();
@@ -154,6 +154,6 @@ class Decoder {
 
 }  // namespace
 
-Image decode_radiance(std::string_view bytes) { return Decoder(bytes).run(); }
+Image decode_radiance(std::string_view bytes) { return RadianceDecoder(bytes).run(); }
 
 }  // namespace transport

@@ -12,12 +12,12 @@ namespace transport {
 namespace {
 
 /// An emitter's place as seen from a point.
-struct View {
+struct SeenEmitter {
   Vec3d corner;
   Vec3d edge1;
   Vec3d edge2;
 
-  View(const Emitter& emitter, const Vec3f& from)
+  SeenEmitter(const Emitter& emitter, const Vec3f& from)
       : corner(Vec3d(emitter.corner) - Vec3d(from)), edge1(emitter.edge1), edge2(emitter.edge2) {}
 
   /// But for the rounding of float.
@@ -29,7 +29,7 @@ struct View {
 
 /// Calls `use` with the emitter's shape.
 template <class Use>
-auto with_shape(const Emitter& emitter, const View& view, const Use& use) {
+auto with_shape(const Emitter& emitter, const SeenEmitter& view, const Use& use) {
   if (emitter.is_triangle) return use(SphericalTriangle(view.corner, view.edge1, view.edge2));
   if (view.is_rectangle()) return use(SphericalRectangle(view.corner, view.edge1, view.edge2));
   return use(SphericalParallelogram(view.corner, view.edge1, view.edge2));
@@ -108,7 +108,7 @@ std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal
     if (!std::isfinite(density)) return std::nullopt;
     return sample_at(emitter, place, to_light.normalized(), density, chosen.emitter);
   }
-  const View view(emitter, from);
+  const SeenEmitter view(emitter, from);
   Vec2d place;
   const float solid_angle = with_shape(emitter, view, [&](const auto& shape) {
     if (shape.solid_angle() > 0) place = shape.sample(xi);
@@ -136,7 +136,7 @@ float Lights::density(const Vec3f& from, const Vec3f& normal, std::size_t emitte
     return std::isfinite(density) ? density : 0;
   }
   const float solid_angle =
-      with_shape(seen, View(seen, from), [](const auto& shape) { return shape.solid_angle(); });
+      with_shape(seen, SeenEmitter(seen, from), [](const auto& shape) { return shape.solid_angle(); });
   const float density = probability / solid_angle;
   return std::isfinite(density) ? density : 0;
 }

@@ -6,15 +6,17 @@
 namespace transport {
 namespace {
 
-struct Angle {
+struct RectangleAngle {
   double cosine, sine;
 };
 
 /// 1 - cosine, with all its digits.
-double below_one(const Angle& a) { return a.cosine > 0 ? a.sine * a.sine / (1 + a.cosine) : 1 - a.cosine; }
+double below_one(const RectangleAngle& a) {
+  return a.cosine > 0 ? a.sine * a.sine / (1 + a.cosine) : 1 - a.cosine;
+}
 
 /// cos a - cos b, from where both are near 1 or both near -1 too.
-double difference(const Angle& a, const Angle& b) {
+double difference(const RectangleAngle& a, const RectangleAngle& b) {
   if (a.cosine > 0) return below_one(b) - below_one(a);
   return below_one({-a.cosine, a.sine}) - below_one({-b.cosine, b.sine});
 }
@@ -55,8 +57,8 @@ double SphericalRectangle::x_for(float part) const {
   const double z2 = z_ * z_;
   const double product = std::sqrt((y0_ * y0_ + z2) * (y1 * y1 + z2));
   // The difference and the sum of the angles at which y0 and y1 are seen.
-  const Angle span{(z2 + y0_ * y1) / product, z_ * height_ / product};
-  const Angle sum{(z2 - y0_ * y1) / product, z_ * (y0_ + y1) / product};
+  const RectangleAngle span{(z2 + y0_ * y1) / product, z_ * height_ / product};
+  const RectangleAngle sum{(z2 - y0_ * y1) / product, z_ * (y0_ + y1) / product};
   // G at x0. Of its sine, y1 r00 - y0 r01 is written so that nothing cancels.
   const double square = x0_ * x0_ + z2;
   const double weight =
@@ -66,8 +68,8 @@ double SphericalRectangle::x_for(float part) const {
   const double sine_half = std::sin(part / 2);
   const double sine_part = 2 * sine_half * std::cos(part / 2);
   const double cosine_part = 1 - 2 * sine_half * sine_half;
-  const Angle g{cosine_start * cosine_part - sine_start * sine_part,
-                sine_start * cosine_part + cosine_start * sine_part};
+  const RectangleAngle g{cosine_start * cosine_part - sine_start * sine_part,
+                         sine_start * cosine_part + cosine_start * sine_part};
   const double rest = difference(g, span) * difference(g, {-sum.cosine, sum.sine});
   const double x = z_ * g.sine / std::sqrt(std::max(rest, 1e-80));
   return std::clamp(x, x0_, x0_ + width_);

@@ -6,6 +6,7 @@
 
 #include "tests/benchmarks/render/outdoor_map.h"
 #include "tests/benchmarks/render/report.h"
+#include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,6 +4,7 @@
 
 #include "renderer/transport/image/image_file.h"
 #include "tests/benchmarks/render/outdoor_map.h"
+#include "tests/support/paths.h"
 #include "tests/support/run.h"
 
 namespace benchmark {

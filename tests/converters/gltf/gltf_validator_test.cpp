@@ -15,6 +15,7 @@
 #include "grf/write.h"
 #include "tests/converters/reading.h"
 #include "tests/grf/scene_generator.h"
+#include "tests/support/paths.h"
 #include "tests/support/run.h"
 
 namespace convert {

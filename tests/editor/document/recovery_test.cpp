@@ -12,6 +12,7 @@
 #include "grf/read.h"
 #include "grf/scene_path.h"
 #include "grf/write.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {

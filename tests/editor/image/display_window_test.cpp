@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "tests/support/listener.h"
+#include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 

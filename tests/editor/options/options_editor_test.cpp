@@ -15,6 +15,7 @@
 #include "editor/options/option_row.h"
 #include "editor/options/options_form.h"
 #include "renderer/options/op_file.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {

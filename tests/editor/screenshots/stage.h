@@ -8,6 +8,7 @@
 #include "editor/brdf/brdf_editor.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/main_window.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 class QDockWidget;

@@ -8,6 +8,7 @@
 
 #include "editor/appearance/theme.h"
 #include "tests/editor/view/shown_view.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {

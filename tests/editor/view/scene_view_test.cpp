@@ -12,6 +12,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/view/region_selection.h"
 #include "tests/editor/view/shown_view.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {

@@ -41,6 +41,7 @@
 #include "editor/window/tools.h"
 #include "grf/read.h"
 #include "tests/editor/window/window_driver.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {

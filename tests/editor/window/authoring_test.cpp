@@ -29,6 +29,7 @@
 #include "renderer/options/op_file.h"
 #include "tests/cli/grfconvert.h"
 #include "tests/editor/window/window_driver.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {

@@ -15,6 +15,7 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/notice_bar.h"
 #include "tests/editor/window/window_driver.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {

@@ -19,6 +19,7 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/window/file_actions.h"
 #include "tests/editor/window/window_driver.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {
