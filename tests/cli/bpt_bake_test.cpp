@@ -1,10 +1,15 @@
 // `bpt bake` as its users meet it.
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "grf/read.h"
+#include "grf/visit.h"
+#include "renderer/transport/image/image.h"
 #include "tests/cli/bpt.h"
 #include "tests/support/paths.h"
 
@@ -41,6 +46,47 @@ TEST_F(BptBake, WritesAnIgrfFileThatRenders) {
   // A camera ray a sample and no more.
   EXPECT_LT(json::parse(render.out)["rays_per_second"].get<double>(),
             1.001 * json::parse(render.out)["paths_per_second"].get<double>());
+}
+
+/// Of all vertices of a file.
+std::vector<grf::Colour> irradiance_in(const std::string& file) {
+  grf::Diagnostics diagnostics;
+  const auto scene = grf::read(file, diagnostics);
+  if (!scene) throw std::runtime_error(diagnostics.to_text());
+  std::vector<grf::Colour> values;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      values.push_back(std::get<grf::Colour>(mesh.irradiance[i]));
+    }
+  };
+  grf::visit(*scene, visitor);
+  return values;
+}
+
+// Walls that send out a half and reflect a half: after eight scatterings pi (1/2 + 1/4 + ... + 1/256)
+// arrives, and with it a wall shows its own half and half of that over pi.
+TEST_F(BptBake, HoldsTheLightOfAClosedBox) {
+  const std::string scene = write(
+      "box.grf",
+      "begin mesh brdf diffuse kd=0.5 light rgb (0.5,0.5,0.5) begin vertexs (-1,-1,-1) (1,-1,-1) (1,1,-1) "
+      "(-1,1,-1) (-1,-1,1) (1,-1,1) (1,1,1) (-1,1,1) end vertexs begin faces (0,1,2,3) (4,7,6,5) (0,4,5,1) "
+      "(2,6,7,3) (0,3,7,4) (1,5,6,2) end faces end mesh\n");
+  ASSERT_EQ(bpt({"bake", scene, "-o", path("box.igrf"), "--samples", "1024", "--depth", "8"}).exit_code, 0);
+  const double arriving = 1 - std::pow(0.5, 8);
+  const std::vector<grf::Colour> values = irradiance_in(path("box.igrf"));
+  ASSERT_EQ(values.size(), 8U);
+  for (const grf::Colour& value : values) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(value[k] / std::numbers::pi, arriving, 0.03);
+  }
+  write("box.op",
+        "BPT_Scene box.igrf\nBPT_Viewer 0 0 0.5\nBPT_VLook 0 0 0\nBPT_Irradiance true\nBPT_Samples 2\n"
+        "BPT_Image_Resolution 8 8\n");
+  ASSERT_EQ(bpt({"render", path("box.op"), "--output", path("box.pfm")}).exit_code, 0);
+  grf::Diagnostics diagnostics;
+  const auto image = transport::read_image(path("box.pfm"), diagnostics);
+  ASSERT_TRUE(image) << diagnostics.to_text();
+  for (const auto& pixel : image->pixels) EXPECT_NEAR(pixel.x, 0.5 + 0.5 * arriving, 0.02);
 }
 
 TEST_F(BptBake, TakesOptionsOfAnOpFile) {

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/options/op_file.h"
 #include "renderer/plot/svg.h"
 #include "renderer/transport/image/image.h"
 #include "samples/studies/thesis/printed.h"
 #include "tests/support/paths.h"
+#include "tests/support/picture.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,34 +21,120 @@ const std::string Samples = GRANADA_SOURCE_DIR "/samples/";
 
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-// The scenes of the study of the thesis as users have them once `run` has made what is too large to be kept,
-// here with a coarse dragon.
-TEST(ThesisScenes, AreRendered) {
-  namespace fs = std::filesystem;
-  const test::TemporaryFolder folder;
-  const std::string scenes = folder.path("studies/thesis/");
-  for (const char* name : {"environments", "studies"}) fs::create_directories(folder.path(name));
-  fs::copy(Samples + "environments/studio.exr", folder.path("environments/studio.exr"));
-  fs::copy(Samples + "studies/thesis", scenes, fs::copy_options::recursive);
-  const std::vector<std::string> mesh = {GRANADA_BIN_DIR "/make_shape", "dragon",   "3000",
-                                         scenes + "parts/dragon.grf",   "material", "scheme"};
-  ASSERT_EQ(test::run(mesh).exit_code, 0);
-  const std::vector<std::string> table = {
-      GRANADA_BIN_DIR "/bpt",  "brdf", "export", "torrance rough=0.1 nreal=1.9 nimag=3.6 ks=1 kd=0", "-o",
-      scenes + "nickel.binary"};
-  ASSERT_EQ(test::run(table).exit_code, 0);
-  for (const std::string name : {"cornell_box", "glossy_sphere", "dragon", "pottery", "jug", "measured"}) {
-    const std::string image = folder.path(name + ".pfm");
-    const auto outcome = test::run({GRANADA_BIN_DIR "/bpt", scenes + name + ".op", "--size", "24x16",
-                                    "--samples", "4", "--output", image});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    grf::Diagnostics diagnostics;
-    const auto rendered = transport::read_image(image, diagnostics);
-    ASSERT_TRUE(rendered) << diagnostics.to_text();
-    const auto lit = std::count_if(rendered->pixels.begin(), rendered->pixels.end(),
-                                   [](const auto& pixel) { return pixel.x > 0; });
-    EXPECT_GT(lit, 24 * 16 / 10) << name;
+/// The scenes of the study of the thesis as users have them once `run` has made what is too large to be kept,
+/// here with a coarse dragon.
+class ThesisScenes : public testing::Test {
+ protected:
+  ThesisScenes() : scenes_(folder_.path("studies/thesis/")) {
+    namespace fs = std::filesystem;
+    for (const char* name : {"environments", "studies"}) fs::create_directories(folder_.path(name));
+    fs::copy(Samples + "environments/studio.exr", folder_.path("environments/studio.exr"));
+    fs::copy(Samples + "studies/thesis", scenes_, fs::copy_options::recursive);
   }
+
+  test::Picture rendered(const std::string& name, const std::string& size) const {
+    const std::string file = folder_.path(name + ".pfm");
+    const auto outcome = test::run(
+        {GRANADA_BIN_DIR "/bpt", scenes_ + name + ".op", "--size", size, "--samples", "4", "--output", file});
+    grf::Diagnostics diagnostics;
+    auto image = transport::read_image(file, diagnostics);
+    const auto options = options::read_op_file(scenes_ + name + ".op", diagnostics);
+    if (outcome.exit_code != 0 || !image || !options) {
+      throw std::runtime_error(outcome.err + diagnostics.to_text());
+    }
+    return {std::move(*image), Imath::V3d(*options->viewer), Imath::V3d(*options->target),
+            options->field_of_view};
+  }
+  void make(const std::vector<std::string>& command) const {
+    const auto outcome = test::run(command);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
+  const test::TemporaryFolder folder_;
+  const std::string scenes_;
+};
+
+TEST_F(ThesisScenes, ShowTheCornellBox) {
+  const test::Picture box = rendered("cornell_box", "80x64");
+  test::expect_cornell_box(box.image());
+  EXPECT_GT(box.at({278, 1, 100}).x, 0.0051F) << "the floor in front has more than its own glow";
+}
+
+// By a neutral lamp, under a neutral sky of 0.02: the highlight is where the camera looks, and outshines what
+// is beside it.
+TEST_F(ThesisScenes, ShowTheHighlightOfTheGlossySphere) {
+  const test::Picture sphere = rendered("glossy_sphere", "24x16");
+  const auto highlight = sphere.at({0.065, 1.64, 0.767});
+  EXPECT_GT(highlight.x, 0.1F);
+  for (const int x : {0, 23}) {
+    for (const int y : {0, 15}) {
+      EXPECT_TRUE(test::is_grey(sphere.image().at(x, y)));
+      EXPECT_GT(sphere.image().at(x, y).x, 0);
+      EXPECT_LT(sphere.image().at(x, y).x, 0.7F * highlight.x);
+    }
+  }
+}
+
+// The lamp is yellowish, (9, 8.6, 8): a floor of (0.75, 0.7, 0.62) is more so, a wall of (0.55, 0.68, 0.8)
+// blue.
+TEST_F(ThesisScenes, ShowTheDragonBeforeItsWall) {
+  make({GRANADA_BIN_DIR "/make_shape", "dragon", "3000", scenes_ + "parts/dragon.grf", "material", "scheme"});
+  const test::Picture dragon = rendered("dragon", "24x16");
+  const auto floor = dragon.at({-0.9, 0, 1.2});
+  EXPECT_GT(floor.z, 0.03F);
+  EXPECT_GT(floor.x, 1.05F * floor.y);
+  EXPECT_GT(floor.y, 1.05F * floor.z);
+  const auto wall = dragon.at({1.2, 1.3, -1.7});
+  EXPECT_GT(wall.x, 0);
+  EXPECT_GT(wall.y, 1.05F * wall.x);
+  EXPECT_GT(wall.z, 1.02F * wall.y);
+  const auto middle = dragon.at({0.05, 0.5, 0});
+  EXPECT_TRUE(middle != floor && middle != wall && middle.x > 0);
+}
+
+// Over the jugs is the background of 0.1 and nothing else; each jug is lit from above and from the front, so
+// that its belly is not what its surroundings are.
+TEST_F(ThesisScenes, ShowThreeJugs) {
+  make({GRANADA_BIN_DIR "/bpt", "brdf", "export", "torrance rough=0.1 nreal=1.9 nimag=3.6 ks=1 kd=0", "-o",
+        scenes_ + "nickel.binary"});
+  for (const char* name : {"pottery", "measured"}) {
+    const test::Picture jugs = rendered(name, "45x22");
+    for (const int x : {0, 22, 44}) {
+      EXPECT_NEAR(jugs.image().at(x, 0).x, 0.1, 1e-6) << name;
+      EXPECT_TRUE(test::is_grey(jugs.image().at(x, 0)));
+    }
+    for (const double x : {-2.3, 0.0, 2.35}) {
+      const auto belly = jugs.at({x, 0.7, 0.6});
+      EXPECT_GT(belly.y, 0.005F) << name << " " << x;
+      EXPECT_GT(std::abs(belly.y - 0.1F), 1e-4F) << name << " " << x;
+    }
+  }
+}
+
+// What a metal reflects of its surroundings is darker than their brightest texel; beside it they are seen
+// themselves.
+TEST_F(ThesisScenes, ShowAJugInItsEnvironment) {
+  const test::Picture jug = rendered("jug", "24x16");
+  grf::Diagnostics diagnostics;
+  const auto map = transport::read_image(Samples + "environments/studio.exr", diagnostics);
+  ASSERT_TRUE(map) << diagnostics.to_text();
+  float brightest = 0;
+  for (const auto& texel : map->pixels) brightest = std::max(brightest, texel.y);
+  const auto belly = jug.at({0.02, 0.8, 0.5});
+  EXPECT_GT(belly.y, 0.001F);
+  EXPECT_LT(belly.y, brightest);
+  // The camera looks down -z, which is the middle of the map; the corner is a few degrees from there.
+  const auto corner = jug.image().at(0, 0);
+  float least = brightest;
+  float most = 0;
+  for (int y = 3 * map->height / 8; y < 5 * map->height / 8; ++y) {
+    for (int x = 3 * map->width / 8; x < 5 * map->width / 8; ++x) {
+      least = std::min(least, map->at(x, y).y);
+      most = std::max(most, map->at(x, y).y);
+    }
+  }
+  EXPECT_GE(corner.y, 0.99F * least);
+  EXPECT_LE(corner.y, 1.01F * most);
 }
 
 // What is printed in the thesis was copied whole: the means of tables 5.19 and 5.20 are those of their

@@ -11,6 +11,7 @@
 
 #include "grf/read.h"
 #include "renderer/job/preview_render.h"
+#include "tests/support/picture.h"
 
 namespace test {
 
@@ -77,6 +78,20 @@ inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height 
   request.options.viewer = grf::Vec3f(0, 2, 6);
   request.options.target = grf::Vec3f(0, 0.5F, 0);
   return request;
+}
+
+/// What the view of `request` shows of the corner's floor, in its middle. The lamp is a square of half side 1
+/// at height 3, and takes up 4/pi s atan(s) = 0.123 of the hemisphere by the cosine, s = sqrt(1/10): the
+/// matte part shows 0.4 times 5 times that, and the gloss and the wall add less than 0.3 + 0.3 * 5 * 0.123.
+inline transport::Rgb floor_of_corner(const transport::Image& image) {
+  return Picture(image, {0, 2, 6}, {0, 0.5, 0}, 45).at(grf::Vec3d(0));
+}
+inline void expect_lit_corner(const transport::Image& image) {
+  const transport::Rgb floor = floor_of_corner(image);
+  EXPECT_GT(floor.x, 0.2F);
+  EXPECT_LT(floor.x, 0.75F);
+  EXPECT_TRUE(is_grey(floor));
+  EXPECT_EQ(image.at(0, 0), transport::Rgb(0)) << "beside it is nothing";
 }
 
 /// Hears a preview, and can be waited for.

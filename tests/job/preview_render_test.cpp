@@ -6,6 +6,7 @@
 
 #include "renderer/job/render_job.h"
 #include "tests/job/preview_helpers.h"
+#include "tests/support/picture.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,6 +41,7 @@ PreviewRequest sample_request(const std::string& path) {
   request.scene = std::move(*scene);
   request.options.viewer = grf::Vec3f(278, 273, -800);
   request.options.target = grf::Vec3f(278, 273, 0);
+  request.options.field_of_view = 39.3076F;
   return request;
 }
 
@@ -55,6 +57,7 @@ TEST(Preview, BeginsCoarseAndEndsWithTheImageOfTheRender) {
   EXPECT_EQ(images.front().progress.done, 0);
   EXPECT_EQ(images.back().image->pixels, rendered(request.options).pixels);
   EXPECT_EQ(images.back().progress.done, 1);
+  for (const test::Heard::Event& shown : images) test::expect_cornell_box(*shown.image);
 }
 
 TEST(Preview, GoesOnAfterAPauseAsThoughThereHadBeenNone) {
@@ -72,6 +75,7 @@ TEST(Preview, GoesOnAfterAPauseAsThoughThereHadBeenNone) {
   const int undisturbed = preview.start(request);
   ASSERT_TRUE(heard.comes_to(undisturbed, PreviewState::Done));
   EXPECT_EQ(heard.images(number).back().image->pixels, heard.images(undisturbed).back().image->pixels);
+  test::expect_lit_corner(*heard.images(number).back().image);
 }
 
 TEST(Preview, ShowsWhatWasStartedLast) {
@@ -80,7 +84,7 @@ TEST(Preview, ShowsWhatWasStartedLast) {
   PreviewRender preview(heard.listener());
   int number = 0;
   for (int i = 0; i < 30; ++i) {
-    const float red = static_cast<float>(i) / 29;
+    const float red = static_cast<float>(i) / 58;
     test::first_mesh(request.scene).edit().surfaces[0].colour = grf::Colour(red, 1, 1);
     number = preview.start(request);
     if (i % 3 == 0) {
@@ -89,6 +93,11 @@ TEST(Preview, ShowsWhatWasStartedLast) {
     if (i % 7 == 0) preview.pause();
   }
   ASSERT_TRUE(heard.shows(number, 5));
+  // Each reflection halves red: the floor shows what came from the lamp at once, and less of what went on.
+  const transport::Rgb floor = test::floor_of_corner(*heard.images(number).back().image);
+  EXPECT_EQ(floor.y, floor.z);
+  EXPECT_LE(floor.x, 0.5001F * floor.y);
+  EXPECT_GT(floor.x, 0.4F * floor.y);
   preview.stop();
   request.options.samples = 1;
   ASSERT_TRUE(heard.comes_to(preview.start(request), PreviewState::Done));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <memory>
 
 #include "grf/relocate.h"
@@ -53,6 +55,20 @@ inline std::vector<transport::Rgb> values_of(const transport::Bake& bake) {
     }
   }
   return values;
+}
+
+/// Lambert 1760: half the sum over the polygon's edges of the angle that each subtends, times the cosine of
+/// the normal to the plane through it.
+inline double irradiance_of_polygon(const Imath::V3d& place, const Imath::V3d& normal,
+                                    const std::array<Imath::V3d, 4>& corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Imath::V3d a = (corners[i] - place).normalized();
+    const Imath::V3d b = (corners[(i + 1) % 4] - place).normalized();
+    const Imath::V3d across = a.cross(b);
+    sum += std::atan2(across.length(), a.dot(b)) * normal.dot(across.normalized());
+  }
+  return std::abs(sum) / 2;
 }
 
 /// A box from (0,0,0) to (size,size,size) whose fronts are inside, each wall of cells x cells squares with

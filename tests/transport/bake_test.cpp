@@ -20,6 +20,7 @@ using Imath::V3d;
 using std::numbers::pi;
 using test::bake_settings;
 using test::BakeScene;
+using test::irradiance_of_polygon;
 using transport::Bake;
 using transport::BakeSettings;
 using transport::HemisphereCells;
@@ -27,19 +28,6 @@ using transport::Rgb;
 using transport::Vec3f;
 
 const std::string Floor = test::quad("brdf diffuse kd=0.5", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)");
-
-/// Lambert 1760: half the sum over the polygon's edges of the angle that each subtends, times the cosine of
-/// the normal to the plane through it.
-double irradiance_of_polygon(const V3d& place, const V3d& normal, const std::array<V3d, 4>& corners) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const V3d a = (corners[i] - place).normalized();
-    const V3d b = (corners[(i + 1) % 4] - place).normalized();
-    const V3d across = a.cross(b);
-    sum += std::atan2(across.length(), a.dot(b)) * normal.dot(across.normalized());
-  }
-  return std::abs(sum) / 2;
-}
 
 TEST(Bake, IsPiUnderAWhiteSky) {
   const BakeScene scene(Floor);

@@ -293,6 +293,8 @@ TEST(Camera, SeesTheWholeSceneWhenNobodyPlacesIt) {
                          (i & 4) != 0 ? 6.0F : -3.0F);
       EXPECT_LE(std::acos((corner - Vec3f(view.eye)).normalized().dot(forward)), narrow + 1e-5F);
     }
+    // No further away than where it just sees the sphere about the box, of diameter sqrt(5^2 + 7^2 + 9^2).
+    EXPECT_NEAR((view.eye - view.target).length(), std::sqrt(155.0) / 2 / std::sin(narrow), 1e-3);
   }
 }
 

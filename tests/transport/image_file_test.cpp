@@ -187,6 +187,13 @@ TEST_F(ImageFiles, TgaOfTwoRowsHasThemFromTheTop) {
   EXPECT_GT(again.pixels[0].x, again.pixels[1].x);
 }
 
+// Sizes are two bytes each, the lower one first (Truevision 1991, fields 5.3 and 5.4).
+TEST_F(ImageFiles, TgaHoldsSizesOver255) {
+  const std::string bytes = test::bytes_of(write({{300, 515, std::vector<Rgb>(300 * 515, Rgb(1))}}, "a.tga"));
+  EXPECT_EQ(bytes.substr(12, 4), std::string("\x2c\x01\x03\x02", 4));
+  EXPECT_EQ(bytes.size(), 18U + 3 * 300 * 515);
+}
+
 TEST_F(ImageFiles, JpegKeepsColourAtFullResolution) {
   Image image{16, 16, {}};
   for (int i = 0; i < 256; ++i) image.pixels.push_back(i % 2 == 0 ? Rgb(1, 0, 0) : Rgb(0, 0, 1));

@@ -76,6 +76,25 @@ TEST(Irradiance, IsNotForGlossySurfaces) {
   EXPECT_EQ(seen(floor_with_irradiance("brdf phong n=20 ks=0.3 kd=0.3"), Vec3f(0, 0, 4)), Rgb(0));
 }
 
+TEST(Irradiance, IsNotForSurfacesThatMirror) {
+  const std::string sum = "def matte = brdf diffuse kd=0.5 mirror = brdf specular begin " +
+                          floor_with_irradiance("brdf combine 0.5 matte, 0.5 mirror") + "end";
+  EXPECT_EQ(seen(sum, Vec3f(0, 0, 4)), Rgb(0));
+}
+
+// By way of a lobe, what arrives is estimated: from a wall with irradiance and under no light, nothing.
+TEST(Irradiance, IsNotForPathsThatWereScattered) {
+  const std::string wall = floor_with_irradiance("brdf diffuse kd=0.5");
+  const std::string glossy = test::quad("brdf ward sx=0.1 ks=0.9", "(-9,-9,5) (-9,9,5) (9,9,5) (9,-9,5)");
+  Look look;
+  look.eye = Vec3f(0, 0, 1);
+  look.target = Vec3f(0, 0, 5);
+  look.width = look.height = 4;
+  for (const Rgb& pixel : image_of(compiled_with_irradiance(wall + glossy), look, true).pixels) {
+    EXPECT_EQ(pixel, Rgb(0));
+  }
+}
+
 TEST(Irradiance, IsSeenInMirrors) {
   const std::string mirror = test::quad("brdf specular", "(-9,-9,5) (-9,9,5) (9,9,5) (9,-9,5)");
   const std::string text = floor_with_irradiance("brdf diffuse kd=0.5") + mirror;

@@ -32,6 +32,10 @@ const std::string Data = "\"" GRANADA_SOURCE_DIR "/CMakeLists.txt\"";
 const std::string Lamp = "light begin rgb (2,3,4) (-1,2,0.5) (2,0,0) (0,0,2) end\n";
 const std::string LampBehindWall = "light begin rgb (2,3,4) (-1,-1,-1) (0,2,0) (2,0,0) end\n";
 
+const std::string MeshLamp =
+    "mesh light begin begin vertexs (-1,2,0.5)(1,2,0.5)(1,2,2.5)(-1,2,2.5) end vertexs begin faces (0,1,2,3) "
+    "end faces end ";
+
 std::string wall(const std::string& attributes) { return test::quad(attributes, Place); }
 
 std::string cube(const std::string& attributes) {
@@ -176,6 +180,13 @@ std::vector<Case> cases() {
        1,
        {"area_lights"}},
       {"nothing in view", test::quad(diffuse, BehindEye), under_background(), 0, {"background"}},
+      {"a face that emits", wall("light rgb (1,1,1)"), {}, 0, {"area_lights"}},
+      {"a face that emits to its other side",
+       test::quad("light rgb (1,1,1)", "(-1,1,0)(1,1,0)(1,-1,0)(-1,-1,0)"),
+       {},
+       0,
+       {}},
+      {"under a mesh light", wall(diffuse) + MeshLamp, {}, 1, {"area_lights"}},
   };
 }
 
@@ -186,6 +197,21 @@ TEST(Plan, NeedsWhatCanMatter) {
     EXPECT_EQ(scene.needed(), one.needed) << one.name;
     for (const transport::PlannedEffect& effect : scene.plan().effects) {
       EXPECT_FALSE(effect.why.empty()) << one.name << " " << name_of(effect.effect);
+    }
+  }
+}
+
+// A mirror shows the same light: as much is needed of a scene and an eye that are both mirrored.
+TEST(Plan, IsTheSameForAMirroredScene) {
+  for (const Case& one : cases()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      transport::Vec3f scale(1);
+      scale[axis] = -1;
+      PlannedLook look = one.look;
+      look.eye[axis] *= -1;
+      const PlannedScene scene(test::placed(one.text, scale, transport::Vec3f(0), transport::Vec3f(0)), look);
+      EXPECT_EQ(scene.plan().depth, one.depth) << one.name << ", axis " << axis;
+      EXPECT_EQ(scene.needed(), one.needed) << one.name << ", axis " << axis;
     }
   }
 }

@@ -211,6 +211,31 @@ TEST(CornellBox, KnowsItsError) {
   EXPECT_LT(estimate.high, 2 * estimate.low);
 }
 
+// A pixel shows the plate behind the scene by the places of its samples: of 16 cells with powers of two,
+// those in the middles of two columns and two rows, or the one in the middle.
+TEST(Render, PlacesSamplesInAPixel) {
+  const CompiledScene scene = test::scene_of("light begin (0,0,100) (0,1,0) (1,0,0) end");
+  transport::Image plate{4, 4, {}};
+  for (int i = 0; i < 16; ++i) plate.pixels.emplace_back(static_cast<float>(1 << i));
+  Look look;
+  look.width = look.height = 1;
+  look.samples = 4;
+  transport::RenderSettings settings = test::settings_of(look);
+  settings.backplate = std::make_shared<const transport::Image>(plate);
+  const auto shown = [&] {
+    transport::Render render(scene, settings);
+    render.run();
+    return render.film().mean().at(0, 0).x;
+  };
+  settings.placing = transport::PixelPlacing::Regular;
+  settings.grid_columns = 2;
+  EXPECT_EQ(shown(), ((1 << 5) + (1 << 7) + (1 << 13) + (1 << 15)) / 4.0F);
+  settings.samples = 6;  // three rows, in the middles of which are rows 0, 2 and 3
+  EXPECT_FLOAT_EQ(shown(), ((1 << 1) + (1 << 3) + (1 << 9) + (1 << 11) + (1 << 13) + (1 << 15)) / 6.0F);
+  settings.placing = transport::PixelPlacing::Centre;
+  EXPECT_EQ(shown(), 1 << 10);
+}
+
 TEST(Render, StopsEarlyWithTheImageSoFar) {
   const CompiledScene scene = cornell_scene();
   Look look = cornell_look();

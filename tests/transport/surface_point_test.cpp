@@ -38,6 +38,40 @@ TEST(Tangent, RunsRoundTheObjectsAxisWithoutUv) {
   EXPECT_LT((seen.tangent.normalized() - turned_parallel).length(), 1e-4F);
 }
 
+// Where a texture is mirrored, u grows to the other side.
+TEST(Tangent, PointsAlongIncreasingUOfMirroredUv) {
+  const CompiledScene scene = test::scene_of(test::quad(
+      "brdf ward sx=0.1 sy=0.3", "uv (0,0) (0,0,0) uv (-1,0) (1,0,0) uv (-1,1) (1,1,0) uv (0,1) (0,1,0)"));
+  EXPECT_LT((down_at(scene, 0.3F, 0.6F).tangent.normalized() - Vec3f(-1, 0, 0)).length(), 1e-5F);
+  EXPECT_LT((down_at(scene, 0.6F, 0.3F).tangent.normalized() - Vec3f(-1, 0, 0)).length(), 1e-5F);
+}
+
+// A map that mirrors x takes the tangent t to (-t.x, t.y, t.z): that along x is turned round, and of that
+// which runs round the y axis, y x n, it makes -(y x n) of the normal that it makes.
+TEST(Tangent, IsMappedWithItsObjectThatIsMirrored) {
+  const std::string brdf = "brdf ward sx=0.1 sy=0.3";
+  const std::string sheet =
+      test::quad(brdf, "uv (0,0) (0,0,5) uv (1,0) (1,0,5) uv (1,1) (1,1,5) uv (0,1) (0,1,5)");
+  const std::string text =
+      "def ball = " + test::sphere(brdf, 32, true) + "def sheet = " + sheet +
+      "begin transform scale (-1,1,1) begin use ball transform translation (5,0,0) begin "
+      "use sheet end end transform translation (50,0,0) begin use ball end end";
+  for (const std::size_t most_copied : {0, 1'000'000}) {
+    grf::Diagnostics diagnostics;
+    transport::CompileSettings settings;
+    settings.most_copied_triangles = most_copied;
+    const auto scene =
+        transport::compile(grf::read_text(text, "test.grf", diagnostics).value(), diagnostics, settings);
+    ASSERT_TRUE(scene) << diagnostics.to_text();
+    ASSERT_EQ(scene->instance_count(), most_copied == 0 ? 2U : 0U);
+    const Vec3f along_u = down_at(*scene, -5.3F, 0.6F).tangent.normalized();
+    EXPECT_LT((along_u - Vec3f(-1, 0, 0)).length(), 1e-5F);
+    const SurfacePoint point = down_at(*scene, 0.5F, 0.3F);
+    const Vec3f expected = -Vec3f(0, 1, 0).cross(point.shading_normal).normalized();
+    EXPECT_LT((point.tangent.normalized() - expected).length(), 1e-4F) << most_copied;
+  }
+}
+
 TEST(Frame, HasItsTangentInThePlaneOfTheNormal) {
   const Vec3f normal = Vec3f(1, 2, 3).normalized();
   const reflectance::Frame frame(normal, Vec3f(0, 5, 0));

@@ -54,6 +54,7 @@ TEST_F(FinalRenderTest, RendersWhatIsInMemoryBesideTheScene) {
   EXPECT_GT(*result_->summary.estimated_error, 0);
   ASSERT_TRUE(image_);
   EXPECT_EQ(image_->width, 96);
+  test::expect_lit_corner(*image_);
   EXPECT_THAT(folder_.names(), testing::ElementsAre("my scene.exr")) << "and leaves nothing else there";
   EXPECT_TRUE(QFileInfo::exists(result_->copy));
   EXPECT_NE(result_->copy, result_->image);

@@ -21,6 +21,7 @@ TEST(PreviewObject, ShowsImagesAndEnds) {
   ASSERT_FALSE(images.empty());
   ASSERT_TRUE(preview.image());
   EXPECT_EQ(preview.image()->width, 96);
+  test::expect_lit_corner(*preview.image());
   EXPECT_EQ(images.back()[1].value<transport::RenderProgress>().done, 1);
 }
 

@@ -83,6 +83,9 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   QTest::keyClick(&panel_, Qt::Key_F5);
   ASSERT_TRUE(has_image());
   QSignalSpy images(&panel_.preview(), &editor::Preview::image_changed);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.preview().image()->width == 96; }, test::Minute));
+  test::expect_lit_corner(*panel_.preview().image());
+  test::expect_lit_corner(*panel_.findChild<editor::FittedImage*>()->image());
   panel_.set_view({.eye = grf::Vec3d(1, 2, 5)});
   ASSERT_TRUE(QTest::qWaitFor([&] { return images.size() >= 2; }, test::Minute));
   EXPECT_EQ(panel_.options().viewer, grf::Vec3f(1, 2, 5));

@@ -30,6 +30,7 @@
 #include "tests/cli/grfconvert.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
+#include "tests/support/picture.h"
 
 namespace editor {
 namespace {
@@ -161,20 +162,29 @@ TEST_F(Authoring, GoesFromASceneToAnImage) {
   QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
   open(path("box.grf"));
   options::RenderOptions small = window_.render_panel().options();
-  small.size = {80, 64};
+  small.size = {96, 72};
   small.samples = 4;
+  small.viewer = grf::Vec3f(278, 273, -800);
+  small.target = grf::Vec3f(278, 273, 0);
+  small.field_of_view = 39.3076F;
   window_.render_panel().set_options(small);
   emit window_.render_panel().options_changed(small);
 
-  QSignalSpy shown(&window_.render_panel().preview(), &Preview::image_changed);
   QTest::keyClick(&window_, Qt::Key_F5);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.empty(); }, Minute));
-  EXPECT_NE(window_.render_panel().preview().image(), nullptr);
+  const auto is_whole = [&] {
+    const auto image = window_.render_panel().preview().image();
+    return image != nullptr && image->width == 96;
+  };
+  ASSERT_TRUE(QTest::qWaitFor(is_whole, Minute));
+  test::expect_cornell_box(*window_.render_panel().preview().image());
 
   QSignalSpy finished(&window_.render_panel().final_render(), &FinalRender::finished);
   QTest::keyClick(&window_, Qt::Key_F6);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.empty(); }, Minute));
-  EXPECT_TRUE(QFile::exists(path("box.exr")));
+  grf::Diagnostics diagnostics;
+  const auto image = transport::read_image(folder_.path("box.exr"), diagnostics);
+  ASSERT_TRUE(image) << diagnostics.to_text();
+  test::expect_cornell_box(*image);
   EXPECT_TRUE(QFile::exists(path("box.op")));
   emit window_.render_panel().image_opened(path("box.exr"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_.image_browser().names().size() == 1; }, Minute));

@@ -1,0 +1,200 @@
+// What stands in the place of an effect that was switched off, as renderer/EFFECTS.md says: the radiance that
+// is left, by hand.
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "renderer/reflectance/merl_table.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/transport/plan_helpers.h"
+
+namespace {
+
+using std::numbers::pi;
+using test::Effect;
+using test::PlannedLook;
+using test::PlannedScene;
+using transport::Rgb;
+using transport::Vec3f;
+
+/// The middle of what is at z = 0, from the front, under a white sky.
+PlannedLook look_at_middle(int depth = 1) {
+  PlannedLook look;
+  look.width = look.height = 2;
+  look.samples = 64;
+  look.depth = depth;
+  look.background = 1;
+  look.field_of_view = 0.01F;
+  return look;
+}
+
+std::string wall_of(const std::string& attributes, const std::string& of_vertex = "") {
+  std::string corners;
+  for (const char* corner : {"(-1,-1,0) ", "(1,-1,0) ", "(1,1,0) ", "(-1,1,0) "}) {
+    corners += of_vertex + corner;
+  }
+  return test::quad(attributes, corners);
+}
+
+/// Of which as good as nothing is seen from elsewhere.
+std::string dot_of(const std::string& attributes) {
+  return test::quad(attributes, "(-0.01,-0.01,0) (0.01,-0.01,0) (0.01,0.01,0) (-0.01,0.01,0)");
+}
+
+/// A square of side 2 that faces the middle from a distance of 1.
+std::string ceiling_of(const std::string& attributes) {
+  return test::quad(attributes, "(-1,-1,1) (-1,1,1) (1,1,1) (1,-1,1)");
+}
+/// Of the hemisphere before the middle, by the cosine, that square takes up 4/pi s atan(s), s = sqrt(1/2).
+double share_of_ceiling() { return 4 / pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5)); }
+
+Rgb shown(const std::string& text, const PlannedLook& look) {
+  const transport::Image image = PlannedScene(text, look).image();
+  Rgb sum(0);
+  for (const Rgb& pixel : image.pixels) sum += pixel / static_cast<float>(image.pixels.size());
+  return sum;
+}
+
+void expect_shown(const std::string& text, const PlannedLook& look, const Rgb& expected, double tolerance) {
+  const Rgb found = shown(text, look);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(found[k], expected[k], tolerance * std::max(0.01F, expected[k])) << text.substr(0, 160);
+  }
+}
+
+/// With all effects, and without one.
+void expect_with_and_without(const std::string& text, const PlannedLook& look, Effect effect, const Rgb& with,
+                             const Rgb& without, double tolerance = 1e-3) {
+  expect_shown(text, look, with, tolerance);
+  expect_shown(text, test::without(look, effect), without, tolerance);
+}
+
+TEST(SwitchedOff, TexturesAndVertexColoursLeaveTheColourOfTheFace) {
+  const test::TemporaryFolder folder;
+  const std::array<float, 3> half = {0.5F, 0.5F, 0.5F};
+  std::string pixel(sizeof half, '\0');
+  std::memcpy(pixel.data(), half.data(), sizeof half);
+  const std::string file = folder.add("dark.pfm", "PF\n1 1\n-1.0\n" + pixel);
+  const std::string paint = "rgb (0.5,1,1) brdf diffuse kd=0.8";
+  expect_with_and_without(wall_of(paint + " texture \"" + file + "\""), look_at_middle(), Effect::Textures,
+                          Rgb(0.2F, 0.4F, 0.4F), Rgb(0.4F, 0.8F, 0.8F), 1e-3);
+  expect_with_and_without(wall_of(paint, "rgb (1,0,0.5) "), look_at_middle(), Effect::VertexColours,
+                          Rgb(0.4F, 0, 0.4F), Rgb(0.4F, 0.8F, 0.8F));
+}
+
+TEST(SwitchedOff, MeasuredDataIsTheDiffuseBrdfOfAHalf) {
+  const test::TemporaryFolder folder;
+  const reflectance::MerlTable table([](const Vec3f&, const Vec3f&) { return Rgb(0.3F, 0.2F, 0.1F); });
+  const std::string file = folder.path("measured.binary");
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(table.write(file, diagnostics)) << diagnostics.to_text();
+  expect_with_and_without(wall_of("rgb (1,0.5,1) brdf measured \"" + file + "\""), look_at_middle(),
+                          Effect::MeasuredData, Rgb(0.3F, 0.1F, 0.1F) * static_cast<float>(pi),
+                          Rgb(0.5F, 0.25F, 0.5F), 0.02);
+}
+
+// What emits reflects still; and a lamp hides the sky behind it.
+TEST(SwitchedOff, AreaLightsStandWhereTheyAre) {
+  expect_with_and_without(wall_of("brdf diffuse kd=0.8 light rgb (5,4,3)"), look_at_middle(),
+                          Effect::AreaLights, Rgb(5.8F, 4.8F, 3.8F), Rgb(0.8F));
+  const std::string lamp = "light begin rgb (9,9,9) (-1,-1,1) (0,2,0) (2,0,0) end ";
+  PlannedLook look = look_at_middle();
+  look.eye = Vec3f(4, 0, 0.5F);
+  look.samples = 1024;
+  const auto f = static_cast<float>(share_of_ceiling());
+  expect_with_and_without(dot_of("brdf diffuse kd=0.5") + lamp, look, Effect::AreaLights,
+                          Rgb(0.5F * (1 - f + 9 * f)), Rgb(0.5F * (1 - f)), 0.02);
+}
+
+// The map is 1 in its upper half, of which an upright wall sees as much as of the lower one.
+TEST(SwitchedOff, TheEnvironmentIsTheBackground) {
+  PlannedLook look = look_at_middle();
+  look.environment = 1;
+  look.background = 0.25F;
+  look.samples = 1024;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.8"), look, Effect::Environment, Rgb(0.4F), Rgb(0.2F),
+                          0.02);
+}
+
+TEST(SwitchedOff, TheBackgroundIsBlack) {
+  expect_with_and_without(wall_of("brdf diffuse kd=0.8"), look_at_middle(), Effect::Background, Rgb(0.8F),
+                          Rgb(0));
+  transport::RenderSettings settings;
+  settings.integrator.background = Rgb(1);
+  settings.backplate = std::make_shared<const transport::Image>();
+  transport::EffectSet effects = transport::EffectSet::all();
+  keep_only(effects, settings);
+  EXPECT_TRUE(settings.backplate);
+  EXPECT_EQ(settings.integrator.background, Rgb(1));
+  effects.remove(Effect::Background);
+  keep_only(effects, settings);
+  EXPECT_FALSE(settings.backplate);
+  EXPECT_EQ(settings.integrator.background, Rgb(0));
+}
+
+TEST(SwitchedOff, TheMirrorPartReflectsNothing) {
+  expect_with_and_without(wall_of("brdf specular ks=0.9"), look_at_middle(), Effect::MirrorReflection,
+                          Rgb(0.9F), Rgb(0));
+  const std::string sum = "def matte = brdf diffuse kd=0.8 mirror = brdf specular ks=1 begin " +
+                          wall_of("brdf combine 0.5 matte, 0.3 mirror") + "end ";
+  PlannedLook look = look_at_middle();
+  look.samples = 4096;
+  expect_with_and_without(sum, look, Effect::MirrorReflection, Rgb(0.7F), Rgb(0.4F), 0.02);
+}
+
+// A lamp of 4 m2 at a distance of 100 m, whose irradiance is pi: kd times the cosine.
+TEST(SwitchedOff, InterpolatedNormalsAreThoseOfThePolygons) {
+  const std::string lamp = "light begin rgb (7853.98,7853.98,7853.98) (-1,-1,100) (0,2,0) (2,0,0) end ";
+  PlannedLook look = look_at_middle();
+  look.background = 0;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.5", "normal (0.6,0,0.8) ") + lamp, look,
+                          Effect::InterpolatedNormals, Rgb(0.4F), Rgb(0.5F), 2e-3);
+}
+
+TEST(SwitchedOff, IrradianceIsEstimated) {
+  PlannedLook look = look_at_middle();
+  look.uses_irradiance = true;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.5", "irad (3,3,3) "), look, Effect::Irradiance,
+                          Rgb(static_cast<float>(0.5 * 3 / pi)), Rgb(0.5F));
+}
+
+// The dot sees the sky but for what the ceiling hides, and by way of that the sky once more. What reflects
+// only where the eye sees it is black from there.
+TEST(SwitchedOff, InterreflectionLeavesWhatTheEyeSees) {
+  PlannedLook look = look_at_middle(2);
+  look.eye = Vec3f(4, 0, 0.5F);
+  look.samples = 1024;
+  const auto f = static_cast<float>(share_of_ceiling());
+  const std::string dot = dot_of("brdf diffuse kd=0.5");
+  expect_with_and_without(dot + ceiling_of("brdf diffuse kd=0.6"), look, Effect::DiffuseInterreflection,
+                          Rgb(0.5F * (1 - f + 0.6F * f)), Rgb(0.5F * (1 - f)), 0.02);
+  const std::string glossy = dot + ceiling_of("brdf ward sx=0.2 sy=0.2 ks=0.5 kd=0.3");
+  EXPECT_GT(shown(glossy, look).x, 0.5F * (1 - f + 0.2F * f));
+  expect_shown(glossy, test::without(look, Effect::GlossyInterreflection), Rgb(0.5F * (1 - f)), 0.02);
+  // Each leaves the other kind alone.
+  EXPECT_GT(shown(glossy, test::without(look, Effect::DiffuseInterreflection)).x, 0.5F * (1 - f + 0.2F * f));
+  expect_shown(dot + ceiling_of("brdf diffuse kd=0.6"), test::without(look, Effect::GlossyInterreflection),
+               Rgb(0.5F * (1 - f + 0.6F * f)), 0.02);
+}
+
+// In place of u, the scene's x axis on a face to the z axis: as where u runs along it.
+TEST(SwitchedOff, AnisotropyFollowsTheScenesAxes) {
+  const auto brushed = [](const std::string& corners) {
+    return test::quad("brdf ward sx=0.05 sy=0.4 ks=0.9 kd=0", corners) +
+           "light begin rgb (9,9,9) (59,-1,80) (0,2,0) (2,0,0) end ";
+  };
+  const std::string along_x =
+      brushed("uv (0,0) (-1,-1,0) uv (1,0) (1,-1,0) uv (1,1) (1,1,0) uv (0,1) (-1,1,0)");
+  const std::string along_y =
+      brushed("uv (0,0) (-1,-1,0) uv (0,1) (1,-1,0) uv (-1,1) (1,1,0) uv (-1,0) (-1,1,0)");
+  PlannedLook look = look_at_middle();
+  look.background = 0;
+  const Rgb expected = shown(along_x, look);
+  EXPECT_GT(shown(along_y, look).x, 5 * expected.x) << "the light is along x, where sx is narrow";
+  expect_shown(along_y, test::without(look, Effect::Anisotropy), expected, 0.01);
+}
+
+}  // namespace
