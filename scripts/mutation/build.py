@@ -1,0 +1,118 @@
+"""Builds a copy of the tree, and knows which programs depend on what."""
+
+import hashlib
+import os
+import re
+import subprocess
+import tempfile
+import time
+from collections import defaultdict
+
+# A unit that compiles in a minute may take far longer when a mistake makes a template recur or a program that runs
+# during the build hang.
+LONGEST_BUILD = 3600
+
+
+class BuildError(Exception):
+    """What is not changed does not build: nothing can be found out."""
+
+
+class Build:
+    def __init__(self, copy, runner, preset, jobs, configure):
+        self.copy = copy
+        self.runner = runner
+        self.preset = preset
+        self.jobs = jobs
+        self.folder = copy.folder / "build" / preset
+        self._configure = configure
+        self._objects = {}
+        self._inputs = {}
+
+    def prepare(self, targets):
+        """Configures, and builds the targets (all, if there are none) as they are without mistakes."""
+        outcome = self.runner.run(["cmake", "--preset", self.preset, *self._configure], self.copy.folder)
+        if outcome.code != 0:
+            raise BuildError(outcome.output)
+        outcome = self._run(targets, lambda: False, {})
+        if outcome.code != 0:
+            raise BuildError(outcome.output)
+        self._objects = self._objects_of_sources()
+        self._inputs = {}
+
+    def build(self, targets):
+        """Whether what is asked for has been built: "done", "not compiled", "failed" or "hanging"."""
+        end = time.monotonic() + LONGEST_BUILD
+        # What mistakes compile to is of no use later: the compiler cache keeps what it has.
+        outcome = self._run(targets, lambda: time.monotonic() > end, {"CCACHE_READONLY": "1"})
+        if outcome.is_hanging:
+            return "hanging"
+        if outcome.code == 0:
+            return "done"
+        failed = re.findall(r"^FAILED: (.*)$", outcome.output, re.MULTILINE)
+        if any(outputs.split(" ")[0].endswith(".o") for outputs in failed) or "ld returned" in outcome.output:
+            return "not compiled"
+        return "failed"
+
+    def programs_of(self, program):
+        """A program and those that it is built after, since it may run them."""
+        return [path for path in self._inputs_of(program)
+                if not os.path.isabs(path) and is_program(self.folder / path)]
+
+    def depends(self, program, source):
+        path = str(self.copy.folder / source)
+        inputs = self._inputs_of(program)
+        return path in inputs or not self._objects[path].isdisjoint(inputs)
+
+    def sources_of(self, program):
+        """What a program itself is compiled from, without its libraries."""
+        own = f"/{os.path.basename(program)}.dir/"
+        inputs = self._inputs_of(program)
+        return [source for source, objects in self._objects.items()
+                if any(own in each and each in inputs for each in objects)]
+
+    def digest(self, programs):
+        """Tells whether programs do the same; where their code was in a line has no effect."""
+        digest = hashlib.sha256()
+        with tempfile.NamedTemporaryFile() as bare:
+            for program in sorted(programs):
+                subprocess.run(
+                    ["objcopy", "--strip-all", "--remove-section=.note.gnu.build-id", self.folder / program, bare.name],
+                    check=True, start_new_session=True)
+                with open(bare.name, "rb") as file:
+                    digest.update(hashlib.sha256(file.read()).digest())
+        return digest.hexdigest()
+
+    def _run(self, targets, is_late, environment):
+        command = ["cmake", "--build", "--preset", self.preset, "--parallel", self.jobs]
+        if targets:
+            command += ["--target", *targets]
+        return self.runner.run(command, self.copy.folder, is_late, environment=environment)
+
+    def _ninja(self, *arguments):
+        outcome = self.runner.run(["ninja", "-C", self.folder, "-t", *arguments], self.copy.folder)
+        if outcome.code != 0:
+            raise BuildError(outcome.output)
+        return outcome.output.split("\n")
+
+    def _inputs_of(self, program):
+        if program not in self._inputs:
+            self._inputs[program] = {program, *(line.strip() for line in self._ninja("inputs", program))}
+        return self._inputs[program]
+
+    def _objects_of_sources(self):
+        """Of each file of the tree, which objects include it."""
+        found = defaultdict(set)
+        mine, current = f"{self.copy.folder}/", None
+        for line in self._ninja("deps"):
+            path = line.strip()
+            if path and line == path:
+                current = path.split(": #deps")[0]
+            elif path:
+                path = os.path.normpath(self.folder / path)
+                if path.startswith(mine):
+                    found[path].add(current)
+        return found
+
+
+def is_program(path):
+    return path.is_file() and os.access(path, os.X_OK) and path.suffix not in (".so", ".sh")

@@ -1,0 +1,101 @@
+"""Runs programs so that nothing of them is left: neither when they hang nor when the run is interrupted."""
+
+import os
+import selectors
+import signal
+import subprocess
+import threading
+import time
+import uuid
+from dataclasses import dataclass
+from pathlib import Path
+
+MARK = "MUTATION_RUN"
+
+
+class Interrupted(Exception):
+    """The run was asked to end."""
+
+
+@dataclass
+class Outcome:
+    code: int
+    output: str
+    is_hanging: bool
+
+
+class Runner:
+    """Runs one program at a time; `stop` ends the one that runs."""
+
+    def __init__(self, stop: threading.Event, environment=None):
+        self.stop = stop
+        self.mark = uuid.uuid4().hex
+        self.environment = {**os.environ, **(environment or {}), MARK: self.mark}
+
+    def run(self, command, folder, is_late=lambda: False, on_line=lambda line: None, environment=None):
+        """Until it ends, or `is_late` says that it hangs; `on_line` sees its output as it comes."""
+        if self.stop.is_set():
+            raise Interrupted
+        process = subprocess.Popen(
+            [str(part) for part in command], cwd=folder, env={**self.environment, **(environment or {})},
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+        try:
+            output, is_hanging = self._follow(process, is_late, on_line)
+        finally:
+            self._end(process)
+        return Outcome(process.returncode, output, is_hanging)
+
+    def _follow(self, process, is_late, on_line):
+        lines, rest = [], b""
+        with selectors.DefaultSelector() as selector:
+            selector.register(process.stdout, selectors.EVENT_READ)
+            while True:
+                if self.stop.is_set():
+                    raise Interrupted
+                if is_late():
+                    return "\n".join(lines), True
+                if not selector.select(timeout=0.2):
+                    # What it started may hold the pipe open for longer than it lives.
+                    if process.poll() is not None:
+                        break
+                    continue
+                data = os.read(process.stdout.fileno(), 1 << 16)
+                if not data:
+                    break
+                *complete, rest = (rest + data).split(b"\n")
+                for line in (part.decode(errors="replace") for part in complete):
+                    lines.append(line)
+                    on_line(line)
+        return "\n".join([*lines, rest.decode(errors="replace")]), False
+
+    def _end(self, process):
+        try:
+            process.wait(timeout=0 if self.stop.is_set() else 1)
+        except subprocess.TimeoutExpired:
+            process.terminate()  # so that ninja takes away what it has half written
+            try:
+                process.wait(timeout=2)
+            except subprocess.TimeoutExpired:
+                process.kill()
+        while left := self._left():
+            for number in left:
+                try:
+                    os.kill(number, signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            process.poll()
+            time.sleep(0.02)
+        process.wait()
+        process.stdout.close()
+
+    def _left(self):
+        """What runs that this runner started, told by its environment: also what has left its parents."""
+        mark = f"{MARK}={self.mark}".encode()
+        found = []
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                if mark in (folder / "environ").read_bytes().split(b"\0"):
+                    found.append(int(folder.name))
+            except OSError:
+                continue  # it has ended, or is somebody else's
+        return found

@@ -1,0 +1,152 @@
+"""The tests that CTest knows, and how to run those of one program."""
+
+import json
+import os
+import re
+import subprocess
+import time
+from dataclasses import dataclass, field
+
+# Those that look at the text of the sources, and that compare a document with what the code writes into it: no
+# expected value of theirs is independent of the code.
+EXCLUDED = r"^(format|tidy|documents_test)$|^documents_test\.|\.Documents\."
+GTEST_FILTER = "-Documents.*"
+
+STARTED = re.compile(r"^\s*Start\s+\d+: (\S+)")
+ENDED = re.compile(r"^\s*\d+/\d+ Test\s+#\d+: (\S+) \.*\s*(\*{3})?(\S.*?)\s+(\d+\.\d+) sec")
+FINE = ("Passed", "Skipped", "Not Run (Disabled)")
+
+
+@dataclass
+class Group:
+    """The tests of one program that have one label."""
+
+    program: str  # its path in the build's folder
+    label: str
+    folder: str  # of the tests, as in the tree
+    names: list = field(default_factory=list)
+    selection: str = ""  # the expression that selects them
+    seconds: dict = field(default_factory=dict)  # what each takes without mistakes
+    refused: list = field(default_factory=list)  # those that fail without mistakes
+
+    @property
+    def key(self):
+        return f"{self.program} {self.label}"
+
+    @property
+    def duration(self):
+        return sum(self.seconds.values())
+
+
+@dataclass
+class Verdict:
+    kind: str  # passed, failed or hanging
+    test: str = ""
+
+
+class Suite:
+    def __init__(self, build, runner, labels, excluded, memory):
+        self.build = build
+        self.runner = runner
+        self.labels = labels
+        self.excluded = excluded
+        self.memory = memory
+
+    def groups(self, targets):
+        """What can be run: tests of programs that are built, apart from those that measure times."""
+        found, others = {}, []
+        for test in self._listed():
+            group = self._group_of(test)
+            if group is None or (targets and os.path.basename(group.program) not in targets):
+                others.append(test["name"])
+                continue
+            found.setdefault(group.key, group).names.append(test["name"])
+        for group in found.values():
+            group.selection = selection(group.names, set(others).union(
+                *(other.names for other in found.values() if other is not group)))
+        return list(found.values())
+
+    def set_up(self, groups):
+        """Makes what fixtures make once, while there is no mistake that could get into it."""
+        chosen = {name for group in groups for name in group.names}
+        tests = [(test["name"], properties_of(test)) for test in self._listed()]
+        needed = {fixture for name, properties in tests if name in chosen
+                  for fixture in properties.get("FIXTURES_REQUIRED", [])}
+        makers = [re.escape(name) for name, properties in tests
+                  if needed.intersection(properties.get("FIXTURES_SETUP", []))]
+        if makers:
+            command = ["ctest", "--test-dir", self.build.folder, "--tests-regex", f"^({'|'.join(makers)})$"]
+            self.runner.run(command, self.build.copy.folder)
+
+    def _listed(self):
+        command = ["ctest", "--test-dir", self.build.folder, "--show-only=json-v1"]
+        # A session of its own: an interrupt is not for it.
+        listed = subprocess.run(command, check=True, capture_output=True, text=True, start_new_session=True)
+        return json.loads(listed.stdout)["tests"]
+
+    def run(self, group, limit_of, on_end=lambda name, is_fine, seconds: None, stop_on_failure=True):
+        """`limit_of` gives the seconds that a test may take."""
+        command = ["prlimit", "--core=0", f"--fsize={4 << 30}"]
+        if self.memory:
+            command.append(f"--data={int(self.memory * (1 << 30))}")
+        command += ["ctest", "--test-dir", self.build.folder, "--parallel", self.build.jobs, "--no-tests=error",
+                    "--tests-regex", group.selection, "--label-regex", f"^{group.label}$"]
+        if stop_on_failure:
+            command.append("--stop-on-failure")
+        excluded = "|".join([self.excluded] * bool(self.excluded) + [f"^{re.escape(name)}$" for name in group.refused])
+        if excluded:
+            command += ["--exclude-regex", excluded]
+        running, failed = {}, []
+
+        def read(line):
+            if match := STARTED.match(line):
+                running[match[1]] = time.monotonic()
+            elif match := ENDED.match(line):
+                running.pop(match[1], None)
+                is_fine = match[3] in FINE
+                on_end(match[1], is_fine, float(match[4]))
+                if not is_fine:
+                    failed.append(match[1])
+
+        def late():
+            now = time.monotonic()
+            return [name for name, start in running.items() if now - start > limit_of(name)]
+
+        environment = {"GTEST_FILTER": GTEST_FILTER} if "GTEST_FILTER" not in os.environ else {}
+        outcome = self.runner.run(command, self.build.copy.folder, late, read, environment)
+        if outcome.is_hanging:
+            return Verdict("hanging", late()[0] if late() else group.program)
+        if outcome.code == 0:
+            return Verdict("passed")
+        return Verdict("failed", failed[0] if failed else outcome.output.strip().split("\n")[-1])
+
+    def _group_of(self, test):
+        properties = properties_of(test)
+        labels = [label for label in self.labels if label in properties.get("LABELS", [])]
+        if not labels or re.search(self.excluded or r"\A\Z.", test["name"]) or properties.get("RUN_SERIAL"):
+            return None
+        program = self._program_of(test.get("command", []))
+        if program is None:
+            return None
+        folder = os.path.relpath(properties.get("WORKING_DIRECTORY", self.build.folder), self.build.folder)
+        return Group(program, labels[0], folder)
+
+    def _program_of(self, command):
+        """What is run is built here, maybe by a program that is not."""
+        for part in command:
+            if part.startswith(f"{self.build.folder}/") and os.path.isfile(part) and os.access(part, os.X_OK):
+                return os.path.relpath(part, self.build.folder)
+        return None
+
+
+def properties_of(test):
+    return {each["name"]: each["value"] for each in test["properties"]}
+
+
+def selection(names, others):
+    """An expression that CTest selects these tests by: by how all of them begin, if no other test begins so, since a
+    mistake may change the names of tests."""
+    start = os.path.commonprefix(names)
+    if len(names) > 1 and start and not any(name.startswith(start) for name in others):
+        return f"^{re.escape(start)}"
+    return "^(" + "|".join(re.escape(name) for name in names) + ")$"
