@@ -11,6 +11,7 @@
 
 #include "renderer/reflectance/albedo.h"
 #include "tests/reflectance/brdf_cases.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
