@@ -33,7 +33,7 @@ class Build:
         outcome = self.runner.run(["cmake", "--preset", self.preset, *self._configure], self.copy.folder)
         if outcome.code != 0:
             raise BuildError(outcome.output)
-        outcome = self._run(targets, lambda: False, {})
+        outcome = self._run(targets, lambda: False)
         if outcome.code != 0:
             raise BuildError(outcome.output)
         self._objects = self._objects_of_sources()
@@ -42,8 +42,7 @@ class Build:
     def build(self, targets):
         """Whether what is asked for has been built: "done", "not compiled", "failed" or "hanging"."""
         end = time.monotonic() + LONGEST_BUILD
-        # What mistakes compile to is of no use later: the compiler cache keeps what it has.
-        outcome = self._run(targets, lambda: time.monotonic() > end, {"CCACHE_READONLY": "1"})
+        outcome = self._run(targets, lambda: time.monotonic() > end)
         if outcome.is_hanging:
             return "hanging"
         if outcome.code == 0:
@@ -82,11 +81,11 @@ class Build:
                     digest.update(hashlib.sha256(file.read()).digest())
         return digest.hexdigest()
 
-    def _run(self, targets, is_late, environment):
+    def _run(self, targets, is_late):
         command = ["cmake", "--build", "--preset", self.preset, "--parallel", self.jobs]
         if targets:
             command += ["--target", *targets]
-        return self.runner.run(command, self.copy.folder, is_late, environment=environment)
+        return self.runner.run(command, self.copy.folder, is_late)
 
     def _ninja(self, *arguments):
         outcome = self.runner.run(["ninja", "-C", self.folder, "-t", *arguments], self.copy.folder)
