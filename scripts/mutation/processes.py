@@ -43,6 +43,8 @@ class Runner:
             output, is_hanging = self._follow(process, is_late, on_line)
         finally:
             self._end(process)
+        if process.returncode < 0 and not is_hanging:
+            raise RuntimeError(f"{command[0]} was ended by signal {-process.returncode}, and says nothing of a mistake")
         return Outcome(process.returncode, output, is_hanging)
 
     def _follow(self, process, is_late, on_line):
@@ -66,12 +68,17 @@ class Runner:
                 for line in (part.decode(errors="replace") for part in complete):
                     lines.append(line)
                     on_line(line)
+        # What has said all may need a while to end.
+        while process.poll() is None:
+            if self.stop.is_set():
+                raise Interrupted
+            if is_late():
+                return "\n".join(lines), True
+            time.sleep(0.02)
         return "\n".join([*lines, rest.decode(errors="replace")]), False
 
     def _end(self, process):
-        try:
-            process.wait(timeout=0 if self.stop.is_set() else 1)
-        except subprocess.TimeoutExpired:
+        if process.poll() is None:
             process.terminate()  # so that ninja takes away what it has half written
             try:
                 process.wait(timeout=2)
