@@ -33,7 +33,7 @@ struct WeightedParts {
 /// The parts of a sum, with the exponent of the strongest highlight.
 BrdfParts sum_of_parts(std::span<const WeightedParts> terms);
 
-/// Those of any BRDF, whose names mean what they mean in that scope.
+/// Returns the parts of any BRDF; the terms of a `combine` are looked up in the scope.
 BrdfParts brdf_parts(const grf::BrdfModel& brdf, const grf::Scope& scope);
 
 /// The slope of Beckmann's facets that are as wide as the exponent, and back: n = 2/slope^2 - 2.

@@ -22,7 +22,8 @@
 
 namespace convert {
 
-/// What the terms of a BRDF name in a scope; null where a name means no BRDF. Empty of what is no `combine`.
+/// Looks up the BRDFs that the terms of a `combine` name; null where a name is no BRDF, empty for other
+/// models.
 std::vector<const grf::BrdfModel*> named_brdfs(const grf::BrdfModel& brdf, const grf::Scope& scope);
 
 /// A surface of a mesh with its references looked up. Pointers are into the scene; what is null or absent was

@@ -42,7 +42,7 @@ struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
   }
 };
 
-/// What is absent was not given, and has the default of the sampling scheme; see `scheme_model`.
+/// Options of the sampling scheme. An absent one keeps the scheme's default; see `scheme_model`.
 struct SchemeOptions {
   std::string name;  ///< a word of the table; empty: what the scene says
   std::optional<float> lobe_exponent;

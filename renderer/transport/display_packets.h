@@ -11,7 +11,7 @@
 
 namespace transport {
 
-/// What a packet asks the viewer for.
+/// The type of a packet says what it asks the viewer for.
 enum class PacketType : std::uint8_t {
   CloseImage = 2,
   UpdateImage = 3,

@@ -56,7 +56,7 @@ class FilmTile {
   Rgb mean(std::size_t pixel) const;
   /// The variance of that mean, from the two halves; 0 while there is but one.
   Rgb variance(std::size_t pixel) const;
-  /// What the tile's pixels say about the error; zeros while there is but one half.
+  /// Returns the tile's part of the error estimate; zeros while there is only one half.
   ErrorSums error_sums() const;
   /// The sum over pixels and channels of the relative variance of one sample of a half, as far as the samples
   /// before and after a moment tell: `before` is the tile as it was then. Both must be of at least one
@@ -100,7 +100,8 @@ class Film {
   /// Copies a tile; what the copy held is overwritten.
   void copy_tile(int tile, FilmTile& copy) const;
   void put_back(int tile, const FilmTile& copy) { put_back(tile, copy, copy.error_sums()); }
-  /// The same with the copy's `error_sums()`, which take much longer than all else: for who holds a lock.
+  /// Puts a tile back with its `error_sums()`, computed before the caller takes a lock: they take the
+  /// longest.
   void put_back(int tile, const FilmTile& copy, const ErrorSums& error_sums);
 
   /// How many samples a pixel has.

@@ -80,9 +80,10 @@ inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height 
   return request;
 }
 
-/// What the view of `request` shows of the corner's floor, in its middle. The lamp is a square of half side 1
-/// at height 3, and takes up 4/pi s atan(s) = 0.123 of the hemisphere by the cosine, s = sqrt(1/10): the
-/// matte part shows 0.4 times 5 times that, and the gloss and the wall add less than 0.3 + 0.3 * 5 * 0.123.
+/// Bounds hold for the radiance in the middle of the corner's floor, as `request` views it. The lamp is a
+/// square of half side 1 at height 3, and takes up 4/pi s atan(s) = 0.123 of the hemisphere by the cosine, s
+/// = sqrt(1/10): the matte part shows 0.4 times 5 times that, and the gloss and the wall add less than 0.3 +
+/// 0.3 * 5 * 0.123.
 inline transport::Rgb floor_of_corner(const transport::Image& image) {
   return Picture(image, {0, 2, 6}, {0, 0.5, 0}, 45).at(grf::Vec3d(0));
 }

@@ -8,13 +8,13 @@
 
 namespace scaling {
 
-/// What one run costs.
+/// A cost is the time and memory that one run takes.
 struct Cost {
   double seconds = 0;     ///< of the processor, all threads together
   std::size_t bytes = 0;  ///< of the heap at the most, above what was in use before
 };
 
-/// What is measured, made ready for a size: what making it ready costs does not count.
+/// A function prepares the measured work for a size; preparing it does not count.
 using Measured = std::function<void()>;
 using Prepare = std::function<Measured(std::size_t size)>;
 

@@ -11,9 +11,9 @@
 
 namespace transport {
 
-/// What the tables of sampling schemes hold for each pair of a BRDF's identity and a scheme's text, as a plan
-/// has them (PlannedTable), whether or not a path can meet it: they are made for that. What cannot be made is
-/// an error if it reflects, and left out if it does not.
+/// Returns the bytes that sampling tables hold for each pair of a BRDF's identity and a scheme's text, as a
+/// plan has them (PlannedTable), whether or not a path can meet it: they are made for that. What cannot be
+/// made is an error if it reflects, and left out if it does not.
 std::map<std::pair<std::string, std::string>, std::size_t> table_bytes(const grf::Scene& scene,
                                                                        const CompileSettings& settings,
                                                                        grf::Diagnostics& diagnostics);
