@@ -28,28 +28,28 @@ using testing::StartsWith;
 TEST(GrfconvertInfo, PrintsTheFieldsThatScriptsRelyOn) {
   const test::Outcome outcome = grfconvert({"info", CubeWithMaterials, "--json"});
   EXPECT_EQ(outcome.exit_code, 0);
-  const auto json = nlohmann::ordered_json::parse(outcome.out);
+  const auto answer = nlohmann::ordered_json::parse(outcome.out);
   std::vector<std::string> names;
-  for (const auto& [name, value] : json.items()) names.push_back(name);
+  for (const auto& [name, value] : answer.items()) names.push_back(name);
   EXPECT_THAT(
       names, ElementsAre("format", "meshes", "vertices", "faces", "triangles", "instances", "lights", "brdfs",
                          "pdfs", "textures", "bounds", "area", "boundary_edges", "boundary_loops",
                          "nonmanifold_edges", "nonmanifold_vertices", "different_meshes", "warnings"));
-  EXPECT_EQ(json["format"], "obj");
-  EXPECT_EQ(json["meshes"], 1);
-  EXPECT_EQ(json["vertices"], 24);
-  EXPECT_EQ(json["faces"], 12);
-  EXPECT_EQ(json["triangles"], 12);
-  EXPECT_EQ(json["instances"], 0);
-  EXPECT_EQ(json["lights"], 0);
-  EXPECT_EQ(json["brdfs"], 3);
-  EXPECT_EQ(json["pdfs"], 0);
-  EXPECT_EQ(json["textures"], 0);
-  EXPECT_EQ(json["bounds"], nlohmann::ordered_json::parse(R"({"min": [0, 0, 0], "max": [1, 1, 1]})"));
-  EXPECT_EQ(json["area"], 6.0);
-  EXPECT_EQ(json["boundary_edges"], 0);
-  EXPECT_EQ(json["nonmanifold_edges"], 0);
-  EXPECT_EQ(json["warnings"], 1) << "of the material that the library does not define";
+  EXPECT_EQ(answer["format"], "obj");
+  EXPECT_EQ(answer["meshes"], 1);
+  EXPECT_EQ(answer["vertices"], 24);
+  EXPECT_EQ(answer["faces"], 12);
+  EXPECT_EQ(answer["triangles"], 12);
+  EXPECT_EQ(answer["instances"], 0);
+  EXPECT_EQ(answer["lights"], 0);
+  EXPECT_EQ(answer["brdfs"], 3);
+  EXPECT_EQ(answer["pdfs"], 0);
+  EXPECT_EQ(answer["textures"], 0);
+  EXPECT_EQ(answer["bounds"], nlohmann::ordered_json::parse(R"({"min": [0, 0, 0], "max": [1, 1, 1]})"));
+  EXPECT_EQ(answer["area"], 6.0);
+  EXPECT_EQ(answer["boundary_edges"], 0);
+  EXPECT_EQ(answer["nonmanifold_edges"], 0);
+  EXPECT_EQ(answer["warnings"], 1) << "of the material that the library does not define";
 }
 
 TEST(GrfconvertInfo, ReportsHolesAndNonManifoldPartsOfEachMesh) {
@@ -59,12 +59,12 @@ TEST(GrfconvertInfo, ReportsHolesAndNonManifoldPartsOfEachMesh) {
                                        "o tetrahedron\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
                                        "o tie\nf 1 2 3\nf 1 5 6\n"
                                        "o fins\nf 1 2 3\nf 2 1 4\nf 1 2 6\n");
-  const auto json = nlohmann::json::parse(grfconvert({"info", "--json", input}).out);
-  EXPECT_EQ(json["boundary_loops"], 2 + 1) << "the fins hang together at their edge";
-  EXPECT_EQ(json["nonmanifold_edges"], 1);
-  EXPECT_EQ(json["nonmanifold_vertices"], 1);
-  ASSERT_EQ(json["different_meshes"].size(), 3U);
-  EXPECT_EQ(json["different_meshes"][1], nlohmann::json::parse(R"({"name": "tie", "vertices": 5, "faces": 2,
+  const auto answer = nlohmann::json::parse(grfconvert({"info", "--json", input}).out);
+  EXPECT_EQ(answer["boundary_loops"], 2 + 1) << "the fins hang together at their edge";
+  EXPECT_EQ(answer["nonmanifold_edges"], 1);
+  EXPECT_EQ(answer["nonmanifold_vertices"], 1);
+  ASSERT_EQ(answer["different_meshes"].size(), 3U);
+  EXPECT_EQ(answer["different_meshes"][1], nlohmann::json::parse(R"({"name": "tie", "vertices": 5, "faces": 2,
       "boundary_edges": 6, "boundary_loops": 2, "nonmanifold_edges": 0, "nonmanifold_vertices": 1})"));
   const std::string text = grfconvert({"info", input}).out;
   EXPECT_THAT(text, Not(HasSubstr("'tetrahedron'"))) << "nothing is wrong with it";
@@ -239,15 +239,15 @@ TEST(GrfconvertInfo, CountsInstancesAndMeshLights) {
           "(0, 0, 1) (0, 1, 1) (1, 0, 1) end begin faces (0, 1, 2) end end end");
   const test::Outcome outcome = grfconvert({"info", "--json", scene});
   EXPECT_EQ(outcome.exit_code, 0);
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json["meshes"], 2);
-  EXPECT_EQ(json["instances"], 2);
-  EXPECT_EQ(json["lights"], 1);
-  EXPECT_EQ(json["faces"], 3);
-  EXPECT_EQ(json["brdfs"], 1);
-  EXPECT_EQ(json["area"], 1.5);
-  EXPECT_EQ(json["bounds"], nlohmann::json::parse(R"({"min": [0, 0, 0], "max": [1, 1, 3]})"));
-  EXPECT_EQ(json["warnings"], 0);
+  const auto answer = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(answer["meshes"], 2);
+  EXPECT_EQ(answer["instances"], 2);
+  EXPECT_EQ(answer["lights"], 1);
+  EXPECT_EQ(answer["faces"], 3);
+  EXPECT_EQ(answer["brdfs"], 1);
+  EXPECT_EQ(answer["area"], 1.5);
+  EXPECT_EQ(answer["bounds"], nlohmann::json::parse(R"({"min": [0, 0, 0], "max": [1, 1, 3]})"));
+  EXPECT_EQ(answer["warnings"], 0);
 }
 
 TEST(GrfconvertFormats, ListsThemAll) {

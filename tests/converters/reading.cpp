@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <gtest/gtest.h>
+
 #include "grf/read.h"
 #include "grf/visit.h"
 #include "grf/write.h"
@@ -46,6 +48,13 @@ std::vector<grf::Mesh> meshes_of(const grf::Scene& scene) {
   };
   grf::visit(scene, visitor);
   return meshes;
+}
+
+grf::Mesh only_mesh(const Reading& reading) {
+  EXPECT_TRUE(reading.scene.has_value()) << reading.text();
+  const auto meshes = reading.scene ? meshes_of(*reading.scene) : std::vector<grf::Mesh>();
+  EXPECT_EQ(meshes.size(), 1U);
+  return meshes.empty() ? grf::Mesh() : meshes[0];
 }
 
 std::vector<grf::Definition> definitions_of(const grf::Scene& scene) {

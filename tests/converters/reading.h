@@ -36,6 +36,10 @@ grf::Scene scene_of_grf(const std::string& text);
 /// All meshes of a scene, in order.
 std::vector<grf::Mesh> meshes_of(const grf::Scene& scene);
 
+/// The mesh of a scene that was read and has no other one: a mesh without faces, and a failed test, if it is
+/// not so.
+grf::Mesh only_mesh(const Reading& reading);
+
 /// All definitions of a scene, in order.
 std::vector<grf::Definition> definitions_of(const grf::Scene& scene);
 

@@ -10,13 +10,14 @@ using reflectance::Vec3f;
 using test::brdf_of;
 using test::direction;
 
-using Formula = reflectance::glsl::GranierFormula<double>;
+using GranierFormula = reflectance::glsl::GranierFormula<double>;
 
 TEST(HalfPower, ReflectsOneAtNormalIncidence) {
-  EXPECT_DOUBLE_EQ(Formula().half_power_scale(0), 1 / M_PI);
+  EXPECT_DOUBLE_EQ(GranierFormula().half_power_scale(0), 1 / M_PI);
   for (const double n : {0.0, 0.5, 1.0, 10.0, 300.0}) {
     const auto integrand = [&](const Vec3f& v) {
-      return Formula().half_power_scale(n) * Formula().half_power({0, 0, 1}, Imath::V3d(v), n) * double(v.z);
+      return GranierFormula().half_power_scale(n) * GranierFormula().half_power({0, 0, 1}, Imath::V3d(v), n) *
+             double(v.z);
     };
     EXPECT_NEAR(statistics::Quadrature(integrand, {0, 0, 1}, 1e-8).over_hemisphere(), 1, 1e-5) << n;
   }
@@ -24,14 +25,14 @@ TEST(HalfPower, ReflectsOneAtNormalIncidence) {
 
 TEST(Granier, BeamsInterfereBetweenTheirBounds) {
   for (const double order : {0.0, 0.25, 0.5, 3.0, 19.5, 50.0, 1e6}) {
-    const double both = Formula().two_beams(2, 3, order);
+    const double both = GranierFormula().two_beams(2, 3, order);
     EXPECT_GE(both, std::pow(std::sqrt(2) - std::sqrt(3), 2) - 1e-12);
     EXPECT_LE(both, std::pow(std::sqrt(2) + std::sqrt(3), 2) + 1e-12);
     const double shown = order <= 20 ? std::cos(2 * M_PI * order) : order < 100 ? 0.625 : 0;
     EXPECT_NEAR(both, 5 + 2 * shown * std::sqrt(6), 1e-9);
   }
-  EXPECT_DOUBLE_EQ(Formula().two_beams(2, 3, 1e6), 5) << "many fringes are their mean";
-  EXPECT_NEAR(Formula().two_beams(2, 2, 7.5), 0, 1e-25);
+  EXPECT_DOUBLE_EQ(GranierFormula().two_beams(2, 3, 1e6), 5) << "many fringes are their mean";
+  EXPECT_NEAR(GranierFormula().two_beams(2, 2, 7.5), 0, 1e-25);
 }
 
 TEST(Granier, IsItsFormula) {

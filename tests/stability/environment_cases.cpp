@@ -42,14 +42,14 @@ double irradiance(const Image& image, const Vec3f& normal, int points) {
   return sum;
 }
 
-constexpr int Samples = 4096;
+constexpr int SamplesOfMap = 4096;
 
 /// From directions of the map and by cosine, weighted as paths weigh them.
 double sampled_irradiance(const EnvironmentMap& map, const Vec3f& normal, std::uint32_t seed) {
   using transport::power_heuristic;
   const reflectance::Frame frame(normal);
   double sum = 0;
-  for (int i = 0; i < Samples; ++i) {
+  for (int i = 0; i < SamplesOfMap; ++i) {
     const auto xi = transport::sobol_point(static_cast<std::uint32_t>(i), seed);
     if (const auto light = map.sample(normal, xi.xy())) {
       const float density = reflectance::cosine_density(frame.to_local(light->direction));
@@ -61,17 +61,17 @@ double sampled_irradiance(const EnvironmentMap& map, const Vec3f& normal, std::u
     const float weight = power_heuristic(reflectance::cosine_density(local), map.density(normal, direction));
     sum += weight * reflectance::Pi * map.radiance(direction).x;
   }
-  return sum / Samples;
+  return sum / SamplesOfMap;
 }
 
 double naive_irradiance(const EnvironmentMap& map, const Vec3f& normal, std::uint32_t seed) {
   const reflectance::Frame frame(normal);
   double sum = 0;
-  for (int i = 0; i < Samples; ++i) {
+  for (int i = 0; i < SamplesOfMap; ++i) {
     const auto xi = transport::sobol_point(static_cast<std::uint32_t>(i), seed).xy();
     sum += map.radiance(frame.to_world(reflectance::cosine_direction(xi))).x;
   }
-  return sum * std::numbers::pi / Samples;
+  return sum * std::numbers::pi / SamplesOfMap;
 }
 
 Errors sun() {

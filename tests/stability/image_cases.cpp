@@ -15,7 +15,7 @@ using transport::FilmTile;
 using transport::Image;
 using transport::Rgb;
 
-constexpr int Million = 1'000'000;
+constexpr int MillionSamples = 1'000'000;
 
 /// A tile of one pixel.
 FilmTile one_pixel() {
@@ -36,7 +36,7 @@ bool add(FilmTile& tile, int sample, const Rgb& radiance) {
 template <class Use>
 void for_each_sample(float mean, float spread, Use use) {
   Random random;
-  for (int i = 0; i < Million; ++i) use(i, mean + spread * random.uniform(-1, 1));
+  for (int i = 0; i < MillionSamples; ++i) use(i, mean + spread * random.uniform(-1, 1));
 }
 
 Errors mean_of_a_million() {
@@ -48,8 +48,9 @@ Errors mean_of_a_million() {
     exact += value;
     naive += value;
   });
-  exact /= Million;
-  return {relative_error(tile.mean(0).x, double(exact)), relative_error(naive / Million, double(exact))};
+  exact /= MillionSamples;
+  return {relative_error(tile.mean(0).x, double(exact)),
+          relative_error(naive / MillionSamples, double(exact))};
 }
 
 /// Of a pixel of 1000 whose samples are within 1 of that.
@@ -68,13 +69,13 @@ Errors variance_of_a_million() {
     sum += value;
     squares += value * value;
   });
-  const long double difference = (halves[0] - halves[1]) / (Million / 2);
+  const long double difference = (halves[0] - halves[1]) / (MillionSamples / 2);
   const double between_halves = static_cast<double>(difference * difference / 4);
-  const double shift = about_1000 / Million;
-  const double of_samples = squares_about_1000 / Million - shift * shift;
-  const float mean = sum / Million;
+  const double shift = about_1000 / MillionSamples;
+  const double of_samples = squares_about_1000 / MillionSamples - shift * shift;
+  const float mean = sum / MillionSamples;
   return {relative_error(tile.variance(0).x, between_halves),
-          relative_error(squares / Million - mean * mean, of_samples)};
+          relative_error(squares / MillionSamples - mean * mean, of_samples)};
 }
 
 /// One sample in a thousand is none: counted, and out of the image.
@@ -84,12 +85,12 @@ Errors samples_that_are_no_numbers() {
   FilmTile tile = one_pixel();
   int rejected = 0;
   double naive = 0;
-  for (int i = 0; i < Million; ++i) {
+  for (int i = 0; i < MillionSamples; ++i) {
     const Rgb sample = i % 1000 == 7 ? wrong[static_cast<std::size_t>(i / 1000 % 3)] : Rgb(1);
     if (!add(tile, i, sample)) ++rejected;
-    naive += double(sample.x + sample.y + sample.z) / (3.0 * Million);
+    naive += double(sample.x + sample.y + sample.z) / (3.0 * MillionSamples);
   }
-  if (rejected != Million / 1000) return {INFINITY, naive};
+  if (rejected != MillionSamples / 1000) return {INFINITY, naive};
   const Rgb mean = tile.mean(0);
   return {std::max({relative_error(mean.x, 1), relative_error(mean.y, 1), relative_error(mean.z, 1)}),
           relative_error(naive, 1)};

@@ -131,17 +131,17 @@ Errors places_on_rectangle() {
   return errors;
 }
 
-constexpr int Samples = 1024;
+constexpr int SamplesOfLight = 1024;
 
 /// The irradiance of a rectangle of radiance 1 from its sampled points.
 double sampled_irradiance(const Lights& lights, const Vec3f& from, const Vec3f& normal, std::uint32_t seed) {
   double sum = 0;
-  for (int i = 0; i < Samples; ++i) {
+  for (int i = 0; i < SamplesOfLight; ++i) {
     const auto xi = transport::sobol_point(static_cast<std::uint32_t>(i), seed);
     const auto light = lights.sample(from, normal, xi.z, xi.xy());
     if (light) sum += std::max(0.0F, light->direction.dot(normal)) / light->density;
   }
-  return sum / Samples;
+  return sum / SamplesOfLight;
 }
 
 /// The same from points that are even on its area.
@@ -149,7 +149,7 @@ double naive_irradiance(const Emitter& emitter, const Vec3f& from, const Vec3f& 
   const Vec3f area = emitter.doubled_area_normal();
   const float size = area.length();
   double sum = 0;
-  for (int i = 0; i < Samples; ++i) {
+  for (int i = 0; i < SamplesOfLight; ++i) {
     const auto xi = transport::sobol_point(static_cast<std::uint32_t>(i), seed);
     const Vec3f to_light = emitter.corner + emitter.edge1 * xi.x + emitter.edge2 * xi.y - from;
     const Vec3f direction = to_light.normalized();
@@ -158,7 +158,7 @@ double naive_irradiance(const Emitter& emitter, const Vec3f& from, const Vec3f& 
       sum += std::max(0.0F, direction.dot(normal)) * facing * size / to_light.length2();
     }
   }
-  return sum / Samples;
+  return sum / SamplesOfLight;
 }
 
 Errors errors_of_irradiance(const Emitter& emitter, const Vec3f& from, const Vec3f& normal,

@@ -86,14 +86,14 @@ Errors leaks(Aim aim, const Room& room, std::uint32_t rays) {
 }
 
 const Room Cube = {Vec3f(1), Angles, Vec3f(0.2F)};
-constexpr std::uint32_t Million = 1'000'000;
+constexpr std::uint32_t MillionRays = 1'000'000;
 
-Errors leaks_through_edges() { return leaks(Aim::Edges, Cube, Million); }
-Errors leaks_through_vertices() { return leaks(Aim::Vertices, Cube, Million); }
-Errors many_leaks_through_edges() { return leaks(Aim::Edges, Cube, 100 * Million); }
-Errors many_leaks_through_vertices() { return leaks(Aim::Vertices, Cube, 100 * Million); }
+Errors leaks_through_edges() { return leaks(Aim::Edges, Cube, MillionRays); }
+Errors leaks_through_vertices() { return leaks(Aim::Vertices, Cube, MillionRays); }
+Errors many_leaks_through_edges() { return leaks(Aim::Edges, Cube, 100 * MillionRays); }
+Errors many_leaks_through_vertices() { return leaks(Aim::Vertices, Cube, 100 * MillionRays); }
 Errors leaks_of_long_room() {
-  return leaks(Aim::Vertices, {Vec3f(1, 2, 30), Vec3f(1, 2, 3), Vec3f(7)}, Million);
+  return leaks(Aim::Vertices, {Vec3f(1, 2, 30), Vec3f(1, 2, 3), Vec3f(7)}, MillionRays);
 }
 
 /// On the side of the normal, evenly.

@@ -24,8 +24,6 @@ using test::image_of;
 using transport::EnvironmentMap;
 using transport::Image;
 
-constexpr double Pi = std::numbers::pi;
-
 /// A sky with a gradient, black ground, noise and a sun.
 Image sky(int width, int height) {
   std::mt19937 random(5);
@@ -73,8 +71,9 @@ TEST(EnvironmentMap, DensityIntegratesToOne) {
     const Image& image = map.image();
     double sum = 0;
     for (int y = 0; y < image.height; ++y) {
-      const double solid_angle =
-          2 * Pi / image.width * (std::cos(Pi * y / image.height) - std::cos(Pi * (y + 1) / image.height));
+      const double solid_angle = 2 * std::numbers::pi / image.width *
+                                 (std::cos(std::numbers::pi * y / image.height) -
+                                  std::cos(std::numbers::pi * (y + 1) / image.height));
       for (int x = 0; x < image.width; ++x) {
         sum += solid_angle * double(map.density(Vec3f(test::direction_at<double>(image, x + 0.5, y + 0.5))));
       }
@@ -121,8 +120,9 @@ double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samp
     const Vec3f d = draws.sample(Vec2f(x, uniform()))->direction;
     const double theta = std::atan2(std::hypot(d.x, d.z), d.y);
     const double phi = std::atan2(d.x, -d.z);
-    const int row = std::clamp(static_cast<int>(theta / Pi * rows), 0, rows - 1);
-    const int column = std::clamp(static_cast<int>((0.5 + phi / (2 * Pi)) * columns), 0, columns - 1);
+    const int row = std::clamp(static_cast<int>(theta / std::numbers::pi * rows), 0, rows - 1);
+    const int column =
+        std::clamp(static_cast<int>((0.5 + phi / (2 * std::numbers::pi)) * columns), 0, columns - 1);
     counts[std::size_t(row) * std::size_t(columns) + std::size_t(column)] += 1;
   }
   double statistic = 0;
@@ -131,7 +131,8 @@ double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samp
   double pooled_count = 0;
   for (int row = 0; row < rows; ++row) {
     const double solid_angle =
-        2 * Pi / columns * (std::cos(Pi * row / rows) - std::cos(Pi * (row + 1) / rows));
+        2 * std::numbers::pi / columns *
+        (std::cos(std::numbers::pi * row / rows) - std::cos(std::numbers::pi * (row + 1) / rows));
     for (int column = 0; column < columns; ++column) {
       const Vec3f direction(test::direction_at<double>(image, (column + 0.5) / 2, (row + 0.5) / 2));
       const double expected = samples * solid_angle * double(says.density(direction));
@@ -176,7 +177,7 @@ TEST(EnvironmentMap, InvertsContinuously) {
       // Along a row. From row to row, columns may shift by as much as their distributions differ.
       const Vec3f step =
           map.sample(Vec2f(after, other))->direction - map.sample(Vec2f(before, other))->direction;
-      ASSERT_LT(step.length(), 2 * Pi / steps * 8) << i;
+      ASSERT_LT(step.length(), 2 * std::numbers::pi / steps * 8) << i;
     }
   }
 }
@@ -302,7 +303,7 @@ TEST(EnvironmentMap, ReportsTexelsThatCannotBe) {
                                        ": warning: 3 of 4 texels of the environment map are negative or no "
                                        "finite numbers there, and count as 0\n");
   EXPECT_EQ(map->image().pixels, (std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(0), Rgb(0)}));
-  EXPECT_NEAR(map->density({-1e-3F, 0, 1}), 1 / Pi, 1e-6);  // a quarter of the sphere
+  EXPECT_NEAR(map->density({-1e-3F, 0, 1}), 1 / std::numbers::pi, 1e-6);  // a quarter of the sphere
 }
 
 }  // namespace

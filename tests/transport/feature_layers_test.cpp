@@ -16,7 +16,7 @@ using transport::FeatureLayers;
 using transport::Vec3f;
 using transport::View;
 
-constexpr int Side = 33;
+constexpr int Pixels = 33;
 
 View view_from(const Vec3f& eye) {
   View view;
@@ -25,13 +25,13 @@ View view_from(const Vec3f& eye) {
 }
 
 FeatureLayers layers_of(const std::string& scene, const View& view, int threads = 0) {
-  return transport::feature_layers(test::scene_of(scene), view, Side, Side, 16, 3, threads);
+  return transport::feature_layers(test::scene_of(scene), view, Pixels, Pixels, 16, 3, threads);
 }
 
 TEST(FeatureLayersTest, AreThoseOfASphere) {
   const FeatureLayers layers = layers_of(
       test::sphere("rgb (0.5, 1, 1) brdf diffuse kd=(0.8, 0.4, 0.2)", 64, true), view_from({0, 0, 4}));
-  const std::size_t centre = Side * Side / 2;
+  const std::size_t centre = Pixels * Pixels / 2;
   const Rgb& albedo = layers.albedo.pixels[centre];
   for (const auto& [found, expected] : {std::pair(albedo.x, 0.4F), {albedo.y, 0.4F}, {albedo.z, 0.2F}}) {
     EXPECT_NEAR(found, expected, 1e-5F);
@@ -50,7 +50,7 @@ TEST(FeatureLayersTest, EstimateTheAlbedoOfLobes) {
   view.field_of_view = 2;
   const FeatureLayers layers = layers_of(test::quad("brdf ward sx=0.3 ks=0.5 kd=0.2", quad), view);
   Vec3f mean(0);
-  for (const Rgb& pixel : layers.albedo.pixels) mean += pixel / (Side * Side);
+  for (const Rgb& pixel : layers.albedo.pixels) mean += pixel / (Pixels * Pixels);
   const auto scene = test::scene_of(test::quad("brdf ward sx=0.3 ks=0.5 kd=0.2", quad));
   const auto point = scene.intersect({{0.1F, 0.2F, 5}, {0, 0, -1}});
   ASSERT_TRUE(point);

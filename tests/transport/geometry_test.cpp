@@ -17,14 +17,6 @@ using transport::CompileSettings;
 using transport::Ray;
 using transport::Vec3f;
 
-CompiledScene compiled(const std::string& text, std::size_t most_copied_triangles) {
-  grf::Diagnostics diagnostics;
-  CompileSettings settings;
-  settings.most_copied_triangles = most_copied_triangles;
-  return std::move(
-      *transport::compile(grf::read_text(text, "test.grf", diagnostics).value(), diagnostics, settings));
-}
-
 /// A place within a twentieth of the unit box's size of its centre.
 template <class Uniform>
 Vec3f near_centre(Uniform& uniform) {
@@ -138,9 +130,9 @@ TEST(ClosedBox, LetsNoRayOutOfAnInstance) {
   const Vec3f angles(0.3F, 0.5F, 0.7F);
   const std::string far_one = placed("use room", Vec3f(1), Vec3f(0), Vec3f(10, 0, 0));
   const CompiledScene scene =
-      compiled("def room = " + box("brdf diffuse") + "begin " +
-                   placed("use room", Vec3f(1, 2, 0.5F), angles, Vec3f(0.2F)) + far_one + "end",
-               0);
+      test::scene_of("def room = " + box("brdf diffuse") + "begin " +
+                         placed("use room", Vec3f(1, 2, 0.5F), angles, Vec3f(0.2F)) + far_one + "end",
+                     test::copies_up_to(0));
   ASSERT_EQ(scene.instance_count(), 2U);
   const Leaks found = leaks(scene, map_of(Vec3f(1, 2, 0.5F), angles, Vec3f(0.2F)), 100'000);
   EXPECT_EQ(found.through_edges, 0);

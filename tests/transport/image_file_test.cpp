@@ -38,8 +38,8 @@ using reflectance::Rgb;
 using transport::Image;
 using transport::ImageFile;
 
-constexpr float Infinity = std::numeric_limits<float>::infinity();
-constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
+constexpr float QuietNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// Odd sizes, so that no row ends where another thing begins.
 Image gradient() {
@@ -130,7 +130,7 @@ TEST_F(ImageFiles, RadianceIsRoundedToTheNearest) {
 }
 
 TEST_F(ImageFiles, RadianceTakesWhatItCannotHold) {
-  const Image image{4, 1, {Rgb(NaN, -1, 1), Rgb(Infinity, 1, 0), Rgb(3e38F), Rgb(1e-38F)}};
+  const Image image{4, 1, {Rgb(QuietNaN, -1, 1), Rgb(FloatInfinity, 1, 0), Rgb(3e38F), Rgb(1e-38F)}};
   const Image again = read(write({image}, "a.hdr"));
   EXPECT_EQ(again.pixels[0], Rgb(0, 0, 1));
   EXPECT_GT(again.pixels[1].x, 1e38F);
@@ -154,11 +154,11 @@ TEST_F(ImageFiles, EightBitsAreWithinTheirSteps) {
   EXPECT_GT(test::bytes_of(write({image}, "a.jpeg")).size(), 100U);
 }
 
-const Image Samples{3, 1, {Rgb(0, 1, 2), Rgb(0.5F, 0.001F, 0.2F), Rgb(-1, 0.25F, 0.75F)}};
+const Image SampleImage{3, 1, {Rgb(0, 1, 2), Rgb(0.5F, 0.001F, 0.2F), Rgb(-1, 0.25F, 0.75F)}};
 const std::vector<int> SampleBytes = {0, 255, 255, 188, 3, 124, 0, 137, 225};
 
 TEST_F(ImageFiles, PngIsEncodedInSrgb) {
-  const std::string path = write({Samples}, "a.png");
+  const std::string path = write({SampleImage}, "a.png");
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&png, path.c_str()), 0);
@@ -169,7 +169,7 @@ TEST_F(ImageFiles, PngIsEncodedInSrgb) {
 }
 
 TEST_F(ImageFiles, TgaIsEncodedInSrgb) {
-  const std::string path = write({Samples}, "a.tga");
+  const std::string path = write({SampleImage}, "a.tga");
   int width = 0;
   int height = 0;
   int channels = 0;
@@ -230,7 +230,7 @@ TEST_F(ImageFiles, ExposureBrightensWhatScreensShowAlone) {
 }
 
 TEST_F(ImageFiles, WhatIsNoNumberIsBlackOnScreens) {
-  const Image image{3, 1, {Rgb(NaN), Rgb(Infinity), Rgb(-Infinity)}};
+  const Image image{3, 1, {Rgb(QuietNaN), Rgb(FloatInfinity), Rgb(-FloatInfinity)}};
   for (const char* name : {"a.png", "a.tga"}) {
     EXPECT_EQ(read(write({image}, name)).pixels, (std::vector<Rgb>{Rgb(0), Rgb(1), Rgb(0)})) << name;
   }
@@ -240,7 +240,7 @@ TEST_F(ImageFiles, ExrHoldsLayersAndAttributes) {
   ImageFile file{gradient()};
   const std::size_t count = file.image.pixels.size();
   file.layers.push_back(transport::layer_of("normal", "XYZ", file.image));
-  file.layers.push_back({"depth", "Z", std::vector<float>(count, Infinity)});
+  file.layers.push_back({"depth", "Z", std::vector<float>(count, FloatInfinity)});
   file.layers.push_back({"samples", "", std::vector<float>(count, 7)});
   file.attributes = {{"BPT_Depth", "5"}, {"renderSeconds", 1.5F}, {"eye", grf::Vec3f(1, 2, 3)}};
   file.attributes.push_back({"worldToCamera", Imath::M44f(2)});

@@ -9,19 +9,8 @@
 namespace {
 
 using transport::CompiledScene;
-using transport::CompileSettings;
 using transport::Ray;
 using transport::Vec3f;
-
-CompiledScene compiled(const std::string& text, std::size_t most_copied_triangles) {
-  grf::Diagnostics diagnostics;
-  const auto scene = grf::read_text(text, "test.grf", diagnostics);
-  CompileSettings settings;
-  settings.most_copied_triangles = most_copied_triangles;
-  auto result = transport::compile(scene.value(), diagnostics, settings);
-  if (!result) throw std::runtime_error(diagnostics.to_text());
-  return std::move(*result);
-}
 
 /// Spheres, moved, turned, stretched and mirrored, of which some faces emit.
 std::string spheres(const std::string& attributes, bool normals) {
@@ -34,8 +23,8 @@ std::string spheres(const std::string& attributes, bool normals) {
 
 TEST(Instance, IsMetWhereItsCopyWouldBe) {
   const std::string text = spheres("rgb (0.2,0.4,0.6) brdf ward sx=0.1 sy=0.3", true);
-  const CompiledScene instanced = compiled(text, 0);
-  const CompiledScene copied = compiled(text, 1'000'000);
+  const CompiledScene instanced = test::scene_of(text, test::copies_up_to(0));
+  const CompiledScene copied = test::scene_of(text, test::copies_up_to(1'000'000));
   ASSERT_EQ(instanced.instance_count(), 2U);
   ASSERT_EQ(copied.instance_count(), 0U);
   EXPECT_EQ(instanced.triangle_count(), copied.triangle_count());
@@ -64,8 +53,10 @@ TEST(Instance, RendersAsItsCopyDoes) {
   look.eye = Vec3f(0, 1, 6);
   look.samples = 64;
   look.background = 0.2F;
-  const test::Estimate a = test::mean_radiance(test::render(compiled(text, 0), look));
-  const test::Estimate b = test::mean_radiance(test::render(compiled(text, 1'000'000), look));
+  const test::Estimate a =
+      test::mean_radiance(test::render(test::scene_of(text, test::copies_up_to(0)), look));
+  const test::Estimate b =
+      test::mean_radiance(test::render(test::scene_of(text, test::copies_up_to(1'000'000)), look));
   EXPECT_GT(b.mean, 0.1);
   EXPECT_NEAR(a.mean, b.mean, 4 * (a.deviation + b.deviation));
   EXPECT_NEAR(a.mean, b.mean, 1e-3 * b.mean);
@@ -74,9 +65,9 @@ TEST(Instance, RendersAsItsCopyDoes) {
 TEST(Instance, HasTheSurfacesOfItsScope) {
   const std::string mesh = test::sphere("rgb paint", 4, false);
   const CompiledScene scene =
-      compiled("def paint = rgb (1,0,0) ball = " + mesh + " def paint2 = rgb (0,1,0) begin use ball " +
-                   "transform translation (3,0,0) begin use ball end end",
-               0);
+      test::scene_of("def paint = rgb (1,0,0) ball = " + mesh + " def paint2 = rgb (0,1,0) begin use ball " +
+                         "transform translation (3,0,0) begin use ball end end",
+                     test::copies_up_to(0));
   ASSERT_EQ(scene.instance_count(), 2U);
   EXPECT_EQ(scene.intersect({Vec3f(3, 0, 9), Vec3f(0, 0, -1)})->colour, Vec3f(1, 0, 0));
 }
@@ -89,7 +80,7 @@ TEST(Instance, TakesLittleMemoryAndTime) {
   }
   text += "end";
   const auto start = std::chrono::steady_clock::now();
-  const CompiledScene scene = compiled(text, 10'000);
+  const CompiledScene scene = test::scene_of(text, test::copies_up_to(10'000));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_EQ(scene.instance_count(), static_cast<std::size_t>(Count));
   EXPECT_EQ(scene.triangle_count(), Count * 9800U);

@@ -24,14 +24,6 @@ std::string room(const std::string& brdf) {
          "light begin rgb (2,3,4) (-1,1,-1) (2,0,0) (0,0,2) end\n";
 }
 
-CompiledScene compiled(const std::string& text, const transport::CompileSettings& settings = {}) {
-  grf::Diagnostics diagnostics;
-  const auto scene = grf::read_text(text, "test.grf", diagnostics);
-  auto compiled = transport::compile(*scene, diagnostics, settings);
-  if (!compiled) throw std::runtime_error(diagnostics.to_text());
-  return std::move(*compiled);
-}
-
 test::Estimate mean_of(const CompiledScene& scene, const Look& look, IntegratorSettings integrator) {
   transport::RenderSettings settings = test::settings_of(look);
   integrator.depth = look.depth;
@@ -48,7 +40,7 @@ class Integrators : public testing::TestWithParam<const char*> {};
 TEST_P(Integrators, NaiveAndPathAgree) {
   transport::CompileSettings compile_settings;
   compile_settings.missed_part = reflectance::MissedPart::Missing;
-  const CompiledScene scene = compiled(room(GetParam()), compile_settings);
+  const CompiledScene scene = test::scene_of(room(GetParam()), compile_settings);
   for (const int depth : {0, 1, 2, 4}) {
     Look look;
     look.depth = depth;
@@ -86,8 +78,8 @@ TEST(Naive, ShowsWhatAWrongSchemeMisses) {
   look.depth = 1;
   IntegratorSettings naive;
   naive.integrator = Integrator::Naive;
-  const double right = mean_of(compiled(text), look, naive).mean;
-  const double missing = mean_of(compiled(text, wrong), look, naive).mean;
+  const double right = mean_of(test::scene_of(text), look, naive).mean;
+  const double missing = mean_of(test::scene_of(text, wrong), look, naive).mean;
   EXPECT_LT(missing, 0.8 * right);
 }
 

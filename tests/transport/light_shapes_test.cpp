@@ -22,8 +22,6 @@ using transport::SphericalParallelogram;
 using transport::SphericalRectangle;
 using transport::SphericalTriangle;
 
-constexpr double Pi = std::numbers::pi;
-
 enum class Kind { Triangle, Parallelogram, Rectangle };
 
 /// A shape as seen from the origin.
@@ -78,7 +76,7 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape) {
 
 TEST(SolidAngle, OfAnOctantIsHalfPi) {
   const SphericalTriangle octant({1, 0, 0}, {-1, 0, 1}, {-1, 1, 0});
-  EXPECT_NEAR(octant.solid_angle(), Pi / 2, 1e-6);
+  EXPECT_NEAR(octant.solid_angle(), std::numbers::pi / 2, 1e-6);
   EXPECT_EQ(SphericalTriangle({1, 0, 0}, {-1, 1, 0}, {-1, 0, 1}).solid_angle(), 0);  // from behind
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -14,13 +15,21 @@
 namespace test {
 
 /// A compiled scene from GRF text; throws the diagnostics if there is an error in it.
-inline transport::CompiledScene scene_of(const std::string& text) {
+inline transport::CompiledScene scene_of(const std::string& text,
+                                         const transport::CompileSettings& settings = {}) {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read_text(text, "test.grf", diagnostics);
   if (scene && grf::check(*scene, reflectance::catalogue(), diagnostics)) {
-    if (auto compiled = transport::compile(*scene, diagnostics)) return std::move(*compiled);
+    if (auto compiled = transport::compile(*scene, diagnostics, settings)) return std::move(*compiled);
   }
   throw std::runtime_error(diagnostics.to_text());
+}
+
+/// Settings that copy meshes of up to that many triangles, and make instances of others.
+inline transport::CompileSettings copies_up_to(std::size_t triangles) {
+  transport::CompileSettings settings;
+  settings.most_copied_triangles = triangles;
+  return settings;
 }
 
 /// A quad of which the front is the side from which the corners are counter-clockwise.

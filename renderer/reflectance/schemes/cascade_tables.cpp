@@ -11,7 +11,7 @@ namespace {
 
 /// The share of samples that is spread evenly over all h: no cell is empty, so that what a table does not
 /// know, such as the other views that use it, is still sampled now and then.
-constexpr double Floor = 0.01;
+constexpr double CascadeFloor = 0.01;
 
 /// A table is made for the views of a range: of these it sees the corners.
 using Corners = std::array<std::array<Vec3f, 2>, 2>;  // by theta_u and phi_u
@@ -98,7 +98,7 @@ std::vector<double> CascadeTables::masses(const Brdf& brdf, std::size_t view) co
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const std::size_t row = i / grid_.columns();
     const double even = grid_.solid_angle(row, row + 1, 1) / (2 * Pi);
-    masses[i] = sum > 0 ? masses[i] / sum * (1 - Floor) + Floor * even : even;
+    masses[i] = sum > 0 ? masses[i] / sum * (1 - CascadeFloor) + CascadeFloor * even : even;
   }
   return masses;
 }

@@ -28,12 +28,6 @@ grf::Scene scene_of(const Reading& reading) {
   return reading.scene.value_or(grf::Scene());
 }
 
-grf::Mesh only_mesh(const Reading& reading) {
-  const auto meshes = meshes_of(scene_of(reading));
-  EXPECT_EQ(meshes.size(), 1U);
-  return meshes.empty() ? grf::Mesh() : meshes[0];
-}
-
 std::string brdf_of(const std::string& technique) {
   ColladaParts parts;
   parts.technique = technique;

@@ -25,13 +25,6 @@ Reading read_object(const ThreeDsParts& parts, const std::string& materials = ""
   return read_bytes("model.3ds", three_ds_file(materials + object("fold", parts)));
 }
 
-grf::Mesh only_mesh(const Reading& reading) {
-  EXPECT_TRUE(reading.scene.has_value()) << reading.text();
-  const auto meshes = reading.scene ? meshes_of(*reading.scene) : std::vector<grf::Mesh>();
-  EXPECT_EQ(meshes.size(), 1U);
-  return meshes.empty() ? grf::Mesh() : meshes[0];
-}
-
 std::size_t normals_of(const grf::Mesh& mesh) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) count += mesh.normals.has(i) ? 1 : 0;

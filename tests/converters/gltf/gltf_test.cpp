@@ -19,14 +19,6 @@ const std::vector<float> Square = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 
 std::vector<std::uint32_t> corners_of(const grf::Mesh& mesh) { return mesh.corners; }
 
-grf::Mesh only_mesh(const Reading& reading) {
-  EXPECT_TRUE(reading.scene.has_value()) << reading.text();
-  if (!reading.scene) return {};
-  const auto meshes = meshes_of(*reading.scene);
-  EXPECT_EQ(meshes.size(), 1U);
-  return meshes.empty() ? grf::Mesh() : meshes[0];
-}
-
 /// All positions of faces in the world, in order.
 std::vector<grf::Vec3d> world_corners(const grf::Scene& scene) {
   std::vector<grf::Vec3d> corners;

@@ -91,9 +91,9 @@ std::vector<std::string> faces_at(const std::array<TentCorner, 4>& expected,
   return texts;
 }
 
-void erase_tent_extras(nlohmann::json& json) {
-  if (json.is_object()) json.erase("extras");
-  for (nlohmann::json& part : json) {
+void erase_tent_extras(nlohmann::json& value) {
+  if (value.is_object()) value.erase("extras");
+  for (nlohmann::json& part : value) {
     if (part.is_structured()) erase_tent_extras(part);
   }
 }
@@ -103,9 +103,9 @@ std::string write_bare_tents(const test::TemporaryFolder& folder) {
   grf::Diagnostics diagnostics;
   EXPECT_TRUE(find_format("gltf")->write(scene_of_grf(Tents), folder.path("tents.gltf"), diagnostics))
       << diagnostics.to_text();
-  nlohmann::json json = nlohmann::json::parse(test::bytes_of(folder.path("tents.gltf")));
-  erase_tent_extras(json);
-  return folder.add("bare.gltf", json.dump());
+  nlohmann::json file = nlohmann::json::parse(test::bytes_of(folder.path("tents.gltf")));
+  erase_tent_extras(file);
+  return folder.add("bare.gltf", file.dump());
 }
 
 std::string rounded_text(const aiColor3D& c) {

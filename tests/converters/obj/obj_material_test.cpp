@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const std::string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string SquareVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const std::string Library = "mtllib model.mtl\n";
 
 std::vector<std::string> materials_of(const grf::Mesh& mesh) {
@@ -36,15 +36,16 @@ std::vector<std::string> names_of(const std::vector<grf::Definition>& definition
 /// The warnings about a square with one material, `m`, of which the library says this.
 std::string warnings_of_material(const std::string& statements) {
   const Reading reading =
-      read_obj_text(Library + Square + "usemtl m\nf 1 2 3\nf 1 3 4\n", "newmtl m\n" + statements);
+      read_obj_text(Library + SquareVertices + "usemtl m\nf 1 2 3\nf 1 3 4\n", "newmtl m\n" + statements);
   EXPECT_TRUE(reading.scene.has_value()) << reading.text();
   return reading.text();
 }
 
 TEST(ObjMaterials, BelongToFacesByName) {
-  const Reading reading = read_obj_text(
-      Library + Square + "f 1 2 3\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\nf 2 3 4\nusemtl red\nf 1 3 4\n",
-      "newmtl red\nKd 0.8 0 0\nnewmtl blue\nKd 0 0 0.5\nnewmtl unused\nKd 1 1 1\n");
+  const Reading reading =
+      read_obj_text(Library + SquareVertices +
+                        "f 1 2 3\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\nf 2 3 4\nusemtl red\nf 1 3 4\n",
+                    "newmtl red\nKd 0.8 0 0\nnewmtl blue\nKd 0 0 0.5\nnewmtl unused\nKd 1 1 1\n");
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   EXPECT_THAT(reading.text(), IsEmpty());
   const std::vector<grf::Mesh> meshes = meshes_of(*reading.scene);
@@ -60,14 +61,14 @@ TEST(ObjMaterials, BelongToFacesByName) {
 
 TEST(ObjMaterials, GoOnFromOneObjectToTheNext) {
   const Reading reading =
-      read_obj_text(Square + "o a\nusemtl m\nf 1 2 3\no b\nf 1 3 4\nmtllib model.mtl\no c\nf 2 3 4\n",
+      read_obj_text(SquareVertices + "o a\nusemtl m\nf 1 2 3\no b\nf 1 3 4\nmtllib model.mtl\no c\nf 2 3 4\n",
                     "newmtl z\nnewmtl m\n");
   ASSERT_TRUE(reading.scene.has_value());
   for (const grf::Mesh& mesh : meshes_of(*reading.scene)) EXPECT_THAT(materials_of(mesh), ElementsAre("m"));
 }
 
 TEST(ObjMaterials, AreNeverMerged) {
-  const Reading reading = read_obj_text(Library + Square + "usemtl b\nf 1 2 3\n",
+  const Reading reading = read_obj_text(Library + SquareVertices + "usemtl b\nf 1 2 3\n",
                                         "newmtl a\nKd 1 0 0\nnewmtl b\nKd 1 0 0\nnewmtl B\nKd 1 0 0\n");
   EXPECT_THAT(names_of(definitions_of(*reading.scene)), ElementsAre("a", "b", "B"));
 }
@@ -75,7 +76,7 @@ TEST(ObjMaterials, AreNeverMerged) {
 TEST(ObjMaterials, KeepTheirNames) {
   for (const std::string name :
        {"Wall-inner", "many  spaces, and $ and #", "1", "none", "\u00E6/\"q\"\\ x", "ward"}) {
-    const Reading reading = read_obj_text(Library + Square + "usemtl " + name + "\nf 1 2 3 4\n",
+    const Reading reading = read_obj_text(Library + SquareVertices + "usemtl " + name + "\nf 1 2 3 4\n",
                                           "newmtl  " + name + " \nKd 0.25 0.25 0.25\n");
     ASSERT_TRUE(reading.scene.has_value()) << reading.text();
     EXPECT_THAT(reading.text(), IsEmpty());
@@ -90,15 +91,16 @@ TEST(ObjMaterials, KeepTheirNames) {
 
 TEST(ObjMaterials, WithoutANameBelongToFacesWithoutOne) {
   const Reading reading =
-      read_obj_text(Library + Square + "usemtl\nf 1 2 3\n", "newmtl\nKd 0.25 0.25 0.25\n");
+      read_obj_text(Library + SquareVertices + "usemtl\nf 1 2 3\n", "newmtl\nKd 0.25 0.25 0.25\n");
   ASSERT_TRUE(reading.scene.has_value());
   EXPECT_THAT(names_of(definitions_of(*reading.scene)), ElementsAre("$$"));
   EXPECT_THAT(materials_of(meshes_of(*reading.scene)[0]), ElementsAre("$$"));
 }
 
 TEST(ObjMaterials, ThatEmitMakeTheirFacesLights) {
-  const Reading reading = read_obj_text(Library + Square + "usemtl lamp\nf 1 2 3\nusemtl wall\nf 1 3 4\n",
-                                        "newmtl lamp\nKd 0.5 0.5 0.5\nKe 17 12 4\nnewmtl wall\nKe 0 0 0\n");
+  const Reading reading =
+      read_obj_text(Library + SquareVertices + "usemtl lamp\nf 1 2 3\nusemtl wall\nf 1 3 4\n",
+                    "newmtl lamp\nKd 0.5 0.5 0.5\nKe 17 12 4\nnewmtl wall\nKe 0 0 0\n");
   ASSERT_TRUE(reading.scene.has_value());
   const grf::Mesh mesh = meshes_of(*reading.scene)[0];
   EXPECT_EQ(mesh.surface(0).emission, grf::Colour(17, 12, 4));
@@ -107,8 +109,8 @@ TEST(ObjMaterials, ThatEmitMakeTheirFacesLights) {
 }
 
 TEST(ObjMaterials, OfALibraryThatIsMissingAreReportedWithItsName) {
-  const Reading reading =
-      read_obj_text("mtllib no where.mtl\nmtllib lost.mtl\n" + Square + "usemtl gold\nf 1 2 3\nf 1 3 4\n");
+  const Reading reading = read_obj_text("mtllib no where.mtl\nmtllib lost.mtl\n" + SquareVertices +
+                                        "usemtl gold\nf 1 2 3\nf 1 3 4\n");
   ASSERT_TRUE(reading.scene.has_value());
   EXPECT_THAT(reading.text(), HasSubstr("model.obj:2:1: warning: cannot read '"));
   EXPECT_THAT(reading.text(), HasSubstr("lost.mtl': No such file or directory"));
@@ -122,13 +124,13 @@ TEST(ObjMaterials, OfALibraryThatIsMissingAreReportedWithItsName) {
 }
 
 TEST(ObjMaterials, OfAFileWithoutLibrariesAreNamesAlone) {
-  const Reading reading = read_obj_text(Square + "usemtl gold\nf 1 2 3 4\n");
+  const Reading reading = read_obj_text(SquareVertices + "usemtl gold\nf 1 2 3 4\n");
   EXPECT_EQ(reading.diagnostics.warning_count(), 0U);
   EXPECT_THAT(reading.text(), HasSubstr("note: 1 face is of materials that no library defines ('gold')"));
 }
 
 TEST(ObjMaterials, ComeFromTheLibraryOfTheModelsNameIfTheirOwnIsMissing) {
-  const Reading reading = read_obj_text("mtllib old_name.mtl\n" + Square + "usemtl m\nf 1 2 3\n",
+  const Reading reading = read_obj_text("mtllib old_name.mtl\n" + SquareVertices + "usemtl m\nf 1 2 3\n",
                                         "newmtl m\nKd 0.75 0.75 0.75\n");
   ASSERT_TRUE(reading.scene.has_value());
   EXPECT_THAT(reading.text(), HasSubstr("model.obj:1:1: warning: there is no "));
@@ -141,8 +143,8 @@ TEST(ObjMaterials, ComeFromAllLibrariesAndOnceFromEach) {
   folder.add("with space.mtl", "newmtl s\n");
   folder.add("b.mtl", "newmtl b\nnewmtl a\nKd 1 1 1\n");
   const Reading reading =
-      read_path(folder.add("model.obj", "mtllib a.mtl b.mtl\nmtllib with space.mtl\nmtllib a.mtl\n" + Square +
-                                            "usemtl a\nf 1 2 3\n"));
+      read_path(folder.add("model.obj", "mtllib a.mtl b.mtl\nmtllib with space.mtl\nmtllib a.mtl\n" +
+                                            SquareVertices + "usemtl a\nf 1 2 3\n"));
   ASSERT_TRUE(reading.scene.has_value());
   const std::vector<grf::Definition> definitions = definitions_of(*reading.scene);
   EXPECT_THAT(names_of(definitions), ElementsAre("a", "b", "s"));
@@ -154,7 +156,7 @@ TEST(ObjMaterials, TheOptionGivesABrdfToFacesThatHaveNone) {
   grf::Diagnostics diagnostics;
   const ReadOptions options{grf::read_brdf("ward sx=0.15 ks=0.3", "option", diagnostics)};
   const Reading reading =
-      read_obj_text(Library + Square + "f 1 2 3\nusemtl known\nf 1 2 4\nusemtl unknown\nf 1 3 4\n",
+      read_obj_text(Library + SquareVertices + "f 1 2 3\nusemtl known\nf 1 2 4\nusemtl unknown\nf 1 3 4\n",
                     "newmtl known\nKd 0.25 0.25 0.25\n", options);
   ASSERT_TRUE(reading.scene.has_value());
   const grf::Mesh mesh = meshes_of(*reading.scene)[0];
@@ -188,7 +190,7 @@ TEST(ObjMaterials, TransparencyIsLostHoweverItIsSaid) {
 }
 
 TEST(ObjMaterials, ValuesThatAreNoneAreLeftOut) {
-  const Reading reading = read_obj_text(Library + Square + "usemtl m\nf 1 2 3\n",
+  const Reading reading = read_obj_text(Library + SquareVertices + "usemtl m\nf 1 2 3\n",
                                         "newmtl m\nKd 0.1 0.2\nKs spectral x.rfl\nNs\nKd 0.25 0.25 y\n");
   ASSERT_TRUE(reading.scene.has_value());
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene).at(0)), "diffuse kd=0.5");

@@ -35,7 +35,7 @@ const std::map<std::string, std::string> Errors = {
 const std::map<std::string, std::string> Equals = {{"OBJ/box_UTF16BE.obj", "OBJ/box.obj"}};
 
 /// The faces of all meshes, one after the other, as the second reader has them.
-std::vector<ReferenceFace> faces_of(const grf::Scene& scene) {
+std::vector<ReferenceFace> reference_faces(const grf::Scene& scene) {
   std::vector<ReferenceFace> faces;
   for (const grf::Mesh& mesh : meshes_of(scene)) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
@@ -68,7 +68,7 @@ TEST_P(ObjModel, IsReadAsTheSecondReaderReadsItOrNotAtAll) {
   const ReferenceModel reference =
       read_reference(equal == Equals.end() ? GetParam() : AssimpModels + equal->second);
 
-  const std::vector<ReferenceFace> faces = faces_of(*reading.scene);
+  const std::vector<ReferenceFace> faces = reference_faces(*reading.scene);
   ASSERT_EQ(faces.size(), reference.faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const ReferenceFace& expected = reference.faces[i];

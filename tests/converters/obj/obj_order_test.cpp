@@ -12,15 +12,15 @@
 namespace convert {
 namespace {
 
-struct PlacedFace {
+struct OrderedFace {
   std::string mesh;
   std::string material;
   float x = 0;  ///< of its first corner, different for each face
 
-  bool operator==(const PlacedFace&) const = default;
+  bool operator==(const OrderedFace&) const = default;
 };
 
-std::ostream& operator<<(std::ostream& stream, const PlacedFace& face) {
+std::ostream& operator<<(std::ostream& stream, const OrderedFace& face) {
   return stream << "[" << face.mesh << ", " << face.material << ", " << face.x << "]";
 }
 
@@ -29,7 +29,7 @@ struct Script {
   std::string obj = "mtllib model.mtl\nv 0 0 0\nv 0 1 0\n";
   std::string mesh;
   std::string material;
-  std::vector<PlacedFace> faces;
+  std::vector<OrderedFace> faces;
 
   void add_face() {
     const auto x = static_cast<float>(faces.size() + 1);
@@ -69,8 +69,8 @@ struct Script {
   }
 };
 
-std::vector<PlacedFace> placed_faces(const grf::Scene& scene) {
-  std::vector<PlacedFace> faces;
+std::vector<OrderedFace> placed_faces(const grf::Scene& scene) {
+  std::vector<OrderedFace> faces;
   for (const grf::Mesh& mesh : meshes_of(scene)) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
       faces.push_back({mesh.name, material_of(mesh, i), mesh.positions[mesh.face(i)[0]].x});

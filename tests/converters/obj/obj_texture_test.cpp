@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string Square =
+const std::string TexturedSquare =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3 4/4\n";
 
 std::string file_of(const grf::Mesh& mesh) {
@@ -27,7 +27,7 @@ std::string file_of(const grf::Mesh& mesh) {
 /// Reads a square whose material is in `materials/m.mtl` with these statements.
 Reading read_square(const test::TemporaryFolder& folder, const std::string& statements) {
   folder.add("materials/m.mtl", "newmtl m\n" + statements);
-  return read_path(folder.add("model.obj", "mtllib materials/m.mtl\n" + Square));
+  return read_path(folder.add("model.obj", "mtllib materials/m.mtl\n" + TexturedSquare));
 }
 
 TEST(ObjTextures, AreNamedFromTheFolderOfTheModel) {
@@ -92,8 +92,9 @@ TEST(ObjTextures, OfOneMaterialMoveTheCoordinatesOfItsFacesAlone) {
   const test::TemporaryFolder folder;
   folder.add("a.png", "");
   folder.add("model.mtl", "newmtl m\nmap_Kd a.png\nnewmtl n\nmap_Kd -o 5 0 0 a.png\n");
-  const Reading reading = read_path(folder.add(
-      "model.obj", "mtllib model.mtl\n" + Square + "usemtl n\nf 1/1 2/2 3/3\nusemtl m\nf 1/1 2/2 3/3\n"));
+  const Reading reading =
+      read_path(folder.add("model.obj", "mtllib model.mtl\n" + TexturedSquare +
+                                            "usemtl n\nf 1/1 2/2 3/3\nusemtl m\nf 1/1 2/2 3/3\n"));
   ASSERT_TRUE(reading.scene.has_value());
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
   EXPECT_EQ(mesh.positions.size(), 7U);

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const std::string Square = "begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs\n";
+const std::string GrfSquare = "begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs\n";
 
 /// A GRF text written as OBJ in a folder of its own.
 class Written {
@@ -55,7 +55,8 @@ class Written {
 };
 
 TEST(ObjWriter, WritesOneMeshPlainly) {
-  const Written out("begin mesh \"a square\" " + Square + "begin faces (0,1,2,3) (0,1,2) end faces end mesh");
+  const Written out("begin mesh \"a square\" " + GrfSquare +
+                    "begin faces (0,1,2,3) (0,1,2) end faces end mesh");
   EXPECT_EQ(out.obj,
             "# Exported by grfconvert\no a square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3\n");
   EXPECT_THAT(out.mtl, IsEmpty());
@@ -73,7 +74,7 @@ TEST(ObjWriter, SharesPositionsNormalsAndTextureCoordinates) {
 }
 
 TEST(ObjWriter, NumbersGoOnFromMeshToMesh) {
-  const std::string mesh = "begin mesh \"m\" " + Square + "begin faces (0,1,2) end faces end mesh\n";
+  const std::string mesh = "begin mesh \"m\" " + GrfSquare + "begin faces (0,1,2) end faces end mesh\n";
   const Written out(mesh + "transform translation (0,0,1) begin " + mesh + "end");
   EXPECT_THAT(out.obj, HasSubstr("v 0 1 1\nf 5 6 7\n"));
   EXPECT_EQ(meshes_of(*out.read_again()).size(), 2U);
@@ -89,7 +90,7 @@ TEST(ObjWriter, AppliesTransformsAndKeepsFrontsOfMirroredMeshes) {
 }
 
 TEST(ObjWriter, AppliesInstances) {
-  const Written out("def box = begin mesh " + Square +
+  const Written out("def box = begin mesh " + GrfSquare +
                     "begin faces (0,1,2,3) end faces end mesh begin\nuse box\n"
                     "transform translation (5,0,0) begin use box end end");
   const auto again = out.read_again();
@@ -109,7 +110,7 @@ TEST(ObjWriter, WritesMaterialsByTheNamesOfDefinitions) {
   const Written out(
       "def gold = brdf lewis n=40 ks=0.5 kd=0.25 a$20$b = brdf diffuse kd=(0.1,0.2,0.3)\n"
       "unused = brdf specular ks=0.9\nbegin begin mesh " +
-      Square +
+      GrfSquare +
       "begin faces brdf a$20$b (0,1,2) brdf gold (0,2,3) brdf ward sx=0.2 (0,1,3) end faces end mesh end");
   EXPECT_THAT(out.obj, HasSubstr("mtllib out.mtl\n"));
   EXPECT_THAT(out.obj, HasSubstr("usemtl a b\nf 1 2 3\nusemtl gold\nf 1 3 4\nusemtl ward_sx_0.2\nf 1 2 4\n"));
@@ -129,7 +130,7 @@ TEST(ObjWriter, WritesMaterialsByTheNamesOfDefinitions) {
 TEST(ObjWriter, WritesWhatATextMeansAtEachPlaceOfAnIncludedFile) {
   const test::TemporaryFolder folder;
   folder.add("part.grf",
-             "begin mesh brdf combine 1 a " + Square + "begin faces (0,1,2,3) end faces end mesh");
+             "begin mesh brdf combine 1 a " + GrfSquare + "begin faces (0,1,2,3) end faces end mesh");
   grf::Diagnostics diagnostics;
   const auto scene = grf::read_text(
       "def a = brdf diffuse kd=0.1 begin include \"part.grf\" end def a = brdf diffuse kd=0.9 begin include "
@@ -148,7 +149,7 @@ TEST(ObjWriter, WritesWhatATextMeansAtEachPlaceOfAnIncludedFile) {
 TEST(ObjWriter, WritesSumsOfSumsHoweverLongTheirChainIs) {
   std::string text = "def c0 = brdf diffuse kd=0.5";
   for (int i = 1; i < 5000; ++i) text += fmt::format(" c{} = brdf combine 1 c{}", i, i - 1);
-  const Written out(text + " begin begin mesh brdf c4999 " + Square +
+  const Written out(text + " begin begin mesh brdf c4999 " + GrfSquare +
                     "begin faces (0,1,2,3) end faces end mesh end");
   EXPECT_THAT(out.mtl, HasSubstr("newmtl c4999\n# grf: combine 1 c4998\nKd 0.5 0.5 0.5\n"));
 }
@@ -157,7 +158,7 @@ TEST(ObjWriter, TakesExactBrdfsBack) {
   const Written out(
       "def a = brdf ward sx=0.2 sy=0.1 ks=(0.1,0.2,0.3) b = brdf coupled Ro=0.1\n"
       "sum = brdf combine 0.25 a, 0.75 b begin begin mesh " +
-      Square + "begin faces brdf sum (0,1,2) brdf b (0,2,3) end faces end mesh end");
+      GrfSquare + "begin faces brdf sum (0,1,2) brdf b (0,2,3) end faces end mesh end");
   const auto again = out.read_again();
   EXPECT_EQ(definitions_of(*again), definitions_of(*out.scene));
   EXPECT_EQ(material_of(meshes_of(*again)[0], 0), "sum");
@@ -165,7 +166,7 @@ TEST(ObjWriter, TakesExactBrdfsBack) {
 }
 
 TEST(ObjWriter, KeepsColoursEmissionAndTextures) {
-  const Written out("def m = brdf ward sx=0.5 begin begin mesh " + Square +
+  const Written out("def m = brdf ward sx=0.5 begin begin mesh " + GrfSquare +
                     "begin faces brdf m (0,1,2) rgb (0.5,0.25,1) (0,2,3) texture \"sub/a.png\" rgb none "
                     "(0,1,3) light rgb (5,4,3) texture none (1,2,3) brdf none (0,1,2) light none (0,1,2) end "
                     "faces end mesh end");
@@ -188,7 +189,7 @@ TEST(ObjWriter, KeepsColoursEmissionAndTextures) {
 }
 
 TEST(ObjWriter, FacesWithoutMaterialBeforeAllOthersNeedNone) {
-  const Written out("def m = brdf diffuse begin begin mesh " + Square +
+  const Written out("def m = brdf diffuse begin begin mesh " + GrfSquare +
                     "begin faces (0,1,2) brdf m (0,2,3) end faces end mesh end");
   EXPECT_THAT(out.obj, HasSubstr("v 0 1 0\nf 1 2 3\nusemtl m\nf 1 3 4\n"));
   EXPECT_THAT(out.mtl, Not(HasSubstr("default")));
@@ -198,7 +199,7 @@ TEST(ObjWriter, WritesLightsAsFacesThatEmit) {
   const Written out(
       "light begin rgb (3,2,1) (0,0,0) (1,0,0) (0,1,0) end\n"
       "transform translation (0,0,1) begin mesh light begin rgb (7,7,7) " +
-      Square + "begin faces (0,1,2,3) end faces end end");
+      GrfSquare + "begin faces (0,1,2,3) end faces end end");
   const auto again = out.read_again();
   const std::vector<grf::Mesh> meshes = meshes_of(*again);
   ASSERT_EQ(meshes.size(), 2U);
@@ -241,9 +242,9 @@ TEST(ObjWriter, LeavesBothFilesAsTheyWereIfOneCannotBeWritten) {
   folder.add("out.mtl", "old library");
   folder.add("out.obj/in_the_way", "");  // a folder of the model's name
   grf::Diagnostics diagnostics;
-  const auto scene = grf::read_text(
-      "def m = brdf diffuse begin begin mesh " + Square + "begin faces brdf m (0,1,2) end faces end mesh end",
-      "scene.grf", diagnostics);
+  const auto scene = grf::read_text("def m = brdf diffuse begin begin mesh " + GrfSquare +
+                                        "begin faces brdf m (0,1,2) end faces end mesh end",
+                                    "scene.grf", diagnostics);
   EXPECT_FALSE(write_obj(*scene, folder.path("out.obj"), diagnostics));
   EXPECT_THAT(diagnostics.to_text(), HasSubstr("out.obj: error: cannot write the file: it is a directory"));
   EXPECT_EQ(test::bytes_of(folder.path("out.mtl")), "old library");
@@ -255,7 +256,7 @@ TEST(ObjWriter, ATransformBeyondFloatsIsAnError) {
   const test::TemporaryFolder folder;
   const auto scene =
       grf::read_text("transform scale (1e30,1,1) begin transform scale (1e30,1,1) begin begin mesh " +
-                         Square + "begin faces (0,1,2) end faces end mesh end end",
+                         GrfSquare + "begin faces (0,1,2) end faces end mesh end end",
                      "scene.grf", diagnostics);
   ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
   EXPECT_FALSE(write_obj(*scene, folder.path("out.obj"), diagnostics));

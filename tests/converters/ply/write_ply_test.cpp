@@ -27,11 +27,11 @@ Written written(const std::string& grf_text) {
   return {test::bytes_of(folder.path("a.ply")), diagnostics.to_text()};
 }
 
-const std::string Vertices = "begin vertexs (0,0,0) (0.1,0,0) (0,1,0) end vertexs\n";
+const std::string TriangleVertices = "begin vertexs (0,0,0) (0.1,0,0) (0,1,0) end vertexs\n";
 
 TEST(WritePly, IsOneMeshInTheWorld) {
-  const Written file = written("begin mesh " + Vertices + "begin faces (0,1,2) end faces end mesh\n" +
-                               "transform scale (1,-2,1) begin begin mesh " + Vertices +
+  const Written file = written("begin mesh " + TriangleVertices + "begin faces (0,1,2) end faces end mesh\n" +
+                               "transform scale (1,-2,1) begin begin mesh " + TriangleVertices +
                                "begin faces (0,1,2) end faces end mesh end");
   EXPECT_EQ(file.text,
             "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
@@ -119,8 +119,9 @@ TEST(WritePly, LeavesTheOldFileWhereItCannotWrite) {
               HasSubstr("a.ply: error: cannot write the file: the scene has no faces"));
   EXPECT_EQ(test::bytes_of(path), "old");
   EXPECT_EQ(folder.names().size(), 1U);
-  EXPECT_FALSE(write_ply(scene_of_grf("begin mesh " + Vertices + "begin faces (0,1,2) end faces end mesh"),
-                         folder.path("missing/a.ply"), diagnostics));
+  EXPECT_FALSE(
+      write_ply(scene_of_grf("begin mesh " + TriangleVertices + "begin faces (0,1,2) end faces end mesh"),
+                folder.path("missing/a.ply"), diagnostics));
 }
 
 TEST(WritePly, FacesOfManyCornersGetALargerCount) {

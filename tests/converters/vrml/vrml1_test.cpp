@@ -18,10 +18,6 @@ using grf::Colour;
 using grf::Vec2f;
 using grf::Vec3f;
 
-const Vec3f X(1, 0, 0);
-const Vec3f Y(0, 1, 0);
-const Vec3f Z(0, 0, 1);
-
 const std::string Points = "Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] }\n";
 const std::string Faces = "IndexedFaceSet { coordIndex [ 0, 1, 2, -1, 0, 2, 3, -1 ] ";
 const std::string Colours = "Material { diffuseColor [ 1 0 0, 0 1 0, 0 0 1, 1 1 1 ] }\n";
@@ -45,13 +41,6 @@ std::vector<Colour> corner_colours(const grf::Mesh& mesh, std::size_t face) {
   std::vector<Colour> colours;
   for (const std::uint32_t vertex : mesh.face(face)) colours.push_back(mesh.colours[vertex]);
   return colours;
-}
-std::vector<Vec3f> normals_of(const grf::Mesh& mesh, std::size_t face) {
-  std::vector<Vec3f> normals;
-  for (const std::uint32_t vertex : mesh.face(face)) {
-    normals.push_back(mesh.normals.has(vertex) ? mesh.normals[vertex] : Vec3f(0));
-  }
-  return normals;
 }
 
 /// The centres of all meshes, rounded, and how many corners each has.

@@ -19,20 +19,13 @@ using grf::Colour;
 using grf::Vec2f;
 using grf::Vec3f;
 
-grf::Mesh mesh_of(std::string_view geometry) { return mesh97(shape(geometry)); }
-std::string error_of(std::string_view geometry) {
+grf::Mesh mesh_of_geometry(std::string_view geometry) { return mesh97(shape(geometry)); }
+std::string error_of_geometry(std::string_view geometry) {
   const Reading reading = read_vrml97(shape(geometry));
   EXPECT_FALSE(reading.scene.has_value());
   return reading.text();
 }
 
-std::vector<Vec3f> normals_of(const grf::Mesh& mesh, std::size_t face) {
-  std::vector<Vec3f> normals;
-  for (const std::uint32_t vertex : mesh.face(face)) {
-    normals.push_back(mesh.normals.has(vertex) ? mesh.normals[vertex] : Vec3f(0));
-  }
-  return normals;
-}
 std::vector<Colour> colours_of(const grf::Mesh& mesh, std::size_t face) {
   std::vector<Colour> colours;
   for (const std::uint32_t vertex : mesh.face(face)) colours.push_back(mesh.colours[vertex]);
@@ -47,12 +40,8 @@ Colour face_colour(const grf::Mesh& mesh, std::size_t face) {
   return std::get<Colour>(mesh.surface(face).colour.value());
 }
 
-const Vec3f X(1, 0, 0);
-const Vec3f Y(0, 1, 0);
-const Vec3f Z(0, 0, 1);
-
 TEST(VrmlFaceSet, SharesVerticesAndKeepsPolygons) {
-  const grf::Mesh mesh = mesh_of(
+  const grf::Mesh mesh = mesh_of_geometry(
       "IndexedFaceSet { coord Coordinate { point [ 0 0 0 2 0 0 2 2 0 1 0.5 0 0 2 0 ] } convex FALSE"
       " coordIndex [ 0 1 2 3 4 -1 4 3 2 ] }");
   EXPECT_EQ(mesh.positions.size(), 5U);
@@ -63,7 +52,8 @@ TEST(VrmlFaceSet, SharesVerticesAndKeepsPolygons) {
 }
 
 TEST(VrmlFaceSet, ThatIsClockwiseIsTurned) {
-  const grf::Mesh mesh = mesh_of(square("ccw FALSE color Color { color [ 1 0 0 0 1 0 0 0 1 1 1 1 ] }"));
+  const grf::Mesh mesh =
+      mesh_of_geometry(square("ccw FALSE color Color { color [ 1 0 0 0 1 0 0 0 1 1 1 1 ] }"));
   EXPECT_THAT(corners_of(mesh, 0), ElementsAre(Vec3f(0), Vec3f(1, 1, 0), Vec3f(1, 0, 0)));
   EXPECT_THAT(colours_of(mesh, 0), ElementsAre(X, Z, Y));
 }
@@ -71,15 +61,16 @@ TEST(VrmlFaceSet, ThatIsClockwiseIsTurned) {
 TEST(VrmlFaceSet, IndicesOfNothingAreErrorsAtTheirPlace) {
   const std::string begin =
       "IndexedFaceSet {\n coord Coordinate { point [ 0 0 0 1 0 0 0 1 0 ] }\n coordIndex ";
-  EXPECT_THAT(error_of(begin + "[ 0 1, 3 -1 ] }"),
+  EXPECT_THAT(error_of_geometry(begin + "[ 0 1, 3 -1 ] }"),
               HasSubstr("model.wrl:4:20: error: the index 3 is of no coordinate: there are 3"));
-  EXPECT_THAT(error_of(begin + "[ 0 1 -2 ] }"), HasSubstr("4:19: error: the index -2 is of no coordinate"));
-  EXPECT_THAT(error_of(begin + "[ 0 1.5 2 ] }"), HasSubstr("4:17: error: the index 1.5"));
-  EXPECT_THAT(error_of(begin + "[ 0 1 1e30 ] }"), HasSubstr("the index 1e+30"));
-  EXPECT_THAT(error_of("IndexedFaceSet { coordIndex [ 0 1 2 ] }"), HasSubstr("there are 0"));
-  EXPECT_THAT(error_of("IndexedFaceSet { coord Coordinate { point [ 0 0 0 1 ] } }"),
+  EXPECT_THAT(error_of_geometry(begin + "[ 0 1 -2 ] }"),
+              HasSubstr("4:19: error: the index -2 is of no coordinate"));
+  EXPECT_THAT(error_of_geometry(begin + "[ 0 1.5 2 ] }"), HasSubstr("4:17: error: the index 1.5"));
+  EXPECT_THAT(error_of_geometry(begin + "[ 0 1 1e30 ] }"), HasSubstr("the index 1e+30"));
+  EXPECT_THAT(error_of_geometry("IndexedFaceSet { coordIndex [ 0 1 2 ] }"), HasSubstr("there are 0"));
+  EXPECT_THAT(error_of_geometry("IndexedFaceSet { coord Coordinate { point [ 0 0 0 1 ] } }"),
               HasSubstr("the field 'point' has 4 numbers, which are no groups of 3"));
-  EXPECT_THAT(error_of("IndexedFaceSet { coord Normal {} }"),
+  EXPECT_THAT(error_of_geometry("IndexedFaceSet { coord Normal {} }"),
               HasSubstr("found the node Normal in the field 'coord'"));
 }
 
@@ -98,58 +89,59 @@ TEST(VrmlFaceSet, ShortFacesAreLeftOutAndShiftNothing) {
 
 TEST(VrmlFaceSet, BindsNormals) {
   const std::string normals = "normal Normal { vector [ 1 0 0, 0 1 0, 0 0 1, 0 0 -1 ] } ";
-  EXPECT_THAT(normals_of(mesh_of(square(normals)), 1), ElementsAre(X, Z, -Z));
-  const grf::Mesh indexed = mesh_of(square(normals + "normalIndex [ 1 1 2 -1 0 0 1 -1 ]"));
+  EXPECT_THAT(normals_of(mesh_of_geometry(square(normals)), 1), ElementsAre(X, Z, -Z));
+  const grf::Mesh indexed = mesh_of_geometry(square(normals + "normalIndex [ 1 1 2 -1 0 0 1 -1 ]"));
   EXPECT_THAT(normals_of(indexed, 0), ElementsAre(Y, Y, Z));
   EXPECT_THAT(normals_of(indexed, 1), ElementsAre(X, X, Y));
-  const grf::Mesh by_face = mesh_of(square(normals + "normalPerVertex FALSE"));
+  const grf::Mesh by_face = mesh_of_geometry(square(normals + "normalPerVertex FALSE"));
   EXPECT_THAT(normals_of(by_face, 0), ElementsAre(X, X, X));
   EXPECT_THAT(normals_of(by_face, 1), ElementsAre(Y, Y, Y));
-  const grf::Mesh by_index = mesh_of(square(normals + "normalPerVertex FALSE normalIndex [ 2 2 ]"));
+  const grf::Mesh by_index = mesh_of_geometry(square(normals + "normalPerVertex FALSE normalIndex [ 2 2 ]"));
   EXPECT_THAT(normals_of(by_index, 1), ElementsAre(Z, Z, Z));
   EXPECT_EQ(by_index.positions.size(), 4U);
-  EXPECT_THAT(normals_of(mesh_of(square(normals + "ccw FALSE")), 0), ElementsAre(X, Z, Y))
+  EXPECT_THAT(normals_of(mesh_of_geometry(square(normals + "ccw FALSE")), 0), ElementsAre(X, Z, Y))
       << "they stay as they are given";
 }
 
 TEST(VrmlFaceSet, BindsColours) {
   const std::string colours = "color Color { color [ 1 0 0, 0 1 0, 0 0 1, 1 1 1 ] } ";
-  EXPECT_THAT(colours_of(mesh_of(square(colours)), 1), ElementsAre(X, Z, Colour(1)));
-  const grf::Mesh indexed = mesh_of(square(colours + "colorIndex [ 1 1 2 -1 0 0 1 ]"));
+  EXPECT_THAT(colours_of(mesh_of_geometry(square(colours)), 1), ElementsAre(X, Z, Colour(1)));
+  const grf::Mesh indexed = mesh_of_geometry(square(colours + "colorIndex [ 1 1 2 -1 0 0 1 ]"));
   EXPECT_THAT(colours_of(indexed, 1), ElementsAre(X, X, Y));
-  const grf::Mesh by_face = mesh_of(square(colours + "colorPerVertex FALSE"));
+  const grf::Mesh by_face = mesh_of_geometry(square(colours + "colorPerVertex FALSE"));
   EXPECT_EQ(face_colour(by_face, 1), Y);
   EXPECT_TRUE(by_face.colours.empty());
-  EXPECT_EQ(face_colour(mesh_of(square(colours + "colorPerVertex FALSE colorIndex [ 3 2 ]")), 1), Z);
+  EXPECT_EQ(face_colour(mesh_of_geometry(square(colours + "colorPerVertex FALSE colorIndex [ 3 2 ]")), 1), Z);
   const Reading clamped = read_vrml97(shape(square("color Color { color [ 2 0 0, 0 -1 0, 0 0 1, 1 1 1 ] }")));
   EXPECT_THAT(clamped.text(), HasSubstr("2 colours of vertices or faces were clamped"));
 }
 
 TEST(VrmlFaceSet, BindsTextureCoordinates) {
   const std::string points = "texCoord TextureCoordinate { point [ 0 0, 0.5 0, 2 3, -1 0 ] } ";
-  EXPECT_THAT(uvs_of(mesh_of(square(points)), 1), ElementsAre(Vec2f(0, 0), Vec2f(2, 3), Vec2f(-1, 0)));
-  EXPECT_THAT(uvs_of(mesh_of(square(points + "texCoordIndex [ 0 0 1 -1 3 2 1 -1 ]")), 1),
+  EXPECT_THAT(uvs_of(mesh_of_geometry(square(points)), 1),
+              ElementsAre(Vec2f(0, 0), Vec2f(2, 3), Vec2f(-1, 0)));
+  EXPECT_THAT(uvs_of(mesh_of_geometry(square(points + "texCoordIndex [ 0 0 1 -1 3 2 1 -1 ]")), 1),
               ElementsAre(Vec2f(-1, 0), Vec2f(2, 3), Vec2f(0.5F, 0)));
 }
 
 TEST(VrmlFaceSet, EmptyListsAreNone) {
-  const grf::Mesh mesh =
-      mesh_of(square("normal Normal { vector [ ] } normalIndex [ ] color Color { color [ ] } texCoord "
-                     "TextureCoordinate { }"));
+  const grf::Mesh mesh = mesh_of_geometry(
+      square("normal Normal { vector [ ] } normalIndex [ ] color Color { color [ ] } texCoord "
+             "TextureCoordinate { }"));
   EXPECT_TRUE(mesh.normals.empty() && mesh.colours.empty() && mesh.uvs.empty());
 }
 
 TEST(VrmlFaceSet, TooFewValuesAreErrors) {
-  EXPECT_THAT(error_of(square("normal Normal { vector [ 0 0 1 ] }")),
+  EXPECT_THAT(error_of_geometry(square("normal Normal { vector [ 0 0 1 ] }")),
               HasSubstr("there are 1 values for 'normalIndex', too few for the faces"));
-  EXPECT_THAT(error_of(square("color Color { color [ 0 0 1 ] } colorIndex [ 0 0 0 -1 0 0 ]")),
+  EXPECT_THAT(error_of_geometry(square("color Color { color [ 0 0 1 ] } colorIndex [ 0 0 0 -1 0 0 ]")),
               HasSubstr("the list 'colorIndex' has 6 indices, too few for the faces"));
-  EXPECT_THAT(
-      error_of(square("texCoord TextureCoordinate { point [ 0 1 ] }\ntexCoordIndex [ 0 0 0 -1 0 0 1 ]")),
-      HasSubstr("model.wrl:3:30: error: the index 1 in 'texCoordIndex' is of no value: there are 1"));
-  EXPECT_THAT(
-      error_of(square("normal Normal { vector [ 0 0 1 ] } normalPerVertex FALSE normalIndex [ 0 -1 ]")),
-      HasSubstr("the index -1 in 'normalIndex'"));
+  EXPECT_THAT(error_of_geometry(
+                  square("texCoord TextureCoordinate { point [ 0 1 ] }\ntexCoordIndex [ 0 0 0 -1 0 0 1 ]")),
+              HasSubstr("model.wrl:3:30: error: the index 1 in 'texCoordIndex' is of no value: there are 1"));
+  EXPECT_THAT(error_of_geometry(
+                  square("normal Normal { vector [ 0 0 1 ] } normalPerVertex FALSE normalIndex [ 0 -1 ]")),
+              HasSubstr("the index -1 in 'normalIndex'"));
 }
 
 /// Two squares with a common edge along y, the second one bent up by so many degrees.
@@ -165,22 +157,23 @@ std::string bent(double degrees, std::string_view fields) {
 }
 
 TEST(VrmlCreaseAngle, SmoothsAcrossEdgesOfLess) {
-  const grf::Mesh smooth = mesh_of(bent(60, "creaseAngle 1.1"));
+  const grf::Mesh smooth = mesh_of_geometry(bent(60, "creaseAngle 1.1"));
   EXPECT_EQ(smooth.positions.size(), 6U);
   const auto normals = normals_of(smooth, 0);
   EXPECT_EQ(normals[0], Z);
   EXPECT_LT((normals[1] - Vec3f(-0.5F, 0, std::sqrt(0.75F))).length(), 1e-6);
   EXPECT_EQ(normals_of(smooth, 1)[0], normals[1]);
-  const grf::Mesh creased = mesh_of(bent(60, "creaseAngle 1.0"));
+  const grf::Mesh creased = mesh_of_geometry(bent(60, "creaseAngle 1.0"));
   EXPECT_TRUE(creased.normals.empty());
   EXPECT_EQ(creased.positions.size(), 6U);
-  EXPECT_LT((normals_of(mesh_of(bent(60, "creaseAngle 1.1 ccw FALSE")), 0)[3] + normals[1]).length(), 1e-6);
+  EXPECT_LT((normals_of(mesh_of_geometry(bent(60, "creaseAngle 1.1 ccw FALSE")), 0)[3] + normals[1]).length(),
+            1e-6);
 }
 
 // Three sides of a box of 1, 2 and 3 meet at right angles, whatever their areas, and though one is cut in two
 // there.
 TEST(VrmlCreaseAngle, WeighsFacesByTheirAngle) {
-  const grf::Mesh mesh = mesh_of(
+  const grf::Mesh mesh = mesh_of_geometry(
       "IndexedFaceSet { creaseAngle 2 coord Coordinate { point [ 0 0 0, 1 0 0, 1 2 0, 0 2 0, 0 0 3, 1 0 3, 0 "
       "2 3 ] }"
       " coordIndex [ 0 3 2 1 -1 0 1 5 -1 0 5 4 -1 0 4 6 3 -1 ] }");
@@ -191,12 +184,12 @@ TEST(VrmlCreaseAngle, WeighsFacesByTheirAngle) {
 }
 
 TEST(VrmlCreaseAngle, OfHalfATurnSmoothsEverything) {
-  EXPECT_FALSE(mesh_of(bent(179.9, "creaseAngle 3.1416")).normals.empty());
-  EXPECT_TRUE(mesh_of(bent(179.9, "creaseAngle 3")).normals.empty());
+  EXPECT_FALSE(mesh_of_geometry(bent(179.9, "creaseAngle 3.1416")).normals.empty());
+  EXPECT_TRUE(mesh_of_geometry(bent(179.9, "creaseAngle 3")).normals.empty());
 }
 
 TEST(VrmlCreaseAngle, FacesWithoutAreaGetNoNormals) {
-  const grf::Mesh mesh = mesh_of(
+  const grf::Mesh mesh = mesh_of_geometry(
       "IndexedFaceSet { coord Coordinate { point [ 0 0 0 1 0 0 0 1 0 1 1 0 ] }"
       " coordIndex [ 0 1 2 -1 1 3 2 -1 0 0 1 ] creaseAngle 1 }");
   EXPECT_THAT(normals_of(mesh, 0), ElementsAre(Z, Z, Z));
@@ -213,7 +206,7 @@ TEST(VrmlSolids, AreClosedAndLookOutside) {
        {Solid{"Box { size 1 2 3 }", 22, 6}, Solid{"Sphere { radius 2 }", 16 * Pi, 32 * Pi / 3},
         Solid{"Cylinder { radius 2 height 3 }", 20 * Pi, 12 * Pi},
         Solid{"Cone { bottomRadius 3 height 4 }", 24 * Pi, 12 * Pi}}) {
-    const grf::Mesh mesh = mesh_of(solid.text);
+    const grf::Mesh mesh = mesh_of_geometry(solid.text);
     EXPECT_NEAR(area_of(mesh), solid.area, 0.02 * solid.area) << solid.text;
     EXPECT_NEAR(volume_of(mesh), solid.volume, 0.03 * solid.volume) << solid.text;
     EXPECT_LE(volume_of(mesh), solid.volume * 1.000001);
@@ -221,14 +214,14 @@ TEST(VrmlSolids, AreClosedAndLookOutside) {
     EXPECT_EQ(grf::summarize(*reading.scene).boundary_edges, 0U) << solid.text;
     EXPECT_TRUE(mesh.uvs.empty());
   }
-  EXPECT_EQ(mesh_of("Box {}").positions.size(), 8U);
-  EXPECT_EQ(mesh_of("Sphere {}").positions.size(), 2U + 15 * 32);
+  EXPECT_EQ(mesh_of_geometry("Box {}").positions.size(), 8U);
+  EXPECT_EQ(mesh_of_geometry("Sphere {}").positions.size(), 2U + 15 * 32);
   EXPECT_THAT(read_vrml97(shape("Cone {}") + shape("Sphere {}")).text(),
               HasSubstr("2 curved solids became polygons: they have 32 sides around"));
 }
 
 TEST(VrmlSolids, HaveNormalsOfTheirTrueShape) {
-  const grf::Mesh sphere = mesh_of("Sphere { radius 2 }");
+  const grf::Mesh sphere = mesh_of_geometry("Sphere { radius 2 }");
   for (std::size_t i = 0; i < sphere.positions.size(); ++i) {
     EXPECT_LT((sphere.normals[i] * 2.0F - sphere.positions[i]).length(), 1e-5);
   }
@@ -237,7 +230,7 @@ TEST(VrmlSolids, HaveNormalsOfTheirTrueShape) {
 // The slope of a cone of radius 3 and height 4 looks 4 parts outwards and 3 parts up, and so it does at the
 // apex, where each face looks to its middle.
 TEST(VrmlSolids, ConesHaveNormalsOfTheirSlope) {
-  const grf::Mesh cone = mesh_of("Cone { bottomRadius 3 height 4 bottom FALSE }");
+  const grf::Mesh cone = mesh_of_geometry("Cone { bottomRadius 3 height 4 bottom FALSE }");
   ASSERT_EQ(cone.face_count(), 32U);
   for (std::size_t i = 0; i < cone.face_count(); ++i) {
     const auto corners = corners_of(cone, i);
@@ -254,7 +247,7 @@ TEST(VrmlSolids, ConesHaveNormalsOfTheirSlope) {
 }
 
 TEST(VrmlSolids, CylindersHaveNormalsOutwardsAndFlatEnds) {
-  const grf::Mesh cylinder = mesh_of("Cylinder { radius 2 height 5 }");
+  const grf::Mesh cylinder = mesh_of_geometry("Cylinder { radius 2 height 5 }");
   ASSERT_EQ(cylinder.face_count(), 34U);
   for (std::size_t i = 0; i < 32; ++i) {
     const auto corners = corners_of(cylinder, i);
@@ -270,11 +263,11 @@ TEST(VrmlSolids, CylindersHaveNormalsOutwardsAndFlatEnds) {
 }
 
 TEST(VrmlSolids, LeaveOutPartsThatAreNotThere) {
-  EXPECT_EQ(mesh_of("Cylinder { top FALSE }").face_count(), 33U);
-  EXPECT_EQ(mesh_of("Cylinder { side FALSE bottom FALSE }").face_count(), 1U);
-  EXPECT_EQ(corners_of(mesh_of("Cylinder { side FALSE bottom FALSE height 6 }"), 0)[0].y, 3);
-  EXPECT_EQ(mesh_of("Cone { side FALSE }").face_count(), 1U);
-  EXPECT_THAT(error_of("Cone { side FALSE bottom FALSE }"), HasSubstr("the file has no faces"));
+  EXPECT_EQ(mesh_of_geometry("Cylinder { top FALSE }").face_count(), 33U);
+  EXPECT_EQ(mesh_of_geometry("Cylinder { side FALSE bottom FALSE }").face_count(), 1U);
+  EXPECT_EQ(corners_of(mesh_of_geometry("Cylinder { side FALSE bottom FALSE height 6 }"), 0)[0].y, 3);
+  EXPECT_EQ(mesh_of_geometry("Cone { side FALSE }").face_count(), 1U);
+  EXPECT_THAT(error_of_geometry("Cone { side FALSE bottom FALSE }"), HasSubstr("the file has no faces"));
 }
 
 TEST(VrmlSolids, WrapTexturesFromTheBack) {
@@ -300,58 +293,62 @@ const std::string Grid =
     "ElevationGrid { xDimension 3 zDimension 2 xSpacing 2 zSpacing 3 height [ 0 1 2 0 1 2 ] ";
 
 TEST(VrmlElevationGrid, LooksUp) {
-  const grf::Mesh mesh = mesh_of(Grid + "}");
+  const grf::Mesh mesh = mesh_of_geometry(Grid + "}");
   ASSERT_EQ(mesh.face_count(), 2U);
   EXPECT_EQ(mesh.positions.size(), 6U);
   EXPECT_THAT(corners_of(mesh, 0),
               ElementsAre(Vec3f(0, 0, 0), Vec3f(0, 0, 3), Vec3f(2, 1, 3), Vec3f(2, 1, 0)));
-  EXPECT_THAT(corners_of(mesh_of(Grid + "ccw FALSE }"), 0),
+  EXPECT_THAT(corners_of(mesh_of_geometry(Grid + "ccw FALSE }"), 0),
               ElementsAre(Vec3f(0, 0, 0), Vec3f(2, 1, 0), Vec3f(2, 1, 3), Vec3f(0, 0, 3)));
-  EXPECT_FALSE(mesh_of(Grid + "creaseAngle 0.1 }").normals.empty()) << "it is plane";
+  EXPECT_FALSE(mesh_of_geometry(Grid + "creaseAngle 0.1 }").normals.empty()) << "it is plane";
 }
 
 TEST(VrmlElevationGrid, HasWhatBelongsToVerticesAndFaces) {
   const std::string colours = "color Color { color [ 1 0 0 0 1 0 0 0 1 1 1 1 0 0 0 1 1 0 ] } ";
-  EXPECT_THAT(colours_of(mesh_of(Grid + colours + "}"), 0), ElementsAre(X, Colour(1), Colour(0), Y));
-  EXPECT_EQ(face_colour(mesh_of(Grid + colours + "colorPerVertex FALSE }"), 1), Y);
+  EXPECT_THAT(colours_of(mesh_of_geometry(Grid + colours + "}"), 0), ElementsAre(X, Colour(1), Colour(0), Y));
+  EXPECT_EQ(face_colour(mesh_of_geometry(Grid + colours + "colorPerVertex FALSE }"), 1), Y);
   const std::string normals = "normal Normal { vector [ 1 0 0 0 1 0 0 0 1 1 0 0 1 0 0 1 0 0 ] } ";
-  EXPECT_THAT(normals_of(mesh_of(Grid + normals + "}"), 1), ElementsAre(Y, X, X, Z));
-  EXPECT_THAT(normals_of(mesh_of(Grid + normals + "normalPerVertex FALSE }"), 1), ElementsAre(Y, Y, Y, Y));
+  EXPECT_THAT(normals_of(mesh_of_geometry(Grid + normals + "}"), 1), ElementsAre(Y, X, X, Z));
+  EXPECT_THAT(normals_of(mesh_of_geometry(Grid + normals + "normalPerVertex FALSE }"), 1),
+              ElementsAre(Y, Y, Y, Y));
   const grf::Mesh textured = mesh97(shape(Grid + "}", "texture ImageTexture { url \"a.png\" }"));
   EXPECT_THAT(uvs_of(textured, 1), ElementsAre(Vec2f(0.5F, 0), Vec2f(0.5F, 1), Vec2f(1, 1), Vec2f(1, 0)));
-  EXPECT_THAT(uvs_of(mesh_of(Grid + "texCoord TextureCoordinate { point [ 0 0 1 2 0 0 3 4 0 0 0 0 ] } }"), 0),
-              ElementsAre(Vec2f(0, 0), Vec2f(3, 4), Vec2f(0, 0), Vec2f(1, 2)));
+  EXPECT_THAT(
+      uvs_of(mesh_of_geometry(Grid + "texCoord TextureCoordinate { point [ 0 0 1 2 0 0 3 4 0 0 0 0 ] } }"),
+             0),
+      ElementsAre(Vec2f(0, 0), Vec2f(3, 4), Vec2f(0, 0), Vec2f(1, 2)));
 }
 
 TEST(VrmlElevationGrid, MustHaveAHeightForEachVertex) {
-  EXPECT_THAT(error_of("ElevationGrid { xDimension 2000000000 zDimension 2000000000 height [ 1 ] }"),
+  EXPECT_THAT(error_of_geometry("ElevationGrid { xDimension 2000000000 zDimension 2000000000 height [ 1 ] }"),
               HasSubstr("the field 'height' has 1 numbers, expected 2000000000 times 2000000000"));
-  EXPECT_THAT(error_of("ElevationGrid { xDimension 1.5 }"), HasSubstr("'xDimension' is a whole number"));
-  EXPECT_THAT(error_of(Grid + "color Color { color [ 1 0 0 ] } }"),
+  EXPECT_THAT(error_of_geometry("ElevationGrid { xDimension 1.5 }"),
+              HasSubstr("'xDimension' is a whole number"));
+  EXPECT_THAT(error_of_geometry(Grid + "color Color { color [ 1 0 0 ] } }"),
               HasSubstr("'color' has 1 values, expected 6"));
-  EXPECT_THAT(error_of("ElevationGrid { xDimension -1 zDimension -1 }"), HasSubstr("no faces"));
+  EXPECT_THAT(error_of_geometry("ElevationGrid { xDimension -1 zDimension -1 }"), HasSubstr("no faces"));
 }
 
 TEST(VrmlExtrusion, IsABoxByDefault) {
-  const grf::Mesh mesh = mesh_of("Extrusion {}");
+  const grf::Mesh mesh = mesh_of_geometry("Extrusion {}");
   EXPECT_EQ(mesh.face_count(), 6U);
   EXPECT_EQ(mesh.positions.size(), 8U);
   EXPECT_NEAR(volume_of(mesh), 4, 1e-6);
-  EXPECT_NEAR(volume_of(mesh_of("Extrusion { ccw FALSE }")), -4, 1e-6);
-  EXPECT_EQ(mesh_of("Extrusion { beginCap FALSE endCap FALSE }").face_count(), 4U);
-  EXPECT_FALSE(mesh_of("Extrusion { creaseAngle 2 }").normals.empty());
+  EXPECT_NEAR(volume_of(mesh_of_geometry("Extrusion { ccw FALSE }")), -4, 1e-6);
+  EXPECT_EQ(mesh_of_geometry("Extrusion { beginCap FALSE endCap FALSE }").face_count(), 4U);
+  EXPECT_FALSE(mesh_of_geometry("Extrusion { creaseAngle 2 }").normals.empty());
 }
 
 TEST(VrmlExtrusion, FollowsItsSpine) {
-  EXPECT_NEAR(volume_of(mesh_of("Extrusion { spine [ 0 0 0 0 2 0 ] scale [ 1 1 0.5 0.5 ] }")),
+  EXPECT_NEAR(volume_of(mesh_of_geometry("Extrusion { spine [ 0 0 0 0 2 0 ] scale [ 1 1 0.5 0.5 ] }")),
               2 * 4 * 1.75 / 3, 0.2);
-  EXPECT_NEAR(volume_of(mesh_of("Extrusion { spine [ 1 0 0 4 0 0 ] scale 2 1 }")), 3 * 8, 1e-5);
-  EXPECT_NEAR(volume_of(mesh_of("Extrusion { spine [ 0 0 0 0 -2 0 ] }")), 8, 1e-5);
-  EXPECT_NEAR(area_of(mesh_of("Extrusion { spine [ 0 0 0 0 0 2 ] orientation 0 1 0 0.7853981634 }")), 8 + 16,
-              1e-5);
+  EXPECT_NEAR(volume_of(mesh_of_geometry("Extrusion { spine [ 1 0 0 4 0 0 ] scale 2 1 }")), 3 * 8, 1e-5);
+  EXPECT_NEAR(volume_of(mesh_of_geometry("Extrusion { spine [ 0 0 0 0 -2 0 ] }")), 8, 1e-5);
+  EXPECT_NEAR(area_of(mesh_of_geometry("Extrusion { spine [ 0 0 0 0 0 2 ] orientation 0 1 0 0.7853981634 }")),
+              8 + 16, 1e-5);
   // About a corner, the cross-section stands on the line that halves its angle.
   const grf::Mesh bend =
-      mesh_of("Extrusion { spine [ 0 0 0 0 9 0 9 9 0 ] crossSection [ 1 1 1 -1 -1 -1 -1 1 1 1 ] }");
+      mesh_of_geometry("Extrusion { spine [ 0 0 0 0 9 0 9 9 0 ] crossSection [ 1 1 1 -1 -1 -1 -1 1 1 1 ] }");
   EXPECT_EQ(bend.face_count(), 10U);
   const auto on_line = [](const Vec3f& p) { return std::abs(p.x + p.y - 9) < 1e-5; };
   EXPECT_EQ(std::count_if(bend.positions.begin(), bend.positions.end(), on_line), 4);
@@ -362,7 +359,7 @@ TEST(VrmlExtrusion, FollowsItsSpine) {
 // standard keeps the cross-sections from turning over there. All of them stand upright on the plane of the
 // spine, so that the solid is as thick as they are, over the outline that their ends make.
 TEST(VrmlExtrusion, AlongASpineLikeAnSDoesNotTurnOver) {
-  const grf::Mesh mesh = mesh_of(
+  const grf::Mesh mesh = mesh_of_geometry(
       "Extrusion { spine [ 0 0 0, 0 2 0, 2 2 0, 2 4 0 ] crossSection [ 0.5 1, 0.5 -1, -0.5 -1, -0.5 1, 0.5 1 "
       "] }");
   const double d = 0.5 * std::sqrt(0.5);  // half of the width, on lines at 45 degrees
@@ -400,20 +397,24 @@ TEST(VrmlExtrusion, ThatIsClosedIsARing) {
 }
 
 TEST(VrmlExtrusion, ThatDegeneratesIsNoCrash) {
-  EXPECT_THAT(error_of("Extrusion { spine [ 0 0 0 ] }"), HasSubstr("no faces"));
-  EXPECT_THAT(error_of("Extrusion { spine [ ] crossSection [ ] }"), HasSubstr("no faces"));
-  EXPECT_EQ(mesh_of("Extrusion { spine [ 0 0 0 0 0 0 0 0 0 ] scale [ ] orientation [ ] }").face_count(), 10U);
-  EXPECT_EQ(mesh_of("Extrusion { spine [ 0 0 0 1 0 0 0 0 0 1 0 0 ] crossSection [ 0 0 1 0 ] }").face_count(),
+  EXPECT_THAT(error_of_geometry("Extrusion { spine [ 0 0 0 ] }"), HasSubstr("no faces"));
+  EXPECT_THAT(error_of_geometry("Extrusion { spine [ ] crossSection [ ] }"), HasSubstr("no faces"));
+  EXPECT_EQ(
+      mesh_of_geometry("Extrusion { spine [ 0 0 0 0 0 0 0 0 0 ] scale [ ] orientation [ ] }").face_count(),
+      10U);
+  EXPECT_EQ(mesh_of_geometry("Extrusion { spine [ 0 0 0 1 0 0 0 0 0 1 0 0 ] crossSection [ 0 0 1 0 ] }")
+                .face_count(),
             3U);
   std::string numbers;
   for (int i = 0; i < 3000; ++i) numbers += "0 0 0 1 2 3 ";
-  EXPECT_THAT(error_of("Extrusion { spine [ " + numbers + "] crossSection [ " + numbers + "] }"),
+  EXPECT_THAT(error_of_geometry("Extrusion { spine [ " + numbers + "] crossSection [ " + numbers + "] }"),
               HasSubstr("error: with this Extrusion, the solids of the file have more than 5000000 faces"));
 }
 
 TEST(VrmlGeometry, TooLargeForFloatsIsAnError) {
-  EXPECT_THAT(error_of("ElevationGrid { xDimension 3 zDimension 2 xSpacing 3e38 height [ 0 0 0 0 0 0 ] }"),
-              HasSubstr("error: the shape is too large for floats"));
+  EXPECT_THAT(
+      error_of_geometry("ElevationGrid { xDimension 3 zDimension 2 xSpacing 3e38 height [ 0 0 0 0 0 0 ] }"),
+      HasSubstr("error: the shape is too large for floats"));
 }
 
 }  // namespace

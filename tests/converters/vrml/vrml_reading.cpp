@@ -10,13 +10,6 @@ Reading read_text(std::string_view header, std::string_view text) {
   return read_path(folder.add("model.wrl", std::string(header) + "\n" + std::string(text)));
 }
 
-grf::Mesh only_mesh(const Reading& reading) {
-  EXPECT_TRUE(reading.scene.has_value()) << reading.text();
-  const auto meshes = reading.scene ? meshes_of(*reading.scene) : std::vector<grf::Mesh>();
-  EXPECT_EQ(meshes.size(), 1U);
-  return meshes.empty() ? grf::Mesh() : meshes.front();
-}
-
 }  // namespace
 
 Reading read_vrml97(std::string_view text) { return read_text("#VRML V2.0 utf8", text); }
@@ -40,6 +33,14 @@ std::vector<grf::Vec3f> corners_of(const grf::Mesh& mesh, std::size_t face) {
   std::vector<grf::Vec3f> corners;
   for (const std::uint32_t vertex : mesh.face(face)) corners.push_back(mesh.positions[vertex]);
   return corners;
+}
+
+std::vector<grf::Vec3f> normals_of(const grf::Mesh& mesh, std::size_t face) {
+  std::vector<grf::Vec3f> normals;
+  for (const std::uint32_t vertex : mesh.face(face)) {
+    normals.push_back(mesh.normals.has(vertex) ? mesh.normals[vertex] : grf::Vec3f(0));
+  }
+  return normals;
 }
 
 double area_of(const grf::Mesh& mesh) {

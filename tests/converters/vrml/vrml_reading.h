@@ -29,6 +29,13 @@ std::string square(std::string_view fields = {});
 /// The positions of a face's corners, in order.
 std::vector<grf::Vec3f> corners_of(const grf::Mesh& mesh, std::size_t face);
 
+/// The normals of a face's corners, in order; (0, 0, 0) where a corner has none.
+std::vector<grf::Vec3f> normals_of(const grf::Mesh& mesh, std::size_t face);
+
+inline const grf::Vec3f X(1, 0, 0);
+inline const grf::Vec3f Y(0, 1, 0);
+inline const grf::Vec3f Z(0, 0, 1);
+
 /// The area of all faces together, and the sum of what they enclose: positive if their fronts are outside.
 double area_of(const grf::Mesh& mesh);
 double volume_of(const grf::Mesh& mesh);

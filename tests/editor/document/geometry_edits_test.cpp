@@ -12,7 +12,7 @@ namespace editor {
 namespace {
 
 /// Two quads that meet at a right angle, and a mesh that is used twice.
-const std::string Scene = R"(def tile = begin mesh
+const std::string SceneOfSquares = R"(def tile = begin mesh
   begin vertexs
     (0, 0, 0) (1, 0, 0) (0, 1, 0)
   end vertexs
@@ -40,7 +40,7 @@ end
 
 class GeometryEdits : public testing::Test {
  protected:
-  GeometryEdits() { document_.take(scene_of(Scene), {}, {}); }
+  GeometryEdits() { document_.take(scene_of(SceneOfSquares), {}, {}); }
 
   void select(std::initializer_list<FaceId> faces) {
     FaceSelection selection(document_.objects());
@@ -123,7 +123,7 @@ TEST_F(GeometryEdits, DeleteFacesAndMeshesWithoutAny) {
   EXPECT_EQ(document_.objects().meshes[0].mesh->positions.size(), 4U);
   EXPECT_TRUE(document_.selection().empty());
   document_.undo_stack().undo();
-  EXPECT_EQ(document_.scene(), scene_of(Scene));
+  EXPECT_EQ(document_.scene(), scene_of(SceneOfSquares));
   EXPECT_EQ(document_.selection().count(), 2U);
 }
 

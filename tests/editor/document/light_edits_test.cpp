@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string Scene = R"(def tile = begin mesh
+const std::string SceneOfLights = R"(def tile = begin mesh
   begin vertexs
     (0, 0, 0) (1, 0, 0) (1, 1, 0) (0, 1, 0)
   end vertexs
@@ -52,7 +52,7 @@ end
 
 class LightEdits : public testing::Test {
  protected:
-  LightEdits() { document_.take(scene_of(Scene), {}, {}); }
+  LightEdits() { document_.take(scene_of(SceneOfLights), {}, {}); }
 
   void take(std::optional<grf::Scene> scene) {
     ASSERT_TRUE(scene) << diagnostics_.to_text();
@@ -118,7 +118,7 @@ TEST_F(LightEdits, LightsAreAddedChangedAndRemoved) {
   take(change_light(document_.scene(), objects().lights[1].path, larger, diagnostics_));
   EXPECT_EQ(world_area(objects().lights[1]), 8);
   take(remove_objects(document_.scene(), {objects().lights[1].path}, diagnostics_));
-  EXPECT_EQ(document_.scene(), scene_of(Scene));
+  EXPECT_EQ(document_.scene(), scene_of(SceneOfLights));
   EXPECT_FALSE(change_light(document_.scene(), grf::ScenePath{0, 2}, light, diagnostics_));
 }
 

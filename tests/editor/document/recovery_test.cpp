@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string Triangle = R"(begin vertexs
+const std::string TriangleLists = R"(begin vertexs
     (0, 0, 0) (1, 0, 0) (0, 1, 0)
   end vertexs
   begin faces
@@ -33,9 +33,9 @@ class RecoveryTest : public testing::Test {
  protected:
   RecoveryTest() {
     folder_.add("scene/main.grf", "include \"../parts/part.grf\"\nbegin mesh \"a\"\n  texture \"a.png\"\n  " +
-                                      Triangle + "end mesh\n");
-    part_ =
-        folder_.add("parts/part.grf", "begin mesh \"b\"\n  texture \"b.png\"\n  " + Triangle + "end mesh\n");
+                                      TriangleLists + "end mesh\n");
+    part_ = folder_.add("parts/part.grf",
+                        "begin mesh \"b\"\n  texture \"b.png\"\n  " + TriangleLists + "end mesh\n");
     grf::Diagnostics diagnostics;
     const std::string path = folder_.path("scene/main.grf");
     auto scene = grf::read(path, diagnostics);

@@ -53,7 +53,7 @@ SceneObjects rich_cube(const QTemporaryDir& folder) {
   return objects_of(*scene, path);
 }
 
-ViewCamera from_the_corner() {
+ViewCamera from_a_corner() {
   transport::View view;
   view.eye = Vec3d(2.5, 2, 4);
   view.field_of_view = 40;
@@ -62,7 +62,7 @@ ViewCamera from_the_corner() {
 
 TEST(DisplayModes, EachDrawsSomethingElse) {
   const QTemporaryDir folder;
-  ShownView shown(rich_cube(folder), from_the_corner());
+  ShownView shown(rich_cube(folder), from_a_corner());
   ASSERT_TRUE(shown.is_shown);
   std::map<DisplayMode, QImage> images;
   for (const DisplayMode mode :
@@ -108,7 +108,7 @@ TEST(DisplayModes, IrradianceIsInItsOwnColour) {
 
 TEST(DisplayModes, NormalsAreDrawnAsLines) {
   const QTemporaryDir folder;
-  ShownView shown(rich_cube(folder), from_the_corner());
+  ShownView shown(rich_cube(folder), from_a_corner());
   const QImage without = grab(shown, DisplayMode::Solid);
   shown.view.set_face_normals(true);
   ASSERT_TRUE(shown.complete());
