@@ -18,6 +18,8 @@
 #include <sys/resource.h>
 
 #include "converters/format.h"
+#include "grf/read.h"
+#include "grf/write.h"
 #include "tests/cli/grfconvert.h"
 #include "tests/cli/mutation.h"
 #include "tests/support/paths.h"
@@ -124,7 +126,7 @@ std::string add_mutant(const Seed& seed, const std::string& name, const test::Te
 
 /// What became of the mutants of one format.
 struct Fates {
-  std::size_t converted = 0;
+  std::vector<std::string> converted;  ///< the scenes that were made
   std::size_t refused = 0;
   std::vector<std::string> crashed;
   std::vector<std::string> late;
@@ -180,8 +182,10 @@ Fates convert_mutants(const std::vector<std::string>& paths, const test::Tempora
 
   const std::set<std::string> all(paths.begin(), paths.end());
   std::set<std::string> told;
-  for (const auto& conversion : report["conversions"]) told.insert(conversion["input"].get<std::string>());
-  fates.converted = told.size();
+  for (const auto& conversion : report["conversions"]) {
+    told.insert(conversion["input"].get<std::string>());
+    fates.converted.push_back(conversion["output"].get<std::string>());
+  }
   const auto errors = errors_of(outcome.err, folder);
   for (const std::string path : report["failed"]) {
     EXPECT_TRUE(told.insert(path).second) << path << " is converted and failed";
@@ -194,6 +198,24 @@ Fates convert_mutants(const std::vector<std::string>& paths, const test::Tempora
   EXPECT_EQ(told, all) << "each file is converted, or failed";
   EXPECT_EQ(outcome.exit_code, report["failed"].empty() ? 0 : 1);
   return fates;
+}
+
+/// What was made of a damaged file is a scene like any other: it reads, is the same once it is written again,
+/// and the check accepts it.
+void expect_sound(const std::vector<std::string>& scenes) {
+  for (const std::string& path : scenes) {
+    grf::Diagnostics diagnostics;
+    const auto scene = grf::read(path, diagnostics);
+    EXPECT_TRUE(scene.has_value()) << path << '\n' << diagnostics.to_text();
+    if (!scene) continue;
+    const auto again = grf::read_text(grf::to_text(*scene), path, diagnostics);
+    EXPECT_TRUE(again && *again == *scene) << path << '\n' << diagnostics.to_text();
+  }
+  if (scenes.empty()) return;
+  std::vector<std::string> arguments = {"check", "--quiet"};
+  arguments.insert(arguments.end(), scenes.begin(), scenes.end());
+  const test::Outcome outcome = test::grfconvert(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 /// Those that no part of Assimp reads.
@@ -219,20 +241,52 @@ TEST_P(MutatedFiles, AreConvertedOrRefused) {
   }
   const Fates fates = convert_mutants(paths, folder);
   fmt::print("{}: {} files, {} converted, {} refused, {} crashed, {} late, {} out of memory\n", GetParam(),
-             paths.size(), fates.converted, fates.refused, fates.crashed.size(), fates.late.size(),
+             paths.size(), fates.converted.size(), fates.refused, fates.crashed.size(), fates.late.size(),
              fates.hungry.size());
   if (is_read_by_us(GetParam())) {
     EXPECT_THAT(fates.crashed, testing::IsEmpty());
     EXPECT_THAT(fates.late, testing::IsEmpty());
     EXPECT_THAT(fates.hungry, testing::IsEmpty());
   }
-  EXPECT_EQ(fates.converted + fates.refused + fates.crashed.size() + fates.late.size() + fates.hungry.size(),
-            paths.size());
+  expect_sound(fates.converted);
+  EXPECT_EQ(
+      fates.converted.size() + fates.refused + fates.crashed.size() + fates.late.size() + fates.hungry.size(),
+      paths.size());
   rusage used = {};
   ASSERT_EQ(::getrusage(RUSAGE_CHILDREN, &used), 0);
   if (test::LimitsMemory) {
     EXPECT_LT(used.ru_maxrss, MostMemory);
   }
+}
+
+class CutFiles : public testing::TestWithParam<std::string> {};
+
+/// Text of STL says nowhere how much of it there is.
+bool has_counts(const std::string& format, const std::string& bytes) {
+  return format != "stl" || bytes.find('\0') != std::string::npos;
+}
+
+// The file says how much of it there is, in a count or a size: what is cut off is missed.
+TEST_P(CutFiles, AreErrors) {
+  const convert::Format& format = *convert::find_format(GetParam());
+  const test::TemporaryFolder written;
+  write_seeds(written);
+  const test::TemporaryFolder folder;
+  std::size_t cut = 0;
+  for (const Seed& seed : find_seeds(format, written)) {
+    const std::string bytes = test::bytes_of(seed.path);
+    if (!has_counts(GetParam(), bytes)) continue;
+    for (const std::size_t quarters : {1U, 2U, 3U}) {
+      const std::string name = fmt::format("cut_{}", cut++);
+      const std::string path = add_copy(seed, name, folder, [&](std::size_t index, const std::string& whole) {
+        return index < seed.companions.size() ? whole : whole.substr(0, whole.size() * quarters / 4);
+      });
+      grf::Diagnostics diagnostics;
+      EXPECT_FALSE(format.read(path, {}, diagnostics).has_value()) << seed.path << ' ' << quarters;
+      EXPECT_TRUE(diagnostics.has_errors()) << seed.path << ' ' << quarters;
+    }
+  }
+  EXPECT_GT(cut, 0U);
 }
 
 std::vector<std::string> formats_that_are_read() {
@@ -245,6 +299,8 @@ std::vector<std::string> formats_that_are_read() {
 
 std::string name_of(const testing::TestParamInfo<std::string>& info) { return "Of_" + info.param; }
 
+INSTANTIATE_TEST_SUITE_P(OfFormat, CutFiles, testing::Values("ply", "off", "stl", "glb", "3ds", "lwo"),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(OfFormat, MutatedFiles, testing::ValuesIn(formats_that_are_read()), name_of);
 
 }  // namespace

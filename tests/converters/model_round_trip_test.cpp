@@ -108,6 +108,7 @@ std::vector<std::string> model_paths() {
   // Those that are no models are known by tests of each format.
   const auto is_unreadable = [](const std::string& path) { return !read_path(path).scene.has_value(); };
   paths.erase(std::remove_if(paths.begin(), paths.end(), is_unreadable), paths.end());
+  EXPECT_GT(paths.size(), 300U) << "without models there is nothing to compare";
   return paths;
 }
 
@@ -134,6 +135,7 @@ grf::Scene through(const char* format, const std::string& file, const grf::Scene
 void expect_same_faces(const std::string& path, const char* format, const std::string& file,
                        const grf::Scene& scene) {
   const std::vector<Face> expected = faces_of(scene);
+  ASSERT_FALSE(expected.empty()) << path;
   const std::vector<Face> faces = faces_of(through(format, file, scene));
   ASSERT_EQ(faces.size(), expected.size()) << path << " by way of " << format;
   const ModelCount counted = count_of(scene);
@@ -157,9 +159,7 @@ TEST(ModelRoundTrip, ObjAndPlyKeepWhatCornersHave) {
 }
 
 TEST(ModelRoundTrip, GltfKeepsTheScene) {
-  const std::vector<std::string> paths = model_paths();
-  EXPECT_GT(paths.size(), 300U);
-  for (const std::string& path : paths) {
+  for (const std::string& path : model_paths()) {
     const test::TemporaryFolder folder;
     const grf::Scene scene = as_grf(path, folder);
     EXPECT_TRUE(through("gltf", folder.path("again.gltf"), scene) == scene) << path;

@@ -315,5 +315,16 @@ TEST_F(BrokenScene, EmbeddedImagesAreFiles) {
   EXPECT_EQ(import->files[0].bytes, std::string("PNG\0\1\2\3", 7));
 }
 
+TEST(Lwo, EveryCutIsAnError) {
+  const std::string whole =
+      test::bytes_of("/usr/share/assimp/models/LWO/LWO2/MappingModes/earth_spherical_y.lwo");
+  ASSERT_TRUE(read_bytes("a.lwo", whole).scene.has_value());
+  for (std::size_t size = 0; size < whole.size(); size += 97) {
+    const Reading reading = read_bytes("a.lwo", std::string_view(whole).substr(0, size));
+    EXPECT_FALSE(reading.scene.has_value()) << size;
+    EXPECT_TRUE(reading.diagnostics.has_errors()) << size;
+  }
+}
+
 }  // namespace
 }  // namespace convert
