@@ -15,6 +15,7 @@
 #include "grf/write.h"
 #include "tests/converters/assimp/collada_file.h"
 #include "tests/converters/reading.h"
+#include "tests/support/temporary_folder.h"
 
 namespace convert {
 namespace {

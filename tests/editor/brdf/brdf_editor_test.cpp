@@ -9,16 +9,12 @@
 #include "editor/brdf/parameter_row.h"
 #include "editor/controls/scaled_slider.h"
 #include "grf/read.h"
+#include "tests/editor/brdf/brdf_of.h"
 
 namespace editor {
 namespace {
 
 using Models = std::vector<grf::BrdfModel>;
-
-grf::BrdfModel brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  return *grf::read_brdf(text, "test", diagnostics);
-}
 
 class Editor : public testing::Test {
  protected:
@@ -46,7 +42,7 @@ TEST_F(Editor, FitsANarrowDockWithEachModelAndView) {
 }
 
 TEST_F(Editor, MovesTheViewsWhileASliderIsDragged) {
-  editor.set_models({brdf("diffuse kd=0.2")});
+  editor.set_models({brdf_model("diffuse kd=0.2")});
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return editor.sphere().image().side > 0 && !editor.sphere().is_busy(); }, 20000));
   const auto middle = [&] {
@@ -71,7 +67,7 @@ TEST_F(Editor, MovesTheViewsWhileASliderIsDragged) {
 }
 
 TEST_F(Editor, UnfoldsInALargeWindow) {
-  editor.set_models({brdf("ward")});
+  editor.set_models({brdf_model("ward")});
   EXPECT_FALSE(editor.is_unfolded());
   editor.resize(1400, 900);
   ASSERT_TRUE(QTest::qWaitFor([&] { return editor.is_unfolded(); }));
@@ -80,12 +76,12 @@ TEST_F(Editor, UnfoldsInALargeWindow) {
 }
 
 TEST_F(Editor, TakesABrdfFromTheLibraryForAll) {
-  editor.set_models({brdf("ward"), brdf("phong")});
+  editor.set_models({brdf_model("ward"), brdf_model("phong")});
   editor.set_view(BrdfEditor::View::Library);
   Models taken;
   QObject::connect(&editor, &BrdfEditor::edited, [&](const Models& models) { taken = models; });
-  emit editor.library().chosen(brdf("oren s=0.5"), {});
-  EXPECT_THAT(taken, testing::ElementsAre(brdf("oren s=0.5"), brdf("oren s=0.5")));
+  emit editor.library().chosen(brdf_model("oren s=0.5"), {});
+  EXPECT_THAT(taken, testing::ElementsAre(brdf_model("oren s=0.5"), brdf_model("oren s=0.5")));
   EXPECT_EQ(editor.models(), taken);
 }
 
@@ -93,14 +89,14 @@ TEST_F(Editor, SaysWhyABrdfIsNotShown) {
   const auto said = [this] { return editor.sphere().accessibleDescription(); };
   editor.set_models({});
   EXPECT_EQ(said(), "Select faces to see their BRDF.");
-  editor.set_models({brdf("ward sx=-2")});
+  editor.set_models({brdf_model("ward sx=-2")});
   EXPECT_TRUE(said().contains("'sx' of 'ward'")) << said().toStdString();
   EXPECT_EQ(editor.lobe().accessibleDescription(), said());
-  editor.set_models({brdf("wrad")});
+  editor.set_models({brdf_model("wrad")});
   EXPECT_TRUE(said().contains("'wrad'")) << said().toStdString();
   const auto* chooser = editor.form().findChild<QComboBox*>();
   EXPECT_EQ(chooser->lineEdit()->placeholderText(), "wrad (unknown)");
-  editor.set_models({brdf("ward")});
+  editor.set_models({brdf_model("ward")});
   EXPECT_EQ(said(), "");
 }
 

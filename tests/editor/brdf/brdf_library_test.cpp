@@ -14,14 +14,10 @@
 #include "editor/document/brdf_mime.h"
 #include "grf/read.h"
 #include "renderer/reflectance/presets.h"
+#include "tests/editor/brdf/brdf_of.h"
 
 namespace editor {
 namespace {
-
-grf::BrdfModel brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  return *grf::read_brdf(text, "test", diagnostics);
-}
 
 QToolButton* button_of(const QWidget& widget, const QString& name) {
   for (QToolButton* button : widget.findChildren<QToolButton*>()) {
@@ -40,7 +36,7 @@ int row_of(const LibraryList& list, const QString& name) {
 TEST(LibraryFolder, KeepsBrdfsAsGrfText) {
   const QTemporaryDir home;
   const LibraryFolder folder(home.filePath("brdfs"));
-  const grf::BrdfModel ward = brdf("ward sx=0.1 kd=(0.1, 0.2, 0.3)");
+  const grf::BrdfModel ward = brdf_model("ward sx=0.1 kd=(0.1, 0.2, 0.3)");
   EXPECT_EQ(folder.add("red", ward), "");
   EXPECT_EQ(folder.free_name("red"), "red 2");
   EXPECT_EQ(folder.free_name("a/b"), "a-b");
@@ -79,7 +75,7 @@ TEST(BrdfLibrary, ShowsPresetsWithPictures) {
 
 TEST(BrdfLibrary, PicturesStandOutFromTheirTiles) {
   BrdfLibrary library;
-  library.set_definitions({{"white", brdf("diffuse kd=1"), {}, {}}});
+  library.set_definitions({{"white", brdf_model("diffuse kd=1"), {}, {}}});
   library.resize(360, 400);
   library.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
@@ -125,7 +121,7 @@ TEST(BrdfLibrary, KeepsRenamesAndRemoves) {
   auto* add = button_of(library, "Keep the BRDF in the library");
   EXPECT_FALSE(add->isEnabled());
   EXPECT_FALSE(add->toolTip().isEmpty());
-  library.set_current(brdf("oren s=0.4"), "clay");
+  library.set_current(brdf_model("oren s=0.4"), "clay");
   QTest::mouseClick(add, Qt::LeftButton);
   EXPECT_TRUE(QFile::exists(home.filePath("mine/clay.brdf")));
   ASSERT_EQ(library.list().current_entry()->name, "clay");
@@ -140,13 +136,13 @@ TEST(BrdfLibrary, KeepsRenamesAndRemoves) {
 
 TEST(BrdfLibrary, SharesDefinitionsByName) {
   BrdfLibrary library;
-  library.set_definitions({{"red-paint", brdf("ward kd=(0.8, 0.1, 0.1)"), {}, {}}});
+  library.set_definitions({{"red-paint", brdf_model("ward kd=(0.8, 0.1, 0.1)"), {}, {}}});
   const int row = row_of(library.list(), "red-paint");
   ASSERT_GE(row, 0);
   const std::unique_ptr<QMimeData> mime(library.list().mimeData({library.list().item(row)}));
   EXPECT_EQ(mime->data(BrdfNameMimeType), "red-paint");
   grf::Diagnostics diagnostics;
-  EXPECT_EQ(brdf_of(*mime, reflectance::brdf_infos(), diagnostics), brdf("ward kd=(0.8, 0.1, 0.1)"));
+  EXPECT_EQ(brdf_of(*mime, reflectance::brdf_infos(), diagnostics), brdf_model("ward kd=(0.8, 0.1, 0.1)"));
 }
 
 }  // namespace

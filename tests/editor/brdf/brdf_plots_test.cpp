@@ -16,18 +16,10 @@
 #include "grf/read.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/presets.h"
+#include "tests/editor/brdf/brdf_of.h"
 
 namespace editor {
 namespace {
-
-SharedBrdf brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  const auto model = grf::read_brdf(text, "test", diagnostics);
-  EXPECT_TRUE(model) << diagnostics.to_text();
-  const MadeBrdf made = made_brdf(*model, {});
-  EXPECT_TRUE(made.brdf);
-  return made.brdf;
-}
 
 grf::PdfModel pdf(const std::string& text) {
   grf::Diagnostics diagnostics;
@@ -36,7 +28,7 @@ grf::PdfModel pdf(const std::string& text) {
 
 TEST(LobeCurves, AreWhatTheBrdfIs) {
   for (const reflectance::Preset& preset : reflectance::thesis_models().presets) {
-    const SharedBrdf one = brdf(std::string(preset.brdf));
+    const SharedBrdf one = made_brdf_of(std::string(preset.brdf));
     const LobeCurves curves = lobe_curves(*one, {0, 60}, {}, {});
     ASSERT_EQ(curves.curves.size(), 2U);
     for (const LobeCurve& curve : curves.curves) {
@@ -51,7 +43,7 @@ TEST(LobeCurves, AreWhatTheBrdfIs) {
 }
 
 TEST(LobeCurves, HaveTheDensityOfAScheme) {
-  const SharedBrdf ward = brdf("ward sx=0.2");
+  const SharedBrdf ward = made_brdf_of("ward sx=0.2");
   const LobeCurves curves = lobe_curves(*ward, {30}, pdf("diffuse"), {});
   const LobeCurve& curve = curves.curves.front();
   ASSERT_EQ(curve.densities.size(), curve.degrees.size());
@@ -65,7 +57,7 @@ TEST(LobeCurves, HaveTheDensityOfAScheme) {
 }
 
 TEST(AlbedoCurve, WarnsOfGainInTheModelsWords) {
-  const SharedBrdf minnaert = brdf("minnaert k=0.8 kd=1");
+  const SharedBrdf minnaert = made_brdf_of("minnaert k=0.8 kd=1");
   const AlbedoCurve curve = albedo_curve(*minnaert, 1024, {});
   EXPECT_NEAR(curve.along_x.front().x, 1.111, 0.01);
   EXPECT_GT(curve.largest.albedo, 1.5F);
@@ -73,7 +65,7 @@ TEST(AlbedoCurve, WarnsOfGainInTheModelsWords) {
   EXPECT_TRUE(words.is_warning);
   const auto info = reflectance::info_of<reflectance::Minnaert>();
   EXPECT_TRUE(words.text.contains(QString::fromStdString(std::string(info.not_conserving))));
-  const SharedBrdf matte = brdf("diffuse kd=0.5");
+  const SharedBrdf matte = made_brdf_of("diffuse kd=0.5");
   EXPECT_FALSE(energy_words(*matte, albedo_curve(*matte, 256, {}).largest).is_warning);
 }
 
@@ -102,7 +94,7 @@ TEST_F(Plots, SayWhatToDoWithoutABrdf) {
 }
 
 TEST_F(Plots, DrawTheValuesInAllKinds) {
-  const SharedBrdf one = brdf("phong n=30 ks=0.4 kd=(0.6, 0.3, 0.1)");
+  const SharedBrdf one = made_brdf_of("phong n=30 ks=0.4 kd=(0.6, 0.3, 0.1)");
   plots.set_brdf(one);
   ASSERT_TRUE(settles());
   EXPECT_EQ(plot().legend->itemCount(), 4);
@@ -119,7 +111,7 @@ TEST_F(Plots, DrawTheValuesInAllKinds) {
 }
 
 TEST_F(Plots, TakeViewsAndScheme) {
-  plots.set_brdf(brdf("ward"));
+  plots.set_brdf(made_brdf_of("ward"));
   plots.set_views({0, 45});
   plots.set_scheme(pdf("hemisphere exp=20"));
   ASSERT_TRUE(settles());
@@ -128,7 +120,7 @@ TEST_F(Plots, TakeViewsAndScheme) {
 }
 
 TEST_F(Plots, FollowTheLatestBrdfAlone) {
-  for (int i = 1; i <= 20; ++i) plots.set_brdf(brdf("diffuse kd=" + std::to_string(0.05 * i)));
+  for (int i = 1; i <= 20; ++i) plots.set_brdf(made_brdf_of("diffuse kd=" + std::to_string(0.05 * i)));
   QSignalSpy updated(&plots, &BrdfPlots::updated);
   ASSERT_TRUE(settles());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !plots.curves().curves.empty(); }));
@@ -137,7 +129,7 @@ TEST_F(Plots, FollowTheLatestBrdfAlone) {
 }
 
 TEST_F(Plots, AreWritten) {
-  plots.set_brdf(brdf("ward"));
+  plots.set_brdf(made_brdf_of("ward"));
   ASSERT_TRUE(settles());
   const QTemporaryDir folder;
   for (const char* ending : {"svg", "png", "pdf", "csv"}) {

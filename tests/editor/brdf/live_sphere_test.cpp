@@ -9,21 +9,17 @@
 #include "editor/brdf/made_brdf.h"
 #include "grf/read.h"
 #include "renderer/reflectance/presets.h"
+#include "tests/editor/brdf/brdf_of.h"
 
 namespace editor {
 namespace {
 
 using reflectance::Vec3f;
 
-SharedBrdf brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  return made_brdf(*grf::read_brdf(text, "test", diagnostics), {}).brdf;
-}
-
 /// Pixels that differ by more than a hundredth, of the two ways to shade.
 int differing(SphereShader& shader, const std::string& text) {
   SphereScene scene;
-  scene.brdf = brdf(text);
+  scene.brdf = made_brdf_of(text);
   scene.side = 48;
   scene.light.normalize();
   const auto by_glsl = shader.shade(scene, 16, StopFlag());
@@ -86,7 +82,7 @@ TEST(Displayed, IsEncodedAsSrgbWithExposure) {
 
 TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
   SphereScene scene;
-  scene.brdf = brdf("diffuse kd=1");
+  scene.brdf = made_brdf_of("diffuse kd=1");
   scene.side = 65;
   scene.light = Vec3f(0, 0, 1);
   const SphereImage with_light = shade_by_cpp(scene, 64, {});
@@ -99,7 +95,7 @@ TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
 TEST(LiveSphere, FollowsThePointerAndTheKeys) {
   LiveSphere sphere;
   sphere.resize(200, 200);
-  sphere.set_brdf(brdf("ward sx=0.1"));
+  sphere.set_brdf(made_brdf_of("ward sx=0.1"));
   sphere.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&sphere));
   ASSERT_TRUE(QTest::qWaitFor([&] { return sphere.image().side > 0 && !sphere.is_busy(); }, 20000));

@@ -10,17 +10,13 @@
 #include "editor/appearance/theme.h"
 #include "editor/brdf/made_brdf.h"
 #include "grf/read.h"
+#include "tests/editor/brdf/brdf_of.h"
 
 namespace editor {
 namespace {
 
-SharedBrdf brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  return made_brdf(*grf::read_brdf(text, "test", diagnostics), {}).brdf;
-}
-
 TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
-  const SharedBrdf ward = brdf("ward sx=0.2 sy=0.4");
+  const SharedBrdf ward = made_brdf_of("ward sx=0.2 sy=0.4");
   for (const double view : {0.0, 45.0, 85.0}) {
     const LobeMesh mesh = lobe_mesh(*ward, view, false, false, {});
     ASSERT_EQ(mesh.values.size(), mesh.directions.size());
@@ -36,7 +32,7 @@ TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
 
 TEST(LobeMesh, CoversTheHemisphere) {
   // Of diffuse it is half a sphere: its volume says whether all of it is there, and the right way out.
-  const LobeMesh mesh = lobe_mesh(*brdf("diffuse"), 60, false, false, {});
+  const LobeMesh mesh = lobe_mesh(*made_brdf_of("diffuse"), 60, false, false, {});
   double volume = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
     const auto& a = mesh.positions[mesh.triangles[i]];
@@ -50,7 +46,7 @@ TEST(LobeMesh, CoversTheHemisphere) {
 TEST(LobeView, DrawsTheLobeAndIsOrbited) {
   LobeView view;
   view.resize(320, 240);
-  view.set_brdf(brdf("phong n=20 ks=0.5"));
+  view.set_brdf(made_brdf_of("phong n=20 ks=0.5"));
   view.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_busy() && view.mesh().peak > 0; }));

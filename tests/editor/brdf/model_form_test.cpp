@@ -16,18 +16,12 @@
 #include "grf/read.h"
 #include "grf/write.h"
 #include "renderer/reflectance/scheme.h"
+#include "tests/editor/brdf/brdf_of.h"
 
 namespace editor {
 namespace {
 
 using Models = std::vector<grf::BrdfModel>;
-
-grf::BrdfModel brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  auto model = grf::read_brdf(text, "test", diagnostics);
-  EXPECT_TRUE(model) << diagnostics.to_text();
-  return *model;
-}
 
 /// What a form reported.
 struct Reports {
@@ -103,7 +97,7 @@ TEST(BrdfForm, KeepsTheDefaultsThatAreTypedIn) {
     }
     form.set_models({model});
     EXPECT_TRUE(form.mistakes().empty()) << info.keyword;
-    EXPECT_EQ(brdf(grf::to_text(form.models().front())), model);
+    EXPECT_EQ(brdf_model(grf::to_text(form.models().front())), model);
     const reflectance::Vec3f u(0.6F, 0, 0.8F);
     const reflectance::Vec3f v(-0.48F, 0.36F, 0.8F);
     EXPECT_EQ(reflectance::evaluate(*before, u, v),
@@ -114,7 +108,7 @@ TEST(BrdfForm, KeepsTheDefaultsThatAreTypedIn) {
 TEST(BrdfForm, ReportsADragManyTimesAndItsEndOnce) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("ward sx=0.2")});
+  form.set_models({brdf_model("ward sx=0.2")});
   Reports reports(form);
   auto* slider = row_of(form, "ks")->findChild<ScaledSlider*>();
   const int y = slider->height() / 2;
@@ -131,17 +125,17 @@ TEST(BrdfForm, ReportsADragManyTimesAndItsEndOnce) {
 TEST(BrdfForm, ShowsWhereADefaultComesFrom) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("ward sx=0.2")});
+  form.set_models({brdf_model("ward sx=0.2")});
   EXPECT_EQ(box_of(form, "sy")->text(), "0.2");
   type(box_of(form, "sx"), "0.1*3");
   EXPECT_EQ(box_of(form, "sy")->text(), "0.3");
-  EXPECT_EQ(form.models()[0], brdf("ward sx=0.3"));
+  EXPECT_EQ(form.models()[0], brdf_model("ward sx=0.3"));
 }
 
 TEST(BrdfForm, TakesDegrees) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("oren")});
+  form.set_models({brdf_model("oren")});
   type(box_of(form, "s"), "18deg");
   EXPECT_EQ(box_of(form, "s")->full_text(), "0.3141593 rad");
 }
@@ -149,11 +143,11 @@ TEST(BrdfForm, TakesDegrees) {
 TEST(BrdfForm, SaysWhatCheckSaysAndReportsWhenItIsRight) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("ward")});
+  form.set_models({brdf_model("ward")});
   Reports reports(form);
   type(box_of(form, "sx"), "11");
   grf::Diagnostics diagnostics;
-  EXPECT_FALSE(grf::check(brdf("ward sx=11"), reflectance::brdf_infos(), "BRDF", diagnostics));
+  EXPECT_FALSE(grf::check(brdf_model("ward sx=11"), reflectance::brdf_infos(), "BRDF", diagnostics));
   const QString expected = QString::fromStdString(diagnostics.entries()[0].message);
   EXPECT_THAT(form.mistakes(), testing::ElementsAre(expected));
   EXPECT_EQ(box_of(form, "sx")->message(), expected);
@@ -170,7 +164,7 @@ TEST(BrdfForm, SaysWhatCheckSaysAndReportsWhenItIsRight) {
 TEST(BrdfForm, SaysWhatIsWrongTogether) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("lafortune n=100")});
+  form.set_models({brdf_model("lafortune n=100")});
   Reports reports(form);
   type(box_of(form, "Cz"), "5");
   ASSERT_EQ(form.mistakes().size(), 1U);
@@ -178,19 +172,19 @@ TEST(BrdfForm, SaysWhatIsWrongTogether) {
   type(box_of(form, "n"), "10");
   EXPECT_TRUE(form.mistakes().empty());
   ASSERT_EQ(reports.edited.size(), 1U);
-  EXPECT_EQ(reports.edited[0][0], brdf("lafortune n=10 Cz=5"));
+  EXPECT_EQ(reports.edited[0][0], brdf_model("lafortune n=10 Cz=5"));
 }
 
 TEST(BrdfForm, EditsAReflectanceAsRgb) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("diffuse kd=0.4")});
+  form.set_models({brdf_model("diffuse kd=0.4")});
   auto* split = row_of(form, "kd")->findChild<QToolButton*>();
   ASSERT_TRUE(split->isCheckable());
   QTest::mouseClick(split, Qt::LeftButton);
-  EXPECT_EQ(form.models()[0], brdf("diffuse kd=(0.4, 0.4, 0.4)"));
+  EXPECT_EQ(form.models()[0], brdf_model("diffuse kd=(0.4, 0.4, 0.4)"));
   type(box_of(form, "kd, green"), "1/4");
-  EXPECT_EQ(form.models()[0], brdf("diffuse kd=(0.4, 0.25, 0.4)"));
+  EXPECT_EQ(form.models()[0], brdf_model("diffuse kd=(0.4, 0.25, 0.4)"));
   QTest::mouseClick(split, Qt::LeftButton);
   EXPECT_FALSE(std::holds_alternative<grf::Colour>(form.models()[0].arguments[0].value));
 }
@@ -198,19 +192,20 @@ TEST(BrdfForm, EditsAReflectanceAsRgb) {
 TEST(BrdfForm, ShowsMixedValuesAndChangesOneOfAll) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("phong n=10 ks=0.3"), brdf("phong n=20 ks=0.3")});
+  form.set_models({brdf_model("phong n=10 ks=0.3"), brdf_model("phong n=20 ks=0.3")});
   EXPECT_FALSE(box_of(form, "n")->has_value());
   EXPECT_TRUE(box_of(form, "ks")->has_value());
   type(box_of(form, "ks"), "0.1");
-  EXPECT_THAT(form.models(), testing::ElementsAre(brdf("phong n=10 ks=0.1"), brdf("phong n=20 ks=0.1")));
-  form.set_models({brdf("phong"), brdf("ward")});
+  EXPECT_THAT(form.models(),
+              testing::ElementsAre(brdf_model("phong n=10 ks=0.1"), brdf_model("phong n=20 ks=0.1")));
+  form.set_models({brdf_model("phong"), brdf_model("ward")});
   EXPECT_TRUE(form.findChildren<ParameterRow*>().empty() || row_of(form, "n") == nullptr);
 }
 
 TEST(BrdfForm, ChoosesAModelForAll) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("phong n=10"), brdf("ward")});
+  form.set_models({brdf_model("phong n=10"), brdf_model("ward")});
   Reports reports(form);
   auto* chooser = form.findChild<QComboBox*>();
   chooser->setFocus();
@@ -218,24 +213,24 @@ TEST(BrdfForm, ChoosesAModelForAll) {
   QTest::keyClicks(chooser->lineEdit(), "Oren-Nayar (oren)");
   QTest::keyClick(chooser->lineEdit(), Qt::Key_Return);
   ASSERT_EQ(reports.edited.size(), 1U);
-  EXPECT_THAT(form.models(), testing::ElementsAre(brdf("oren"), brdf("oren")));
+  EXPECT_THAT(form.models(), testing::ElementsAre(brdf_model("oren"), brdf_model("oren")));
 }
 
 TEST(BrdfForm, BringsDefaultsBack) {
   BrdfForm form;
   show(form);
-  form.set_models({brdf("phong n=10 ks=0.3")});
+  form.set_models({brdf_model("phong n=10 ks=0.3")});
   for (QToolButton* button : row_of(form, "n")->findChildren<QToolButton*>()) {
     QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_FALSE(button->isEnabled());
   }
-  EXPECT_EQ(form.models()[0], brdf("phong ks=0.3"));
+  EXPECT_EQ(form.models()[0], brdf_model("phong ks=0.3"));
 }
 
 TEST(BrdfForm, MakesSumsOfWhatIsDefined) {
   BrdfForm form;
   show(form);
-  form.set_definitions({{"clay", brdf("oren"), {}, {}}, {"varnish", brdf("ward"), {}, {}}});
+  form.set_definitions({{"clay", brdf_model("oren"), {}, {}}, {"varnish", brdf_model("ward"), {}, {}}});
   grf::BrdfModel sum;
   sum.keyword = "combine";
   form.set_models({sum});

@@ -35,10 +35,10 @@
 namespace editor {
 namespace {
 
+using test::BunnyFile;
+using test::Minute;
 using testing::HasSubstr;
 
-constexpr int Minute = 60'000;
-const QString Bunny = "/usr/share/glmark2/models/bunny.obj";
 const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
 
 class Authoring : public testing::Test {
@@ -94,7 +94,7 @@ void choose(QComboBox& list, const QString& text) {
 }
 
 TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
-  open(Bunny);
+  open(BunnyFile);
   ASSERT_EQ(document().objects().faces, 69666U);
   const grf::Scene imported = document().scene();
 

@@ -20,8 +20,8 @@
 namespace editor {
 namespace {
 
-constexpr int Minute = 60'000;
-const QString Bunny = "/usr/share/glmark2/models/bunny.obj";
+using test::BunnyFile;
+using test::Minute;
 
 /// The program with settings and data in a folder of its own.
 class Program {
@@ -81,7 +81,7 @@ TEST(RecoveryOfTheProgram, GivesBackWhatWasUnsavedWhenItDied) {
   ASSERT_TRUE(QDir().mkpath(home));
   const QString sessions = sessions_in(home);
   Program program(home);
-  ASSERT_TRUE(program.start(Bunny));
+  ASSERT_TRUE(program.start(BunnyFile));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !program.is_running() || has_kept_work(sessions); }, 2 * Minute));
   ASSERT_TRUE(program.is_running());
   ASSERT_TRUE(program.kill());
@@ -102,7 +102,8 @@ TEST(RecoveryOfTheProgram, GivesBackWhatWasUnsavedWhenItDied) {
   QTest::mouseClick(recover, Qt::LeftButton);
   EXPECT_EQ(window.document().objects().faces, 69666U);
   EXPECT_TRUE(window.document().is_modified());
-  EXPECT_TRUE(window.document().scene() == imported(Bunny, QString::fromStdString(folder.path("imports"))));
+  EXPECT_TRUE(window.document().scene() ==
+              imported(BunnyFile, QString::fromStdString(folder.path("imports"))));
 
   window.files().save_as(QString::fromStdString(folder.path("bunny.grf")));
   EXPECT_FALSE(window.document().is_modified());

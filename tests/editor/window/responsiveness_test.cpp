@@ -24,11 +24,12 @@
 namespace editor {
 namespace {
 
+using test::Minute;
+
 /// Milliseconds for which the event loop may not come round. Sanitizers make all several times as slow.
 constexpr qint64 Limit = 100;
 constexpr bool HasSanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
 constexpr int Tries = HasSanitizers ? 1 : 3;
-constexpr int Minute = 60'000;
 const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
 
 class Responsiveness : public testing::Test {

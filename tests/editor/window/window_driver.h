@@ -18,6 +18,11 @@
 
 namespace test {
 
+/// How long to wait for what takes seconds, in milliseconds.
+inline constexpr int Minute = 60'000;
+/// A model of 70,000 faces of the package glmark2-data.
+inline const QString BunnyFile = "/usr/share/glmark2/models/bunny.obj";
+
 /// The visible widget of a kind that assistive technology knows by this name.
 template <class Widget>
 Widget& named(const QWidget& where, const QString& name) {
