@@ -87,11 +87,11 @@ plot::Chart chart_of(const CostResult& result, const std::string& label, const A
 }  // namespace
 
 plot::Svg cost_chart(const CostResult& result) {
-  constexpr double Height = 400;
+  constexpr double ChartHeight = 400;
   std::size_t longest = 0;
   for (const CostLineResult& one : result.lines) longest = std::max(longest, one.line.name.size());
   const double width = 440 + (result.lines.size() > 1 ? 7 * static_cast<double>(longest) : 0);
-  plot::Svg svg(2 * width + 30, Height + 20);
+  plot::Svg svg(2 * width + 30, ChartHeight + 20);
   plot::Chart over_time =
       chart_of(result, "render time, s", [](const CostRow& row) { return row.render_seconds; });
   over_time.title =
@@ -99,8 +99,8 @@ plot::Svg cost_chart(const CostResult& result) {
                   result.width, result.height, result.threads, result.threads == 1 ? "" : "s");
   const plot::Chart over_samples = chart_of(
       result, "samples a pixel", [](const CostRow& row) { return static_cast<double>(row.samples); });
-  draw(over_time, {{10, 10}, width, Height}, svg);
-  draw(over_samples, {{20 + width, 10}, width, Height}, svg);
+  draw(over_time, {{10, 10}, width, ChartHeight}, svg);
+  draw(over_samples, {{20 + width, 10}, width, ChartHeight}, svg);
   return svg;
 }
 

@@ -17,7 +17,7 @@ using reflectance::mean;
 using reflectance::Vec3f;
 
 constexpr int Resolution = 160;  // of the square that the hemisphere is mapped to, along an edge
-constexpr double SolidAngle = 2 * std::numbers::pi / (Resolution * Resolution);
+constexpr double SolidAngleOfCell = 2 * std::numbers::pi / (Resolution * Resolution);
 
 Vec3f point_at(std::size_t i) {
   const auto coordinate = [](std::size_t index) {
@@ -35,7 +35,7 @@ FitMeter::FitMeter(const reflectance::Brdf& brdf) {
     for (std::size_t i = 0; i < Resolution * Resolution; ++i) {
       const Vec3f v = point_at(i);
       values.shares.push_back(mean(evaluate(brdf, values.u, v)) * v.z);
-      sum += values.shares.back() * SolidAngle;
+      sum += values.shares.back() * SolidAngleOfCell;
     }
     for (float& share : values.shares) share /= static_cast<float>(sum);
     views_.push_back(std::move(values));
@@ -50,8 +50,8 @@ Fit FitMeter::fit_of(const Technique& technique) const {
     for (std::size_t i = 0; i < view.shares.size(); ++i) {
       const double share = view.shares[i];
       const double density = technique.density(view.u, point_at(i));
-      difference += std::abs(density - share) * SolidAngle;
-      if (share > 0) square += share * share / density * SolidAngle;
+      difference += std::abs(density - share) * SolidAngleOfCell;
+      if (share > 0) square += share * share / density * SolidAngleOfCell;
     }
     fit.distance += difference / 2 / static_cast<double>(views_.size());
     fit.deviation += std::sqrt(std::max(0.0, square - 1)) / static_cast<double>(views_.size());
