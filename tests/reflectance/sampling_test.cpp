@@ -24,11 +24,11 @@ using reflectance::Vec3f;
 
 const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 
-/// Two angles for a case, all five for the instances of a model together, or all with ALL_ANGLES (label
+/// Two of some angles for a case, others for the next instance of a model, or all with ALL_ANGLES (label
 /// full).
-std::vector<double> angles_of(std::size_t instance) {
-  if (std::getenv("ALL_ANGLES") != nullptr) return Angles;
-  return {Angles[instance % Angles.size()], Angles[(instance + 2) % Angles.size()]};
+std::vector<double> angles_for(std::size_t instance, const std::vector<double>& angles) {
+  if (std::getenv("ALL_ANGLES") != nullptr) return angles;
+  return {angles[instance % angles.size()], angles[(instance + 2) % angles.size()]};
 }
 
 struct Case {
@@ -81,7 +81,7 @@ std::vector<Case> cases() {
   for (const auto& [brdf, depth, index] : brdf_cases()) {
     for (const SchemeCase& scheme : schemes_for(index)) {
       list.push_back({brdf, scheme.text, std::max(depth, scheme.depth), scheme.resolution,
-                      angles_of(index + list.size())});
+                      angles_for(index + list.size(), Angles)});
     }
   }
   return list;
@@ -186,7 +186,7 @@ TEST_P(Albedo, IsThatOfQuadratureByAnyScheme) {
   std::vector<Reflector> subjects;
   const std::vector<SchemeCase> schemes = schemes_for(GetParam().index);
   for (const SchemeCase& scheme : schemes) subjects.emplace_back(brdf, test::scheme_of(scheme.text));
-  for (const double angle : {0.0, 30.0, 60.0, 85.0}) {
+  for (const double angle : angles_for(GetParam().index, {0, 30, 60, 85})) {
     const Vec3f u = test::direction(angle, 25);
     const statistics::Quadrature quadrature(
         [&](const Vec3f& v) { return evaluate(brdf, u, v).x * double(v.z); }, reflectance::mirrored(u), 1e-6,
