@@ -27,6 +27,9 @@ Reading read_path(const std::string& path, const ReadOptions& options = {});
 /// Reads a file of this name and content, which is alone in its folder.
 Reading read_bytes(const std::string& name, std::string_view bytes);
 
+/// The vertices of a unit square as OBJ.
+inline const std::string SquareVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
 /// Reads OBJ text from a file `model.obj`, with `model.mtl` beside it if there is text for one.
 Reading read_obj_text(std::string_view obj, std::string_view mtl = {}, const ReadOptions& options = {});
 

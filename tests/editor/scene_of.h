@@ -2,17 +2,26 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "grf/read.h"
 
 namespace editor {
 
-/// The scene that a text is.
+/// The scene of GRF text; throws the diagnostics if there is an error in it.
 inline grf::Scene scene_of(const std::string& text) {
   grf::Diagnostics diagnostics;
   auto scene = grf::read_text(text, "scene.grf", diagnostics);
   if (!scene) throw std::runtime_error(diagnostics.to_text());
   return std::move(*scene);
+}
+
+/// The same of a BRDF.
+inline grf::BrdfModel brdf_model(const std::string& text) {
+  grf::Diagnostics diagnostics;
+  auto model = grf::read_brdf(text, "test", diagnostics);
+  if (!model) throw std::runtime_error(diagnostics.to_text());
+  return std::move(*model);
 }
 
 }  // namespace editor

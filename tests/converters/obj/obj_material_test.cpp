@@ -17,7 +17,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const std::string SquareVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const std::string Library = "mtllib model.mtl\n";
 
 std::vector<std::string> materials_of(const grf::Mesh& mesh) {

@@ -20,8 +20,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string ObjSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-
 /// The meshes of a text that is sound.
 std::vector<grf::Mesh> meshes_of_text(const std::string& obj) {
   const Reading reading = read_obj_text(obj);
@@ -30,11 +28,7 @@ std::vector<grf::Mesh> meshes_of_text(const std::string& obj) {
 }
 
 /// The one mesh of a text that is sound.
-grf::Mesh mesh_of_text(const std::string& obj) {
-  const std::vector<grf::Mesh> meshes = meshes_of_text(obj);
-  EXPECT_EQ(meshes.size(), 1U);
-  return meshes.empty() ? grf::Mesh() : meshes.front();
-}
+grf::Mesh mesh_of_text(const std::string& obj) { return only_mesh(read_obj_text(obj)); }
 
 std::vector<std::uint32_t> corners_of(const grf::Mesh& mesh, std::size_t face) {
   return {mesh.face(face).begin(), mesh.face(face).end()};
@@ -56,7 +50,7 @@ std::string warnings_of(const std::string& obj) {
 }
 
 TEST(Obj, KeepsPolygonsAndTheOrderOfFaces) {
-  const grf::Mesh mesh = mesh_of_text(ObjSquare + "v 2 2 0\nf 4 3 2 1\nf 1 2 5\nf 1 2 3 5 4\n");
+  const grf::Mesh mesh = mesh_of_text(SquareVertices + "v 2 2 0\nf 4 3 2 1\nf 1 2 5\nf 1 2 3 5 4\n");
   ASSERT_EQ(mesh.face_count(), 3U);
   EXPECT_THAT(corners_of(mesh, 0), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(corners_of(mesh, 1), ElementsAre(3, 2, 4));
@@ -65,15 +59,17 @@ TEST(Obj, KeepsPolygonsAndTheOrderOfFaces) {
 }
 
 TEST(Obj, KeepsFacesThatAreDegenerate) {
-  const grf::Mesh mesh = mesh_of_text(ObjSquare + "f 1 1 2\nf 3 3 3\n");
+  const grf::Mesh mesh = mesh_of_text(SquareVertices + "f 1 1 2\nf 3 3 3\n");
   ASSERT_EQ(mesh.face_count(), 2U);
   EXPECT_THAT(corners_of(mesh, 0), ElementsAre(0, 0, 1));
 }
 
 TEST(Obj, SharesVerticesWhoseNormalsAreEqual) {
   const std::string normals = "vn 0 0 1\nvn 0 1 0\n";
-  EXPECT_EQ(mesh_of_text(ObjSquare + normals + "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n").positions.size(), 4U);
-  EXPECT_EQ(mesh_of_text(ObjSquare + normals + "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n").positions.size(), 6U);
+  EXPECT_EQ(mesh_of_text(SquareVertices + normals + "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n").positions.size(),
+            4U);
+  EXPECT_EQ(mesh_of_text(SquareVertices + normals + "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n").positions.size(),
+            6U);
 }
 
 TEST(Obj, SharesNoVerticesThatAreOnlyNear) {
@@ -82,7 +78,7 @@ TEST(Obj, SharesNoVerticesThatAreOnlyNear) {
 }
 
 TEST(Obj, KeepsNormalsWhereThereAreSome) {
-  const grf::Mesh mesh = mesh_of_text(ObjSquare + "vn 0 0 2\nf 1//1 2//1 3//1\nf 1 3 4\n");
+  const grf::Mesh mesh = mesh_of_text(SquareVertices + "vn 0 0 2\nf 1//1 2//1 3//1\nf 1 3 4\n");
   ASSERT_EQ(mesh.positions.size(), 6U);
   EXPECT_EQ(mesh.normals[0], grf::Vec3f(0, 0, 2));
   EXPECT_FALSE(mesh.normals.has(3));
@@ -105,7 +101,7 @@ TEST(Obj, KeepsColoursThatOnlySomeVerticesHave) {
 }
 
 TEST(Obj, KeepsTextureCoordinates) {
-  const grf::Mesh mesh = mesh_of_text(ObjSquare + "vt 0.25 -3\nvt 0.5\nvt 0.75 1 0\nvn 0 0 1\n" +
+  const grf::Mesh mesh = mesh_of_text(SquareVertices + "vt 0.25 -3\nvt 0.5\nvt 0.75 1 0\nvn 0 0 1\n" +
                                       "f 1/1 2/2 3/3\nf 1/1/1 3/3/1 4/2/1\nf 1 2 3\n");
   ASSERT_EQ(mesh.positions.size(), 9U);
   EXPECT_EQ(mesh.uvs[0], grf::Vec2f(0.25F, -3));
@@ -117,12 +113,12 @@ TEST(Obj, KeepsTextureCoordinates) {
 
 TEST(Obj, SplitsVerticesWhoseTextureCoordinatesDiffer) {
   const std::string uvs = "vt 0 0\nvt 1 0\nvt 0 0\n";
-  EXPECT_EQ(mesh_of_text(ObjSquare + uvs + "f 1/1 2/1 3/1\nf 1/2 3/2 4/2\n").positions.size(), 6U);
-  EXPECT_EQ(mesh_of_text(ObjSquare + uvs + "f 1/1 2/1 3/1\nf 1/3 3/3 4/3\n").positions.size(), 4U);
+  EXPECT_EQ(mesh_of_text(SquareVertices + uvs + "f 1/1 2/1 3/1\nf 1/2 3/2 4/2\n").positions.size(), 6U);
+  EXPECT_EQ(mesh_of_text(SquareVertices + uvs + "f 1/1 2/1 3/1\nf 1/3 3/3 4/3\n").positions.size(), 4U);
 }
 
 TEST(Obj, MixedCornersBeforeTheirElementsAreKept) {
-  const grf::Mesh mesh = mesh_of_text("f 1/2 2/1 3/2\nvn 0 0 1\n" + ObjSquare + "vt 0.5 0.5\nvt 1 1\n");
+  const grf::Mesh mesh = mesh_of_text("f 1/2 2/1 3/2\nvn 0 0 1\n" + SquareVertices + "vt 0.5 0.5\nvt 1 1\n");
   EXPECT_TRUE(mesh.normals.empty());
   EXPECT_EQ(mesh.uvs[0], grf::Vec2f(1, 1));
   EXPECT_EQ(mesh.uvs[1], grf::Vec2f(0.5F, 0.5F));
@@ -151,18 +147,18 @@ TEST(Obj, DividesByTheWeightOfAVertex) {
 }
 
 TEST(Obj, CountsNegativeIndicesFromTheLastVertex) {
-  const grf::Mesh mesh = mesh_of_text(ObjSquare + "f -4 -3 -2\nv 5 5 5\nf -1 -2 1\n");
+  const grf::Mesh mesh = mesh_of_text(SquareVertices + "f -4 -3 -2\nv 5 5 5\nf -1 -2 1\n");
   EXPECT_EQ(mesh.positions[mesh.face(0)[0]], grf::Vec3f(0, 0, 0));
   EXPECT_EQ(mesh.positions[mesh.face(1)[0]], grf::Vec3f(5, 5, 5));
 }
 
 TEST(Obj, FacesMayStandBeforeTheirVertices) {
-  EXPECT_EQ(mesh_of_text("f 1 2 3\n" + ObjSquare).face_count(), 1U);
+  EXPECT_EQ(mesh_of_text("f 1 2 3\n" + SquareVertices).face_count(), 1U);
 }
 
 TEST(Obj, ObjectsAndGroupsBecomeMeshesWithTheirNames) {
   const std::vector<grf::Mesh> meshes =
-      meshes_of_text(ObjSquare +
+      meshes_of_text(SquareVertices +
                      "f 1 2 3\no First \"object\"\nf 1 2 4\ng group a b\nf 2 3 4\nf 1 3 4\no empty\n"
                      "o First \"object\"\nf 1 2 3\n");
   ASSERT_EQ(meshes.size(), 4U);
@@ -175,7 +171,7 @@ TEST(Obj, ObjectsAndGroupsBecomeMeshesWithTheirNames) {
 }
 
 TEST(Obj, NamesOfMeshesComeBackFromGrfText) {
-  const Reading reading = read_obj_text(ObjSquare + "o a \"b\" \\ c // d \u00E6 (1,2)\nf 1 2 3\n");
+  const Reading reading = read_obj_text(SquareVertices + "o a \"b\" \\ c // d \u00E6 (1,2)\nf 1 2 3\n");
   ASSERT_TRUE(reading.scene.has_value());
   grf::Diagnostics diagnostics;
   const auto again = grf::read_text(grf::to_text(*reading.scene), "again.grf", diagnostics);
@@ -191,13 +187,13 @@ TEST(Obj, UnderstandsTheWaysToWriteAStatement) {
   const grf::Mesh mesh = mesh_of_text(obj);
   EXPECT_EQ(mesh.face_count(), 2U);
   EXPECT_EQ(mesh.positions.size(), 3U);
-  std::string old_macintosh = ObjSquare + "f 1 2 3 4\n";
+  std::string old_macintosh = SquareVertices + "f 1 2 3 4\n";
   std::replace(old_macintosh.begin(), old_macintosh.end(), '\n', '\r');
   EXPECT_EQ(mesh_of_text(old_macintosh).face_count(), 1U);
 }
 
 TEST(Obj, SaysInOneLineAKindWhatIsLost) {
-  const std::string text = warnings_of("vt 0 0 1\n" + ObjSquare +
+  const std::string text = warnings_of("vt 0 0 1\n" + SquareVertices +
                                        "v 7 7 7\nf 1/1 2/1 3/1\nf 1 3 4\nl 1 2 3\nl 3 4\np 1 2 3\nf 1 2\n"
                                        "curv 0 1 1 2\ncurv 0 1 2 3\nlod 3\n");
   EXPECT_THAT(text, HasSubstr("1 texture coordinate lost its third number: "));
@@ -209,51 +205,52 @@ TEST(Obj, SaysInOneLineAKindWhatIsLost) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6);
 }
 
-TEST(Obj, SaysNothingOfAPlainModel) { EXPECT_THAT(warnings_of(ObjSquare + "f 1 2 3 4\n"), IsEmpty()); }
+TEST(Obj, SaysNothingOfAPlainModel) { EXPECT_THAT(warnings_of(SquareVertices + "f 1 2 3 4\n"), IsEmpty()); }
 
 TEST(Obj, VerticesThatAreNoneAreErrors) {
   EXPECT_THAT(
-      error_of("v 0 0\n" + ObjSquare + "f 1 2 3\n"),
+      error_of("v 0 0\n" + SquareVertices + "f 1 2 3\n"),
       HasSubstr("model.obj:1:1: error: found 2 numbers for a vertex, expected 3 or 4 or 6\n  v 0 0\n  ^\n"));
-  EXPECT_THAT(error_of("v 0 0 0 0 0\n" + ObjSquare + "f 1 2 3\n"),
+  EXPECT_THAT(error_of("v 0 0 0 0 0\n" + SquareVertices + "f 1 2 3\n"),
               HasSubstr("error: found 5 numbers for a vertex"));
-  EXPECT_THAT(error_of("v 0 0 x\n" + ObjSquare + "f 1 2 3\n"),
+  EXPECT_THAT(error_of("v 0 0 x\n" + SquareVertices + "f 1 2 3\n"),
               HasSubstr(":1:7: error: found 'x', expected a finite number"));
-  EXPECT_THAT(error_of("v 0 nan 0\n" + ObjSquare + "f 1 2 3\n"), HasSubstr("error: found 'nan'"));
-  EXPECT_THAT(error_of("v 0 1e39 0\n" + ObjSquare + "f 1 2 3\n"), HasSubstr("error: found '1e39'"));
-  EXPECT_THAT(error_of("v 0,5 1 0\n" + ObjSquare + "f 1 2 3\n"), HasSubstr("error: found '0,5'"));
-  EXPECT_THAT(error_of("v 0 1 0 0\n" + ObjSquare + "f 1 2 3\n"), HasSubstr("infinitely far"));
-  EXPECT_THAT(error_of("v 1e30 1 0 1e-30\n" + ObjSquare + "f 1 2 3\n"), HasSubstr("too large for a float"));
-  EXPECT_THAT(error_of("v 0 1 0 1 -1 0\n" + ObjSquare + "f 1 2 3\n"), HasSubstr("0 or more"));
-  EXPECT_THAT(error_of("vn 0 1\n" + ObjSquare + "f 1 2 3\n"),
+  EXPECT_THAT(error_of("v 0 nan 0\n" + SquareVertices + "f 1 2 3\n"), HasSubstr("error: found 'nan'"));
+  EXPECT_THAT(error_of("v 0 1e39 0\n" + SquareVertices + "f 1 2 3\n"), HasSubstr("error: found '1e39'"));
+  EXPECT_THAT(error_of("v 0,5 1 0\n" + SquareVertices + "f 1 2 3\n"), HasSubstr("error: found '0,5'"));
+  EXPECT_THAT(error_of("v 0 1 0 0\n" + SquareVertices + "f 1 2 3\n"), HasSubstr("infinitely far"));
+  EXPECT_THAT(error_of("v 1e30 1 0 1e-30\n" + SquareVertices + "f 1 2 3\n"),
+              HasSubstr("too large for a float"));
+  EXPECT_THAT(error_of("v 0 1 0 1 -1 0\n" + SquareVertices + "f 1 2 3\n"), HasSubstr("0 or more"));
+  EXPECT_THAT(error_of("vn 0 1\n" + SquareVertices + "f 1 2 3\n"),
               HasSubstr("found 2 numbers for a normal, expected 3"));
 }
 
 TEST(Obj, CornersThatAreNoneAreErrors) {
   for (const char* corner :
        {"x", "0", "1.5", "1/x", "1/1/1/1", "1,", "01", "+1", "99999999999999999999", "/1"}) {
-    EXPECT_THAT(error_of(fmt::format("{}vt 0 0\nvn 0 0 1\nf 1 2 {}\n", ObjSquare, corner)),
+    EXPECT_THAT(error_of(fmt::format("{}vt 0 0\nvn 0 0 1\nf 1 2 {}\n", SquareVertices, corner)),
                 HasSubstr(fmt::format("model.obj:7:7: error: found '{}', expected a corner", corner)));
   }
-  EXPECT_THAT(error_of(ObjSquare + "vn 0 0 1\nf 1//1 2 3//1\n"),
+  EXPECT_THAT(error_of(SquareVertices + "vn 0 0 1\nf 1//1 2 3//1\n"),
               HasSubstr(":6:8: error: '2': the corners of a face"));
-  EXPECT_THAT(error_of(ObjSquare + "f\n"), HasSubstr(":5:1: error: a face without corners"));
+  EXPECT_THAT(error_of(SquareVertices + "f\n"), HasSubstr(":5:1: error: a face without corners"));
 }
 
 TEST(Obj, IndicesOfWhatDoesNotExistAreErrors) {
-  EXPECT_THAT(error_of(ObjSquare + "f 1 2 3\nf 1 2 5\n"),
+  EXPECT_THAT(error_of(SquareVertices + "f 1 2 3\nf 1 2 5\n"),
               HasSubstr("model.obj:6:7: error: no vertex with the index 5 exists: the file has 4"));
   EXPECT_THAT(
-      error_of(ObjSquare + "f 1 2 -5\n"),
+      error_of(SquareVertices + "f 1 2 -5\n"),
       HasSubstr("model.obj:5:7: error: '-5': no vertex with the index -5 exists: there are 4 before"));
-  EXPECT_THAT(error_of(ObjSquare + "vn 0 0 1\nf 1//1 2//2 3//1\n"),
+  EXPECT_THAT(error_of(SquareVertices + "vn 0 0 1\nf 1//1 2//2 3//1\n"),
               HasSubstr("no normal with the index 2 exists"));
-  EXPECT_THAT(error_of(ObjSquare + "f 1/1 2/1 3/1\n"),
+  EXPECT_THAT(error_of(SquareVertices + "f 1/1 2/1 3/1\n"),
               HasSubstr("no texture coordinate with the index 1 exists"));
 }
 
 TEST(Obj, AllErrorsAreFoundInOneGo) {
-  const std::string text = error_of(ObjSquare + "v 1\nf 1 2 x\nf\nv 0 0 z\n");
+  const std::string text = error_of(SquareVertices + "v 1\nf 1 2 x\nf\nv 0 0 z\n");
   for (const char* place : {":5:1: error", ":6:7: error", ":7:1: error", ":8:7: error"}) {
     EXPECT_THAT(text, HasSubstr(place));
   }
@@ -270,7 +267,7 @@ TEST(Obj, FilesThatHoldNoModelAreErrors) {
   EXPECT_THAT(error_of_bytes(""), HasSubstr("model.obj: error: the file is empty, expected an OBJ model"));
   EXPECT_THAT(error_of_bytes(std::string_view("v\0\0\0\1", 5)), HasSubstr("error: this is a binary file"));
   EXPECT_THAT(error_of_bytes("# nothing\n"), HasSubstr("error: the file has no faces"));
-  EXPECT_THAT(error_of_bytes(ObjSquare), HasSubstr("error: the file has no faces"));
+  EXPECT_THAT(error_of_bytes(SquareVertices), HasSubstr("error: the file has no faces"));
   const test::TemporaryFolder folder;
   EXPECT_THAT(read_path(folder.path("missing.obj")).text(),
               HasSubstr("missing.obj: error: cannot read the file: No such"));
@@ -278,7 +275,7 @@ TEST(Obj, FilesThatHoldNoModelAreErrors) {
 }
 
 TEST(Obj, AVeryLongLineCostsNoMoreThanItsLength) {
-  std::string obj = ObjSquare;
+  std::string obj = SquareVertices;
   for (int i = 0; i < 100'000; ++i) obj += "v 1 2 3\n";
   obj += "f";
   for (int i = 1; i <= 100'000; ++i) obj += fmt::format(" {}", i);

@@ -14,17 +14,12 @@ namespace {
 
 using testing::HasSubstr;
 
-grf::BrdfModel brdf(const std::string& text) {
-  grf::Diagnostics diagnostics;
-  return grf::read_brdf(text, "test", diagnostics).value();
-}
-
 std::optional<grf::BrdfModel> read_back(const QMimeData& mime, grf::Diagnostics& diagnostics) {
   return brdf_of(mime, reflectance::brdf_infos(), diagnostics);
 }
 
 TEST(BrdfMime, CarriesGrfText) {
-  const grf::BrdfModel ward = brdf("ward sx=0.1");
+  const grf::BrdfModel ward = brdf_model("ward sx=0.1");
   const auto mime = mime_of(ward, "paint");
   EXPECT_EQ(mime->text(), "ward sx=0.1");
   EXPECT_EQ(mime->data(BrdfNameMimeType), "paint");
