@@ -4,7 +4,35 @@
 #include "renderer/reflectance/each_type.h"
 
 namespace reflectance {
-std::optional<Brdf> make_brdf(const grf::Model& data) { return make_any<Brdf>(data); }
+
+Brdf::Brdf() = default;
+Brdf::~Brdf() = default;
+Brdf::Brdf(const Brdf& other) = default;
+Brdf::Brdf(Brdf&& other) noexcept = default;
+Brdf& Brdf::operator=(const Brdf& other) = default;
+Brdf& Brdf::operator=(Brdf&& other) noexcept = default;
+
+float CombinedBrdf::albedo_estimate(const Vec3f& u) const {
+  return weight * std::visit([&](const auto& model) { return model.albedo_estimate(u); }, brdf);
+}
+
+std::optional<Brdf> make_brdf(const grf::Model& data) { return make_any<Brdf, AnyBrdf>(data); }
+
+Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf);
+}
+
+Rgb mirror(const Brdf& brdf, const Vec3f& u) {
+  return std::visit([&](const auto& model) { return mirror_of(model, u); }, brdf);
+}
+
+std::optional<DirectionSample> own_sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) {
+  return std::visit([&](const auto& model) { return model.sample(u, xi); }, brdf);
+}
+
+float own_density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& model) { return model.density(u, v); }, brdf);
+}
 
 Brdf default_brdf() { return Diffuse(); }
 
@@ -79,7 +107,7 @@ std::optional<LobeExponents> lobe_exponents(const Brdf& brdf) {
 }
 
 std::vector<grf::ModelInfo> brdf_infos() {
-  std::vector<grf::ModelInfo> infos = infos_of<Brdf>();
+  std::vector<grf::ModelInfo> infos = infos_of<AnyBrdf>();
   for (grf::ModelInfo& info : infos) {
     info.largest_albedo = [](const grf::Model& data) { return largest_albedo(*make_brdf(data)); };
   }

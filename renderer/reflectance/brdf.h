@@ -44,16 +44,27 @@ struct Extended<std::variant<Types...>, More...> {
 };
 
 /// All models: data and sums besides.
-using Brdf = Extended<FormulaBrdf, Measured, Combine>::Type;
+using AnyBrdf = Extended<FormulaBrdf, Measured, Combine>::Type;
+
+/// One of them. It is a class so that copying, which takes long to compile for so many types, is compiled
+/// once.
+class Brdf : public AnyBrdf {
+ public:
+  using AnyBrdf::AnyBrdf;
+  Brdf();
+  ~Brdf();
+  Brdf(const Brdf& other);
+  Brdf(Brdf&& other) noexcept;
+  Brdf& operator=(const Brdf& other);
+  Brdf& operator=(Brdf&& other) noexcept;
+};
 
 /// One term of a sum.
 struct CombinedBrdf {
   float weight = 0;
   Brdf brdf;
 
-  float albedo_estimate(const Vec3f& u) const {
-    return weight * std::visit([&](const auto& model) { return model.albedo_estimate(u); }, brdf);
-  }
+  float albedo_estimate(const Vec3f& u) const;
 };
 struct CombinedBrdfs : std::vector<CombinedBrdf> {};
 
@@ -67,9 +78,8 @@ Brdf default_brdf();
 /// The same as a scene writes it.
 grf::BrdfModel default_model();
 
-inline Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
-  return std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf);
-}
+/// f(u, v) in 1/sr, without the Dirac part.
+Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
 /// The weight of the Dirac part of a model, 0 for those that have none.
 template <class Model>
@@ -80,9 +90,11 @@ Rgb mirror_of(const Model& model, const Vec3f& u) {
     return Rgb(0);
   }
 }
-inline Rgb mirror(const Brdf& brdf, const Vec3f& u) {
-  return std::visit([&](const auto& model) { return mirror_of(model, u); }, brdf);
-}
+Rgb mirror(const Brdf& brdf, const Vec3f& u);
+
+/// A direction by the closed-form sampler of the model itself, and its density.
+std::optional<DirectionSample> own_sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi);
+float own_density(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
 // What a BRDF is made of, with the parameters that it has. A model that has a member of the same name says so
 // itself; the others are guessed, so that a part is rather assumed than overlooked.

@@ -21,10 +21,11 @@ struct EachType<std::variant<Types...>> {
   }
 };
 
-/// The type of the variant whose keyword a model has, with the model's values; nothing if none has it.
-template <class Variant>
-std::optional<Variant> make_any(const grf::Model& data) {
-  std::optional<Variant> made;
+/// The type of the variant whose keyword a model has, with the model's values, as a class made of it; nothing
+/// if none has it.
+template <class Class, class Variant>
+std::optional<Class> make_any(const grf::Model& data) {
+  std::optional<Class> made;
   EachType<Variant>::any([&](auto candidate) {
     using Candidate = decltype(candidate);
     if (!grf::same_keyword(Candidate::table().keyword, data.keyword)) return false;

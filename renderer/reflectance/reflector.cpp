@@ -35,6 +35,15 @@ Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_p
   samples_own_ = is_own(scheme_) && !(cosine_share_ > 0) && precision == Precision::Float;
 }
 
+float Reflector::share_of_mirror(const Vec3f& u) const {
+  return std::visit(
+      [&](const auto& model) {
+        const float dirac = mean(mirror_of(model, u));
+        return dirac > 0 ? dirac / (dirac + model.albedo_estimate(u)) : 0.0F;
+      },
+      brdf_);
+}
+
 Reflection Reflector::reflect(const Vec3f& u, const Vec3f& v) const {
   if (!samples_own_) return {evaluate(u, v), density(u, v)};
   const Reflection reflection = std::visit(

@@ -72,15 +72,8 @@ class Reflector {
   std::size_t bytes() const { return reflectance::bytes(scheme_); }
 
  private:
-  float mirror_share(const Vec3f& u) const {
-    if (!has_mirror_) return 0;
-    return std::visit(
-        [&](const auto& model) {
-          const float dirac = mean(mirror_of(model, u));
-          return dirac > 0 ? dirac / (dirac + model.albedo_estimate(u)) : 0.0F;
-        },
-        brdf_);
-  }
+  float mirror_share(const Vec3f& u) const { return has_mirror_ ? share_of_mirror(u) : 0; }
+  float share_of_mirror(const Vec3f& u) const;
 
   /// The density of scheme and cosine part together.
   float mixed(const Vec3f& v, float of_scheme) const {

@@ -4,7 +4,14 @@
 
 namespace reflectance {
 
-std::optional<Scheme> make_scheme(const grf::Model& data) { return make_any<Scheme>(data); }
+Scheme::Scheme() = default;
+Scheme::~Scheme() = default;
+Scheme::Scheme(const Scheme& other) = default;
+Scheme::Scheme(Scheme&& other) noexcept = default;
+Scheme& Scheme::operator=(const Scheme& other) = default;
+Scheme& Scheme::operator=(Scheme&& other) noexcept = default;
+
+std::optional<Scheme> make_scheme(const grf::Model& data) { return make_any<Scheme, AnyScheme>(data); }
 
 Scheme default_scheme() { return AutoScheme(); }
 
@@ -37,6 +44,15 @@ bool may_miss(const Scheme& scheme) {
       scheme);
 }
 
+std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
+                                      const Uniforms& xi) {
+  return std::visit([&](const auto& chosen) { return chosen.sample(brdf, u, xi); }, scheme);
+}
+
+float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& chosen) { return chosen.density(brdf, u, v); }, scheme);
+}
+
 void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                  std::vector<DirectionSample>& out) {
   std::visit(
@@ -52,7 +68,7 @@ void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::sp
       scheme);
 }
 
-std::vector<grf::ModelInfo> scheme_infos() { return infos_of<Scheme>(); }
+std::vector<grf::ModelInfo> scheme_infos() { return infos_of<AnyScheme>(); }
 
 grf::Catalogue catalogue() { return {brdf_infos(), scheme_infos()}; }
 

@@ -32,9 +32,21 @@ namespace reflectance {
 /// `MayMiss` says that some BRDFs reflect light into directions that the scheme draws never or hardly ever:
 /// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
 /// cost less than as many single ones.
-using Scheme =
+using AnyScheme =
     std::variant<AutoScheme, OwnScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
                  AnisotropicScheme, RejectScheme, AdaptiveScheme, FactoredScheme, CascadeScheme>;
+
+/// One of them. It is a class for the same reason as Brdf.
+class Scheme : public AnyScheme {
+ public:
+  using AnyScheme::AnyScheme;
+  Scheme();
+  ~Scheme();
+  Scheme(const Scheme& other);
+  Scheme(Scheme&& other) noexcept;
+  Scheme& operator=(const Scheme& other);
+  Scheme& operator=(Scheme&& other) noexcept;
+};
 
 /// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);
@@ -53,13 +65,9 @@ std::size_t bytes(const Scheme& scheme);
 /// True if the scheme may leave out part of what some BRDFs reflect.
 bool may_miss(const Scheme& scheme);
 
-inline std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
-                                             const Uniforms& xi) {
-  return std::visit([&](const auto& chosen) { return chosen.sample(brdf, u, xi); }, scheme);
-}
-inline float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
-  return std::visit([&](const auto& chosen) { return chosen.density(brdf, u, v); }, scheme);
-}
+std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
+                                      const Uniforms& xi);
+float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
 /// Adds a sample for each xi, without those that are empty, all for one view: cheaper or spread more evenly
 /// than one by one with schemes that have a `sample_many`. Each alone has the scheme's density, and an

@@ -18,11 +18,9 @@ struct OwnScheme {
   static std::string refusal(const Brdf&) { return {}; }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
-    return std::visit([&](const auto& model) { return model.sample(u, xi); }, brdf);
+    return own_sample(brdf, u, xi);
   }
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return std::visit([&](const auto& model) { return model.density(u, v); }, brdf);
-  }
+  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const { return own_density(brdf, u, v); }
 };
 
 }  // namespace reflectance
