@@ -113,6 +113,8 @@ class Suite:
             return [name for name, start in running.items() if now - start > limit_of(name)]
 
         environment = {"GTEST_FILTER": GTEST_FILTER} if "GTEST_FILTER" not in os.environ else {}
+        if stop_on_failure:
+            environment["GTEST_FAIL_FAST"] = "1"
         outcome = self.runner.run(command, self.build.copy.folder, late, read, environment)
         if outcome.is_hanging:
             return Verdict("hanging", late()[0] if late() else group.program)
