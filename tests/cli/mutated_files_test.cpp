@@ -24,12 +24,14 @@
 #include "tests/cli/mutation.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/thoroughness.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MutantsPerFormat = MUTANTS_PER_FORMAT;
+constexpr std::size_t MutantsPerFormat = 20;
+constexpr std::size_t MutantsOfALongRun = 320;
 constexpr std::size_t LargestSeed = 200'000;
 constexpr const char* MostSeconds = "10";
 constexpr long MostMemory = 4L << 20;  // kilobytes
@@ -235,7 +237,8 @@ TEST_P(MutatedFiles, AreConvertedOrRefused) {
 
   const test::TemporaryFolder folder;
   std::vector<std::string> paths;
-  for (std::size_t i = 0; i < MutantsPerFormat; ++i) {
+  const std::size_t count = test::tries_all() ? MutantsOfALongRun : MutantsPerFormat;
+  for (std::size_t i = 0; i < count; ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
     paths.push_back(add_mutant(seeds[i % seeds.size()], fmt::format("{}_{}", GetParam(), i), folder, random));
   }

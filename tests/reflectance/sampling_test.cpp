@@ -2,7 +2,6 @@
 // Monte Carlo albedo is that of quadrature.
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include "tests/reflectance/scheme_cases.h"
 #include "tests/statistics/chi_square.h"
 #include "tests/statistics/disc_chi_square.h"
+#include "tests/support/thoroughness.h"
 
 namespace {
 
@@ -24,11 +24,10 @@ using reflectance::Vec3f;
 
 const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 
-/// Two of some angles for a case, others for the next instance of a model, or all with ALL_ANGLES (label
-/// full).
+/// One of some angles for a case, another for the next instance of a model, or all in a long run.
 std::vector<double> angles_for(std::size_t instance, const std::vector<double>& angles) {
-  if (std::getenv("ALL_ANGLES") != nullptr) return angles;
-  return {angles[instance % angles.size()], angles[(instance + 2) % angles.size()]};
+  if (test::tries_all()) return angles;
+  return {angles[instance % angles.size()]};
 }
 
 struct Case {

@@ -7,6 +7,7 @@
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/schemes/own_scheme.h"
 #include "tests/reflectance/brdf_cases.h"
+#include "tests/support/thoroughness.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace {
@@ -39,7 +40,7 @@ std::vector<std::string> scene_cases() {
 }
 
 /// A BRDF, by its index, and a scheme besides `auto` that it is sampled by. Tables take seconds to make: all
-/// of them are for the long test, and the short one has one scheme for each third BRDF.
+/// of them are for a long run, and any other has one scheme for each third BRDF.
 struct SchemeCase {
   std::size_t brdf = 0;
   std::string scheme;
@@ -48,11 +49,11 @@ struct SchemeCase {
 std::vector<SchemeCase> scheme_cases() {
   std::vector<SchemeCase> cases;
   for (std::size_t brdf = 0; brdf < scene_cases().size(); ++brdf) {
-#ifdef ALL_SCHEMES
-    for (std::size_t i = 1; i < Schemes.size(); ++i) cases.push_back({brdf, Schemes[i]});
-#else
-    if (brdf % 3 == 0) cases.push_back({brdf, Schemes[1 + brdf / 3 % (Schemes.size() - 1)]});
-#endif
+    if (test::tries_all()) {
+      for (std::size_t i = 1; i < Schemes.size(); ++i) cases.push_back({brdf, Schemes[i]});
+    } else if (brdf % 3 == 0) {
+      cases.push_back({brdf, Schemes[1 + brdf / 3 % (Schemes.size() - 1)]});
+    }
   }
   return cases;
 }

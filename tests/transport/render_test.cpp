@@ -186,31 +186,6 @@ TEST(CornellBox, HasTheSameMeanForAllSeeds) {
   EXPECT_LT(first.deviation, 0.005 * first.mean);
 }
 
-// The error that the film states without a reference, against the one that a long render shows.
-TEST(CornellBox, KnowsItsError) {
-  const CompiledScene scene = cornell_scene();
-  Look look = cornell_look();
-  look.samples = 64;  // of fewer, many pixels at the lamp's rim have not met it
-  const Film film = render(scene, look);
-  look.samples = 4096;
-  look.seed = 99;
-  const Image reference = render(scene, look).mean();
-  const Image image = film.mean();
-  double sum = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const double exact = reference.pixels[i][k];
-      sum += (image.pixels[i][k] - exact) * (image.pixels[i][k] - exact) / (exact * exact + 0.01);
-    }
-  }
-  const double error = std::sqrt(sum / (3.0 * static_cast<double>(image.pixels.size())));
-  // Which a few of those pixels decide.
-  const transport::ErrorEstimate estimate = film.error_estimate().value();
-  EXPECT_GT(error, estimate.low);
-  EXPECT_LT(error, estimate.high);
-  EXPECT_LT(estimate.high, 3 * estimate.low);
-}
-
 // A pixel shows the plate behind the scene by the places of its samples: of 16 cells with powers of two,
 // those in the middles of two columns and two rows, or the one in the middle.
 TEST(Render, PlacesSamplesInAPixel) {

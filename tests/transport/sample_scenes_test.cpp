@@ -52,7 +52,7 @@ class SampleScenes : public testing::TestWithParam<std::string> {
   /// By rays that meet the lights by chance.
   BlockStatistics by_chance() const {
     RenderSettings settings = settings_;
-    settings.samples = 128;
+    settings.samples = 64;
     settings.seed = 200;
     settings.integrator.integrator = transport::Integrator::Naive;
     settings.integrator.secondary_rays = 4;
