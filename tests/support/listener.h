@@ -13,7 +13,7 @@
 namespace test {
 
 /// Listens on loopback, on a port that the system chooses or that is given. Until somebody receives, a
-/// connection takes what the buffers of the sockets hold, and no more.
+/// connection takes what the buffers of the sockets hold, which is little.
 class Listener {
  public:
   explicit Listener(int port = 0) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -23,6 +23,8 @@ class Listener {
     in.sin_port = htons(static_cast<in_port_t>(port));
     auto* address = reinterpret_cast<sockaddr*>(&in);
     socklen_t size = sizeof(in);
+    const int buffer = 4096;
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof(buffer));
     if (socket_ < 0 || ::bind(socket_, address, size) != 0 || ::listen(socket_, 1) != 0 ||
         ::getsockname(socket_, address, &size) != 0) {
       throw std::system_error(errno, std::generic_category(), "cannot listen");
