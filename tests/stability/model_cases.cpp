@@ -104,25 +104,20 @@ Errors poulin_short_arcs() {
       });
 }
 
-/// Two beams of nearly the same strength. In naive code the phase of a film of d nanometres loses its digits
-/// as d grows; here orders over 20 fade, and the naive value is compared with itself in double.
-Errors granier_phase() {
-  const auto order = [](auto d) { return 2 * decltype(d)(1.5) * d / 525; };
-  const auto naive = [&](auto d) {
-    using R = decltype(d);
-    return R(0.9) + 2 * std::sqrt(R(0.45) * R(0.45)) * std::cos(2 * glsl::Pi<R> * order(d));
-  };
-  Errors errors = compare(
-      numbers(1e3F, 1e6F),
-      [&](auto d) {
-        return glsl::GranierFormula<decltype(d)>().two_beams(decltype(d)(0.5), decltype(d)(0.4), order(d));
+/// Two beams of one strength, from 1e-4 to 0.1 of an order off a dark fringe.
+Errors granier_dark_fringe() {
+  std::vector<float> orders = numbers(1e-4F, 1e-1F);
+  for (float& order : orders) order += 0.5F;
+  return compare(
+      orders,
+      [](auto order) {
+        using R = decltype(order);
+        return glsl::GranierFormula<R>().two_beams(R(0.5), R(0.5), order);
       },
-      [](auto) { return 0; });
-  errors.naive = 0;
-  errors.naive_in_double = 0;
-  for (const float d : numbers(1e3F, 1e6F))
-    errors.naive = std::max(errors.naive, relative_error(naive(d), naive(static_cast<double>(d))));
-  return errors;
+      [](auto order) {
+        using R = decltype(order);
+        return R(0.5) + R(0.5) + 2 * std::sqrt(R(0.5) * R(0.5)) * std::cos(2 * glsl::Pi<R> * order);
+      });
 }
 
 }  // namespace
@@ -141,8 +136,9 @@ std::vector<HardCase> model_cases() {
        "the elevation pi/2 - psi, by atan2", 0.03, 1e-5, 3e-7, poulin_grazing},
       {"Poulin's cylinders, an arc's integral as d falls to 1e-6", "a difference of sines",
        "sin(x) - x by its series", 0.1, 1e-5, 4e-8, poulin_short_arcs},
-      {"Granier's film, to a millimetre", "cos of a phase of 4 pi n d/lambda",
-       "the fraction of the order; from 20 on fringes fade", 0.9, 1e-3, 9e-5, granier_phase},
+      {"Granier's beams, to 1e-4 of an order off a dark fringe", "R + T + 2 cos(2 pi order) sqrt(R T)",
+       "a square of the beams' difference and one of a sine, which add up", 0.14, 1e-5, 3e-7,
+       granier_dark_fringe},
   };
 }
 
