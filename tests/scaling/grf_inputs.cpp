@@ -5,18 +5,7 @@
 namespace scaling {
 namespace {
 
-/// One piece of text for each number, after a beginning and before an end.
-std::function<std::string(std::size_t)> repeated(std::string begin,
-                                                 std::function<std::string(std::size_t)> piece,
-                                                 std::string end = "") {
-  return [=](std::size_t count) {
-    std::string text = begin;
-    for (std::size_t i = 0; i < count; ++i) text += piece(i);
-    return text + end;
-  };
-}
-
-std::function<std::string(std::size_t)> same(std::string piece) {
+Text same(std::string piece) {
   return [=](std::size_t) { return piece; };
 }
 
@@ -81,60 +70,59 @@ std::vector<Input> mesh_inputs() {
       {"vertices with normals, colours and uv", "grf",
        [](std::size_t n) { return strip(n, "normal (0,0,1) rgb (1,0,0) uv (0,1) "); }},
       {"vertices that no face uses", "grf",
-       repeated("begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0)\n", same("(2,3,4)\n"),
-                "end vertexs begin faces (0,1,2)" + EndOfFaces)},
+       pieces("begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0)\n", same("(2,3,4)\n"),
+              "end vertexs begin faces (0,1,2)" + EndOfFaces)},
       {"corners of one face, a zigzag", "grf", [](std::size_t n) { return one_face(n, false); }},
       {"corners of one face, a comb", "grf", [](std::size_t n) { return one_face(n, true); }},
-      {"faces on one another", "grf", repeated(SquareWithFaces, same("(0,1,2)\n"), EndOfFaces)},
+      {"faces on one another", "grf", pieces(SquareWithFaces, same("(0,1,2)\n"), EndOfFaces)},
       {"runs of attributes", "grf",
-       repeated(
+       pieces(
            SquareWithFaces,
            [](std::size_t i) { return fmt::format("rgb ({},0,0) (0,1,2)\n", double(i % 2)); }, EndOfFaces)},
       {"surfaces", "grf",
-       repeated(
+       pieces(
            SquareWithFaces, [](std::size_t i) { return fmt::format("brdf diffuse kd=0.{:06} (0,1,2)\n", i); },
            EndOfFaces)},
       {"textures", "grf",
-       repeated(
+       pieces(
            SquareWithFaces, [](std::size_t i) { return fmt::format("texture \"{}.png\" (0,1,2)\n", i); },
            EndOfFaces),
        1000},
       {"values of irradiance", "igrf",
-       repeated("begin mesh begin vertexs begin list\n", same("ray (0,0,1) irad (1,1,1)\n"),
-                "end list (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces (0,1,2)" + EndOfFaces)},
+       pieces("begin mesh begin vertexs begin list\n", same("ray (0,0,1) irad (1,1,1)\n"),
+              "end list (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces (0,1,2)" + EndOfFaces)},
       {"vertices with irradiance", "igrf", [](std::size_t n) { return strip(n, "irad (1,2,3) "); }},
-      {"faces that emit", "grf", repeated(SquareWithFaces, same("light rgb (1,1,1) (0,1,2)\n"), EndOfFaces)},
+      {"faces that emit", "grf", pieces(SquareWithFaces, same("light rgb (1,1,1) (0,1,2)\n"), EndOfFaces)},
       {"faces of a mesh light", "grf", [](std::size_t n) { return strip(n, "", "mesh light begin"); }},
   };
 }
 
 std::vector<Input> block_inputs() {
   return {
-      {"meshes", "grf", repeated("", same(square("brdf phong n=10")))},
+      {"meshes", "grf", pieces("", same(square("brdf phong n=10")))},
       {"mesh lights", "grf",
-       repeated("",
-                same("mesh light begin begin vertexs (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces (0,1,2) "
-                     "end faces end\n"))},
+       pieces("",
+              same("mesh light begin begin vertexs (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces (0,1,2) "
+                   "end faces end\n"))},
       {"lights", "grf",
-       repeated(
+       pieces(
            "",
            [](std::size_t i) { return fmt::format("light begin ({},0,0) (1,0,0) (0,1,0) end\n", 2 * i); })},
-      {"observers", "grf", repeated("params begin\n", same("dependent view (0,0,1)\n"), "end\n")},
-      {"transforms", "grf", repeated("", same("transform translation (1,2,3) begin " + square() + "end\n"))},
+      {"observers", "grf", pieces("params begin\n", same("dependent view (0,0,1)\n"), "end\n")},
+      {"transforms", "grf", pieces("", same("transform translation (1,2,3) begin " + square() + "end\n"))},
       {"steps of a transform", "grf",
-       repeated("transform\n", same("rotation (0,0.1,0)\n"), "begin " + square() + "end\n")},
+       pieces("transform\n", same("rotation (0,0.1,0)\n"), "begin " + square() + "end\n")},
       {"nested transforms", "grf", [](std::size_t n) { return nested(n, "transform translation (0,0,1)"); },
        15},
       {"nested definitions", "grf", [](std::size_t n) { return nested(n, "def a = brdf diffuse kd=0.5"); },
        15},
-      {"scopes", "grf",
-       repeated("", same("def a = brdf diffuse kd=0.5 begin " + square("brdf a") + "end\n"))},
+      {"scopes", "grf", pieces("", same("def a = brdf diffuse kd=0.5 begin " + square("brdf a") + "end\n"))},
       {"definitions", "grf",
-       repeated(
+       pieces(
            "", [](std::size_t i) { return fmt::format("def a{} = brdf phong n={}\n", i, 1 + i % 100); },
            "begin " + square("brdf a0") + "end\n")},
       {"definitions of everything", "grf",
-       repeated(
+       pieces(
            "",
            [](std::size_t i) {
              return fmt::format("def r{0} = rgb (1,0,0) def p{0} = pdf cosine def t{0} = texture \"x.png\"\n",
@@ -142,13 +130,13 @@ std::vector<Input> block_inputs() {
            },
            "begin " + square() + "end\n")},
       {"uses of definitions", "grf",
-       repeated("def a = brdf phong n=10 begin\n", same(square("brdf a")), "end\n")},
+       pieces("def a = brdf phong n=10 begin\n", same(square("brdf a")), "end\n")},
       {"chain of definitions", "grf", chain_of_definitions, 500},
       {"terms of a combine", "grf", combine_of, 500},
       {"meshes that are defined", "grf",
-       repeated(
+       pieces(
            "", [](std::size_t i) { return fmt::format("def m{} = ", i) + square(); }, "begin use m0 end\n")},
-      {"uses of a mesh", "grf", repeated("def m = " + square() + "begin\n", same("use m\n"), "end\n")},
+      {"uses of a mesh", "grf", pieces("def m = " + square() + "begin\n", same("use m\n"), "end\n")},
       {"uses of a mesh of many vertices", "grf",
        [](std::size_t n) {
          std::string text = "def m = begin mesh begin vertexs\n";
@@ -158,28 +146,63 @@ std::vector<Input> block_inputs() {
          return text + "end\n";
        }},
       {"names of meshes", "grf",
-       repeated("", [](std::size_t i) { return square(fmt::format("\"mesh {}\"", i)); })},
+       pieces("", [](std::size_t i) { return square(fmt::format("\"mesh {}\"", i)); })},
+  };
+}
+
+std::vector<Input> include_inputs() {
+  const std::string includes = "include \"part.grf\"\n";
+  const auto part = [](std::size_t) { return std::vector<CompanionFile>{{"part.grf", square()}}; };
+  const auto parts = [](std::size_t count) {
+    std::vector<CompanionFile> files;
+    for (std::size_t i = 0; i < count; ++i) files.push_back({fmt::format("part{}.grf", i), square()});
+    return files;
+  };
+  const auto chain = [](std::size_t count) {
+    std::vector<CompanionFile> files = {{"part0.grf", square()}};
+    for (std::size_t i = 1; i < count; ++i) {
+      files.push_back(
+          {fmt::format("part{}.grf", i), fmt::format("include \"part{}.grf\"\n", i - 1) + square()});
+    }
+    return files;
+  };
+  return {
+      {"includes of one file", "grf", copies("", includes), 500, false, part},
+      {"included files", "grf",
+       pieces("", [](std::size_t i) { return fmt::format("include \"part{}.grf\"\n", i); }), 250, false,
+       parts},
+      {"files that include one another", "grf",
+       [](std::size_t n) { return fmt::format("include \"part{}.grf\"\n", n - 1); }, 3, false, chain},
+      {"includes with other names", "grf",
+       pieces("",
+              [](std::size_t i) {
+                return fmt::format("def a = brdf phong n={} begin include \"part.grf\" end\n", i % 100);
+              }),
+       500, false,
+       [](std::size_t) {
+         return std::vector<CompanionFile>{{"part.grf", square("brdf combine 1 a")}};
+       }},
   };
 }
 
 /// What is wrong is reported once a mistake, up to a number; but all is read.
 std::vector<Input> text_inputs() {
   return {
-      {"comments", "grf", repeated("", same("// about\n"), square())},
-      {"blocks with comments", "grf", repeated("", same("// about\n" + square()))},
-      {"a long comment", "grf", repeated("// ", same("about "), "\n" + square())},
-      {"blank lines", "grf", repeated("", same("\n"), square())},
-      {"mistakes", "grf", repeated("", same("begin mesh nonsense\n"))},
-      {"mistakes on one line", "grf", repeated("", same("nonsense "))},
+      {"comments", "grf", pieces("", same("// about\n"), square())},
+      {"blocks with comments", "grf", pieces("", same("// about\n" + square()))},
+      {"a long comment", "grf", pieces("// ", same("about "), "\n" + square())},
+      {"blank lines", "grf", pieces("", same("\n"), square())},
+      {"mistakes", "grf", pieces("", same("begin mesh nonsense\n")), 500, true},
+      {"mistakes on one line", "grf", pieces("", same("nonsense ")), 500, true},
       {"unknown models on one line", "grf",
-       repeated("begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces ",
-                same("brdf fong m=10 (0,1,2) "), EndOfFaces)},
+       pieces("begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces ",
+              same("brdf fong m=10 (0,1,2) "), EndOfFaces)},
       {"unknown parameters", "grf",
-       repeated(
+       pieces(
            "begin mesh brdf phong ", [](std::size_t i) { return fmt::format("p{}=1 ", i); },
            square().substr(11))},
       {"names that mean nothing", "grf",
-       repeated("", [](std::size_t i) { return square(fmt::format("brdf unknown{}", i)); }), 500},
+       pieces("", [](std::size_t i) { return square(fmt::format("brdf unknown{}", i)); }), 500},
   };
 }
 
@@ -187,7 +210,7 @@ std::vector<Input> text_inputs() {
 
 std::vector<Input> grf_inputs() {
   std::vector<Input> inputs = mesh_inputs();
-  for (const auto& more : {block_inputs(), text_inputs()})
+  for (const auto& more : {block_inputs(), include_inputs(), text_inputs()})
     inputs.insert(inputs.end(), more.begin(), more.end());
   return inputs;
 }

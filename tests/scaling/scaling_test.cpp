@@ -20,6 +20,7 @@
 #include "renderer/transport/plan/plan.h"
 #include "renderer/transport/scene/compiled_scene.h"
 #include "tests/grf/allocation_meter.h"
+#include "tests/scaling/editing.h"
 #include "tests/scaling/growth.h"
 #include "tests/scaling/inputs.h"
 #include "tests/support/polygon_shapes.h"
@@ -63,6 +64,10 @@ std::vector<Station> all_stations() {
          grf::Diagnostics diagnostics;
          transport::compile(scene, diagnostics);
        }},
+#ifdef WITH_EDITOR
+      {"edit", true,
+       [](const convert::Format&, const std::string& path, const grf::Scene& scene) { edit(scene, path); }},
+#endif
       {"copy, compare and destroy", true,
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {
          const grf::Scene copy = scene;
@@ -108,6 +113,16 @@ TEST(Triangulation, Of20000CornersTakes50Milliseconds) {
   }
 }
 
+TEST(Triangulation, OfAMillionCornersTakes5Seconds) {
+  for (const shapes::Shape& shape : shapes::hard_shapes(1'000'000)) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    const std::clock_t before = std::clock();
+    grf::triangulate(shape.polygon, triangles);
+    EXPECT_LT(double(std::clock() - before) / CLOCKS_PER_SEC, 5 * Allowance) << shape.name;
+    EXPECT_EQ(triangles.size(), shape.polygon.size() - 2) << shape.name;
+  }
+}
+
 class Scaling : public testing::TestWithParam<Input> {};
 
 TEST_P(Scaling, GrowsNoFasterThanTheFile) {
@@ -120,10 +135,14 @@ TEST_P(Scaling, GrowsNoFasterThanTheFile) {
     const Prepare prepare = [&](std::size_t count) -> Measured {
       const std::string path = folder.path(std::to_string(count) + "." + input.extension);
       std::ofstream(path, std::ios::binary) << input.text(count);
+      if (input.companions) {
+        for (const CompanionFile& file : input.companions(count)) folder.add(file.name, file.text);
+      }
       if (!station.needs_scene) return [&station, format, path] { station.run(*format, path, {}); };
       grf::Diagnostics diagnostics;
       const auto import = convert::read(*format, path, {}, diagnostics);
       has_scene = import.has_value();
+      EXPECT_EQ(has_scene, !input.is_refused) << diagnostics.to_text().substr(0, 1000);
       if (!import) return [] {};
       const auto scene = std::make_shared<const grf::Scene>(import->scene);
       return [&station, format, path, scene] { station.run(*format, path, *scene); };
@@ -144,6 +163,7 @@ std::string test_name(const testing::TestParamInfo<Input>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Grf, Scaling, testing::ValuesIn(grf_inputs()), test_name);
 INSTANTIATE_TEST_SUITE_P(Models, Scaling, testing::ValuesIn(model_inputs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Assimp, Scaling, testing::ValuesIn(assimp_inputs()), test_name);
 
 }  // namespace
 }  // namespace scaling

@@ -1,0 +1,33 @@
+#include "tests/scaling/editing.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/document/document.h"
+
+namespace scaling {
+
+using editor::Document;
+using editor::FaceSelection;
+
+void edit(const grf::Scene& scene, const std::string& path) {
+  Document document;
+  document.take(scene, QString::fromStdString(path), {});
+  FaceSelection selection(document.objects());
+  if (selection.mesh_count() > 0) selection.set_mesh(0);
+  connected(selection, document.objects());
+  grown(selection, document.objects());
+  alike(selection, document.objects(), editor::Likeness::All);
+  selection.select_all();
+  document.select(selection);
+  selected_area(document.objects(), selection);
+  editor::SurfaceEdit change;
+  grf::BrdfModel brdf;
+  brdf.keyword = "phong";
+  change.brdf = editor::AttributeEdit<grf::BrdfAttribute>::set(brdf);
+  document.edit_surfaces("Assign phong", change);
+  EXPECT_EQ(document.is_modified(), !selection.empty());
+  document.undo_stack().undo();
+  EXPECT_EQ(document.scene(), scene);
+}
+
+}  // namespace scaling
