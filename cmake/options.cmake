@@ -20,21 +20,23 @@ endif()
 # files are read and written -O3 gains a few per cent, where rays are traced far more.
 macro(granada_optimise_little)
   string(APPEND CMAKE_CXX_FLAGS_RELEASE " -O1")
+  string(APPEND CMAKE_CXX_FLAGS_DEBUG " -O0")
 endmacro()
 
 # The time that it saves counts where many programs are linked.
 target_link_options(granada_options INTERFACE -fuse-ld=lld)
 
 if(GRANADA_SANITIZERS)
-  target_compile_options(granada_options INTERFACE
-    -fsanitize=${GRANADA_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(granada_options INTERFACE -fsanitize=${GRANADA_SANITIZERS})
+  add_compile_definitions(GRANADA_HAS_SANITIZERS)
+  # Of folders, so that tests can do without (tests/CMakeLists.txt).
+  add_compile_options(-fsanitize=${GRANADA_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${GRANADA_SANITIZERS})
   if(GRANADA_SANITIZERS MATCHES address)
     # AddressSanitizer finds accesses through null and past an object itself: these take a fifth of the build.
-    target_compile_options(granada_options INTERFACE -fno-sanitize=null,object-size,vptr)
+    add_compile_options(-fno-sanitize=null,object-size,vptr)
   endif()
   if(GRANADA_SANITIZERS MATCHES thread)
-    target_compile_options(granada_options INTERFACE
-      -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/thread_sanitizer_ignorelist)
+    add_compile_definitions(GRANADA_THREAD_SANITIZER)
+    add_compile_options(-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/thread_sanitizer_ignorelist)
   endif()
 endif()

@@ -26,10 +26,8 @@ using grf::ExitCode;
 using Clock = std::chrono::steady_clock;
 
 // Sanitizers take terabytes of address space, most of which is never touched.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GRANADA_HAS_SANITIZERS
 constexpr bool LimitsMemory = false;
-#elif defined(__has_feature)
-constexpr bool LimitsMemory = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool LimitsMemory = true;
 #endif

@@ -2,14 +2,6 @@
 // what one task did is known to those that TBB starts, or waits for, afterwards. Elsewhere they are nothing.
 #pragma once
 
-#if defined(__SANITIZE_THREAD__)
-#define GRANADA_THREAD_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define GRANADA_THREAD_SANITIZER 1
-#endif
-#endif
-
 #ifdef GRANADA_THREAD_SANITIZER
 extern "C" void __tsan_acquire(void* address);  // NOLINT: the sanitizer's name
 extern "C" void __tsan_release(void* address);  // NOLINT: the sanitizer's name

@@ -25,10 +25,8 @@ inline const std::string FacesWithUv =
     "end mesh";
 
 // Sanitizers need more address space than any limit, so that memory is not limited under them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GRANADA_HAS_SANITIZERS
 constexpr bool LimitsMemory = false;
-#elif defined(__has_feature)
-constexpr bool LimitsMemory = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool LimitsMemory = true;
 #endif

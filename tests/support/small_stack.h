@@ -10,14 +10,8 @@ namespace test {
 
 // Threads have 8 MB, as the main one has. Without sanitizers, whose frames are several times as large, a
 // quarter of that has to do: nobody else is to be left without.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
+#if defined(GRANADA_HAS_SANITIZERS) || !defined(__OPTIMIZE__)
 inline constexpr std::size_t SmallStack = 8U << 20U;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-inline constexpr std::size_t SmallStack = 8U << 20U;
-#else
-inline constexpr std::size_t SmallStack = 2U << 20U;
-#endif
 #else
 inline constexpr std::size_t SmallStack = 2U << 20U;
 #endif

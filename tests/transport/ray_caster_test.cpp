@@ -12,16 +12,6 @@
 #include <unistd.h>
 
 #include "renderer/parallel/loops.h"
-#include "renderer/parallel/thread_sanitizer.h"
-
-// Sanitizers need address space of their own.
-#if defined(__SANITIZE_ADDRESS__)
-#define GRANADA_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define GRANADA_ADDRESS_SANITIZER 1
-#endif
-#endif
 
 namespace {
 
@@ -89,7 +79,8 @@ TEST(RayCaster, SaysWhatEmbreeRefuses) {
   EXPECT_THAT(refusal_of(geometry), testing::MatchesRegex("Embree reports error 2: .*invalid argument.*"));
 }
 
-#if !defined(GRANADA_THREAD_SANITIZER) && !defined(GRANADA_ADDRESS_SANITIZER)
+// Sanitizers need address space of their own.
+#ifndef GRANADA_HAS_SANITIZERS
 /// Builds a caster with so little memory that Embree cannot get what it needs.
 void build_without_memory(std::shared_ptr<const Geometry> geometry) {
   parallel::run_with_threads(1, [&] {

@@ -8,6 +8,7 @@
 #include "tests/benchmarks/render/report.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -23,8 +24,7 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
   std::vector<std::string> command = {GRANADA_BIN_DIR "/render_benchmark", "--quick", "--folder",
                                       folder.path("run")};
   // A library that is loaded in front of the sanitizers' own keeps them from starting.
-  constexpr bool HasSanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
-  if (HasSanitizers) command.emplace_back("--without-embree-share");
+  if (test::HasSanitizers) command.emplace_back("--without-embree-share");
   const test::Outcome outcome = test::run(command);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::ifstream file(folder.path("run/results.json"));
@@ -39,7 +39,7 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
     const double efficiency = row.at("efficiency");
     const double product = row.at("relmse").get<double>() * row.at("render_seconds").get<double>();
     EXPECT_NEAR(efficiency * product, 1, 1e-9);
-    if (HasSanitizers) continue;
+    if (test::HasSanitizers) continue;
     EXPECT_GT(row.at("embree_share").get<double>(), 0.01);
     EXPECT_LT(row.at("embree_share").get<double>(), 0.99);
   }

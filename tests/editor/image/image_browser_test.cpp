@@ -24,6 +24,7 @@
 #include "editor/image/screen_controls.h"
 #include "renderer/transport/display_packets.h"
 #include "renderer/transport/image/image_file.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
@@ -288,8 +289,7 @@ TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
   }
   RecordProperty("milliseconds", std::to_string(best));
   // Sanitizers make all several times as slow.
-  const bool has_sanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
-  EXPECT_LT(best, has_sanitizers ? 300 : 60);
+  EXPECT_LT(best, test::HasSanitizers ? 300 : 60);
 }
 
 TEST(ImageWindow, ShowsWhatIsSent) {

@@ -10,6 +10,7 @@
 
 #include "tests/editor/view/shown_view.h"
 #include "tests/grf/height_field.h"
+#include "tests/support/sanitizers.h"
 
 namespace editor {
 namespace {
@@ -17,8 +18,7 @@ namespace {
 using grf::Vec3d;
 
 /// How much slower than promised a shared machine may be. Sanitizers cost several times as much again.
-constexpr bool HasSanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
-constexpr double Room = HasSanitizers ? 20 : 2;
+constexpr double Room = test::HasSanitizers ? 20 : 2;
 
 double milliseconds(const QElapsedTimer& clock) { return double(clock.nsecsElapsed()) * 1e-6; }
 

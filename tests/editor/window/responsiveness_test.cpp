@@ -20,6 +20,7 @@
 #include "editor/window/file_actions.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
+#include "tests/support/sanitizers.h"
 
 namespace editor {
 namespace {
@@ -28,8 +29,7 @@ using test::Minute;
 
 /// Milliseconds for which the event loop may not come round. Sanitizers make all several times as slow.
 constexpr qint64 Limit = 100;
-constexpr bool HasSanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
-constexpr int Tries = HasSanitizers ? 1 : 3;
+constexpr int Tries = test::HasSanitizers ? 1 : 3;
 const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
 
 class Responsiveness : public testing::Test {
@@ -74,7 +74,7 @@ class Responsiveness : public testing::Test {
       best = std::min(best, watchdog_.longest());
     }
     std::cout << what << ": " << best << " ms\n";
-    if (!HasSanitizers) {
+    if (!test::HasSanitizers) {
       EXPECT_LE(best, Limit) << what;
     }
   }

@@ -10,14 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/paths.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
 namespace {
-
-constexpr bool HasSanitizers = !std::string_view(GRANADA_SANITIZERS).empty();
 /// The best of them counts: others may use the machine.
-constexpr int Tries = HasSanitizers ? 1 : 3;
+constexpr int Tries = test::HasSanitizers ? 1 : 3;
 constexpr int Minute = 60'000;
 
 /// Milliseconds, as the program measures them itself; nothing if it failed.
@@ -46,7 +45,7 @@ void expect_startup_within(int limit, const QStringList& files) {
   ASSERT_TRUE(time);
   std::cout << *time << " ms\n";
   EXPECT_GT(*time, 0);
-  if (!HasSanitizers) {
+  if (!test::HasSanitizers) {
     EXPECT_LT(*time, limit);
   }
 }
