@@ -16,7 +16,7 @@ inline grf::Scene scene_of(const std::string& text) {
   return std::move(*scene);
 }
 
-/// The same of a BRDF.
+/// Reads a BRDF from GRF text; throws the diagnostics if there is an error in it.
 inline grf::BrdfModel brdf_model(const std::string& text) {
   grf::Diagnostics diagnostics;
   auto model = grf::read_brdf(text, "test", diagnostics);

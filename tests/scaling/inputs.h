@@ -28,7 +28,7 @@ struct Input {
 
 std::vector<Input> grf_inputs();
 std::vector<Input> model_inputs();
-/// Of formats that Assimp reads.
+/// The inputs of formats that Assimp reads.
 std::vector<Input> assimp_inputs();
 
 /// One piece of text for each number, after a beginning and before an end.
@@ -40,7 +40,7 @@ inline Text pieces(std::string begin, Text piece, std::string end = "") {
   };
 }
 
-/// The same piece again and again.
+/// Repeats one piece of text, after a beginning and before an end.
 inline Text copies(std::string begin, std::string piece, std::string end = "") {
   return pieces(
       std::move(begin), [=](std::size_t) { return piece; }, std::move(end));

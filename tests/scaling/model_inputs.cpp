@@ -1,5 +1,8 @@
+#include <cstdint>
+
 #include <fmt/format.h>
 
+#include "tests/converters/gltf/gltf_maker.h"
 #include "tests/scaling/inputs.h"
 
 namespace scaling {
@@ -234,23 +237,13 @@ std::vector<Input> vrml_inputs() {
 
 /// A binary glTF file of one triangle's vertices and so many faces.
 std::string glb(std::size_t faces) {
-  std::string bytes(36, '\0');
-  for (const std::size_t one : {12U, 24U, 28U}) bytes.replace(one, 4, std::string("\0\0\x80\x3f", 4));
-  for (std::size_t i = 0; i < faces; ++i) bytes += std::string("\0\0\0\0\1\0\0\0\2\0\0\0", 12);
-  std::string json = fmt::format(
-      R"({{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":{}}}],"bufferViews":[{{"buffer":0,"byteLength":36}},)"
-      R"({{"buffer":0,"byteOffset":36,"byteLength":{}}}],"accessors":[{},)"
-      R"({{"bufferView":1,"componentType":5125,"count":{},"type":"SCALAR"}}],)"
-      R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}}],"nodes":[{{"mesh":0}}],{}}})",
-      bytes.size(), bytes.size() - 36, Accessor, 3 * faces, scene_of_nodes(1));
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto word = [](std::size_t value) {
-    std::string text;
-    for (int i = 0; i < 4; ++i) text += static_cast<char>(value >> 8 * i & 0xffU);
-    return text;
-  };
-  return "glTF" + word(2) + word(28 + json.size() + bytes.size()) + word(json.size()) + "JSON" + json +
-         word(bytes.size()) + std::string("BIN\0", 4) + bytes;
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < faces; ++i) indices.insert(indices.end(), {0, 1, 2});
+  convert::GltfMaker maker;
+  const int positions = maker.floats({0, 0, 0, 1, 0, 0, 1, 1, 0}, "VEC3");
+  maker.add_mesh(
+      {{"attributes", {{"POSITION", positions}}}, {"indices", maker.add(indices, "SCALAR", 5125)}});
+  return maker.glb();
 }
 
 }  // namespace

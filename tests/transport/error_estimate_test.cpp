@@ -28,6 +28,7 @@ TEST(ErrorEstimate, HoldsWithLampsInView) {
   const std::string diffuse = "brdf diffuse kd=0.6";
   const BrightCase cases[] = {
       {test::cornell_case(32, 12), 6},
+      {test::cornell_case(48, 64), 3},
       {BrightScene(48).strips(5, 0.4, 0.05, 20).with("strips", 16), 8},
       {BrightScene(48).lamps(3, 16.3, 16, 3.5, 0, 8).with("corners at tile borders", 32), 6},
       {BrightScene(48).lamps(6, 6, 7, 0.8, 0.3, 20).with("dots", 64), 6},

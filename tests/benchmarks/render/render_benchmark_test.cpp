@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <fstream>
-#include <string_view>
 
 #include <gtest/gtest.h>
 

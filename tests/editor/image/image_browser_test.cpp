@@ -15,7 +15,6 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
-#include <string_view>
 
 #include <gtest/gtest.h>
 

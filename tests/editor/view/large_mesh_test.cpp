@@ -4,7 +4,6 @@
 #include <QImage>
 #include <algorithm>
 #include <iostream>
-#include <string_view>
 
 #include <gtest/gtest.h>
 

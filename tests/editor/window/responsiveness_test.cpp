@@ -8,7 +8,6 @@
 #include <array>
 #include <functional>
 #include <iostream>
-#include <string_view>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iostream>
 #include <optional>
-#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +14,7 @@
 
 namespace editor {
 namespace {
+
 /// The best of them counts: others may use the machine.
 constexpr int Tries = test::HasSanitizers ? 1 : 3;
 constexpr int Minute = 60'000;
