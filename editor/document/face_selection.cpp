@@ -11,53 +11,97 @@
 namespace editor {
 namespace {
 
-/// Which faces of a mesh share an edge with which.
-class Neighbours {
+/// The edges of a mesh with the faces that share each. An edge knows its faces, and no face its neighbours:
+/// pairs would be quadratic where many faces share one edge.
+class SharedEdges {
  public:
-  explicit Neighbours(const grf::Mesh& mesh) : offsets_(mesh.face_count() + 1) {
-    const auto edges = grf::edges_of_faces(mesh, grf::first_at_place(mesh));
-    grf::for_each_edge(edges, [this](std::span<const grf::FaceEdge> of_faces) {
-      for (const grf::FaceEdge& edge : of_faces) offsets_[edge.face + 1] += of_faces.size() - 1;
-    });
-    for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
-    faces_.resize(offsets_.back());
-    std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
-    grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
-      for (const grf::FaceEdge& edge : of_faces) {
-        for (const grf::FaceEdge& other : of_faces) {
-          if (&other != &edge) faces_[next[edge.face]++] = other.face;
-        }
-      }
+  explicit SharedEdges(const grf::Mesh& mesh)
+      : edges_(grf::edges_of_faces(mesh, grf::first_at_place(mesh))),
+        edge_of_corner_(mesh.corners.size(), None) {
+    std::uint32_t first = 0;
+    grf::for_each_edge(edges_, [&](std::span<const grf::FaceEdge> of_faces) {
+      for (const grf::FaceEdge& edge : of_faces) edge_of_corner_[edge.corner] = edge_count();
+      first_.push_back(first);
+      first += static_cast<std::uint32_t>(of_faces.size());
     });
   }
 
-  std::span<const std::uint32_t> of(std::uint32_t face) const {
-    return std::span(faces_).subspan(offsets_[face], offsets_[face + 1] - offsets_[face]);
+  /// What an edge without length is.
+  static constexpr std::uint32_t None = ~0U;
+
+  std::uint32_t edge_count() const { return static_cast<std::uint32_t>(first_.size()); }
+  /// The edge that begins in a corner, or None.
+  std::uint32_t at_corner(std::uint32_t corner) const { return edge_of_corner_[corner]; }
+  std::span<const grf::FaceEdge> faces_at(std::uint32_t edge) const {
+    const std::size_t last = edge + 1 < first_.size() ? first_[edge + 1] : edges_.size();
+    return std::span(edges_).subspan(first_[edge], last - first_[edge]);
   }
 
  private:
-  std::vector<std::size_t> offsets_;
-  std::vector<std::uint32_t> faces_;
+  std::vector<grf::FaceEdge> edges_;
+  std::vector<std::uint32_t> first_;  ///< by edge, the first of its faces in edges_
+  std::vector<std::uint32_t> edge_of_corner_;
 };
 
-/// Spreads from the selected faces to their neighbours, and on from there, as long as `admits` the step.
-template <class Admits>
-void spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& selection, const Admits& admits) {
-  const Neighbours neighbours(geometry);
-  std::vector<std::uint32_t> front;
-  for (std::uint32_t face = 0; face < geometry.face_count(); ++face) {
-    if (selection.has({mesh, face})) front.push_back(face);
-  }
-  while (!front.empty()) {
-    const std::uint32_t face = front.back();
-    front.pop_back();
-    for (const std::uint32_t other : neighbours.of(face)) {
-      if (selection.has({mesh, other}) || !admits(face, other)) continue;
-      selection.set({mesh, other});
-      front.push_back(other);
+/// Spreads a selection over the edges of a mesh.
+class Spread {
+ public:
+  Spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& selection)
+      : mesh_(mesh),
+        geometry_(&geometry),
+        selection_(&selection),
+        edges_(geometry),
+        unselected_(edges_.edge_count()) {
+    for (std::uint32_t edge = 0; edge < edges_.edge_count(); ++edge) {
+      for (const grf::FaceEdge& of_face : edges_.faces_at(edge)) {
+        if (!selection.has({mesh, of_face.face})) ++unselected_[edge];
+      }
+    }
+    for (std::uint32_t face = 0; face < geometry.face_count(); ++face) {
+      if (selection.has({mesh, face})) front_.push_back(face);
     }
   }
-}
+
+  /// Goes from the selected faces to those that share an edge with one, and on from there, as long as
+  /// `admits(from, to)` does.
+  template <class Admits>
+  void run(const Admits& admits) {
+    while (!front_.empty()) {
+      const std::uint32_t from = front_.back();
+      front_.pop_back();
+      for_each_edge_of(from, [&](std::uint32_t edge) {
+        if (unselected_[edge] == 0) return;
+        for (const grf::FaceEdge& of_face : edges_.faces_at(edge)) {
+          const std::uint32_t to = of_face.face;
+          if (!selection_->has({mesh_, to}) && admits(from, to)) select(to);
+        }
+      });
+    }
+  }
+
+ private:
+  template <class Action>
+  void for_each_edge_of(std::uint32_t face, const Action& action) const {
+    for (std::uint32_t corner = geometry_->face_offsets[face]; corner < geometry_->face_offsets[face + 1];
+         ++corner) {
+      const std::uint32_t edge = edges_.at_corner(corner);
+      if (edge != SharedEdges::None) action(edge);
+    }
+  }
+
+  void select(std::uint32_t face) {
+    selection_->set({mesh_, face});
+    for_each_edge_of(face, [this](std::uint32_t edge) { --unselected_[edge]; });
+    front_.push_back(face);
+  }
+
+  std::uint32_t mesh_;
+  const grf::Mesh* geometry_;
+  FaceSelection* selection_;
+  SharedEdges edges_;
+  std::vector<std::uint32_t> unselected_;  ///< by edge, how many of its faces are not selected
+  std::vector<std::uint32_t> front_;       ///< selected faces from which to go on
+};
 
 /// What faces have, and what its names mean there: a name can mean other things in another scope.
 struct SurfaceAndLook {
@@ -183,7 +227,7 @@ FaceSelection connected(const FaceSelection& selection, const SceneObjects& obje
   FaceSelection result = selection;
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    spread(i, mesh, result, [](std::uint32_t, std::uint32_t) { return true; });
+    Spread(i, mesh, result).run([](std::uint32_t, std::uint32_t) { return true; });
   }
   return result;
 }
@@ -201,7 +245,7 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
     // steps ends.
     std::vector<std::uint32_t> seeds(mesh.face_count());
     for (std::uint32_t face = 0; face < seeds.size(); ++face) seeds[face] = face;
-    spread(i, mesh, result, [&](std::uint32_t from, std::uint32_t to) {
+    Spread(i, mesh, result).run([&](std::uint32_t from, std::uint32_t to) {
       if (normals[seeds[from]].dot(normals[to]) < least) return false;
       seeds[to] = seeds[from];
       return true;
