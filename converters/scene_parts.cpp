@@ -107,7 +107,9 @@ std::vector<grf::Block> placed(std::vector<grf::Block> blocks, const Matrix44d& 
   grf::Block block;
   block.content = std::move(transform);
   block.location = location;
-  return {std::move(block)};
+  std::vector<grf::Block> one;  // not {block}: that would copy all that is inside
+  one.push_back(std::move(block));
+  return one;
 }
 
 std::vector<grf::TransformStep> transform_steps(const Matrix44d& matrix) {
@@ -132,14 +134,7 @@ void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<gr
 }
 
 std::string DefinitionNames::take(std::string_view name) {
-  const std::string wanted = grf::to_identifier(name);
-  std::string free = wanted;
-  if (taken_.insert(free).second) return free;
-  int& number = next_numbers_.emplace(wanted, 2).first->second;
-  do {
-    free = fmt::format("{}_{}", wanted, number++);
-  } while (!taken_.insert(free).second);
-  return free;
+  return names_.take(grf::to_identifier(name));
 }
 
 }  // namespace convert

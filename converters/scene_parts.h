@@ -3,12 +3,12 @@
 
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "grf/scene.h"
+#include "grf/unique_names.h"
 
 namespace convert {
 
@@ -35,8 +35,7 @@ class DefinitionNames {
   std::string take(std::string_view name);
 
  private:
-  std::set<std::string, std::less<>> taken_;
-  std::map<std::string, int, std::less<>> next_numbers_;  // of names that were taken already
+  grf::UniqueNames names_;
 };
 
 }  // namespace convert

@@ -219,7 +219,7 @@ class Check {
       diagnostics_.error(model.location,
                          fmt::format("'{}' is the name of a {}, expected a model", model.keyword, kind.name));
     } else {
-      report_unknown(model, kind.models, kind.name, scope.names_of<ModelOfKind>(), diagnostics_);
+      report_unknown(model, kind.models, kind.name, names_to_suggest<ModelOfKind>(scope), diagnostics_);
     }
   }
 
@@ -259,10 +259,17 @@ class Check {
       used_.insert(scope.find(reference.name));
       return;
     }
-    const std::string suggestion = did_you_mean(reference.name, scope.names_of<Body>());
+    const std::string suggestion = did_you_mean(reference.name, names_to_suggest<Body>(scope));
     diagnostics_.error(reference.location,
                        fmt::format("no {} called '{}' is defined here{}{}", kind, reference.name,
                                    suggestion.empty() ? "" : ": ", suggestion));
+  }
+
+  // Of errors that are kept no more, nobody reads the suggestion: gathering names for each would be
+  // quadratic.
+  template <class Body>
+  std::vector<std::string> names_to_suggest(const Scope& scope) const {
+    return diagnostics_.is_full() ? std::vector<std::string>() : scope.names_of<Body>();
   }
 
   void check_definition(const Definition& definition, const Scope& scope) {

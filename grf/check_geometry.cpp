@@ -1,6 +1,7 @@
 #include "grf/check_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -103,17 +104,34 @@ void FaceCheck::report(const Found& found, Diagnostics& diagnostics) {
   }
 }
 
+/// What is in front of a light: it is convex.
+class LightCheck::Front {
+ public:
+  Front(const Vec3d& point, const Vec3d& normal) : point_(point), normal_(normal) {}
+
+  bool has(const Vec3d& position) const {
+    const Vec3d d = position - point_;
+    return d.dot(normal_) > LeastHeight * d.length() * normal_.length();
+  }
+
+  BoxTree::Overlap overlap(const Box3d& box, const Matrix44d& to_world) const {
+    const std::array<Vec3d, 8> corners = corners_of(box, to_world);
+    const auto count =
+        std::count_if(corners.begin(), corners.end(), [this](const Vec3d& corner) { return has(corner); });
+    if (count == 0) return BoxTree::Overlap::None;
+    return count == 8 ? BoxTree::Overlap::All : BoxTree::Overlap::Some;
+  }
+
+ private:
+  Vec3d point_;
+  Vec3d normal_;
+};
+
 void LightCheck::add(const Mesh& mesh, const Placement& placement) {
   if (mesh.face_count() == 0) return;
-  Box3f box;
-  for (const Vec3f& position : mesh.positions) box.extendBy(position);
-  Body body{&mesh, placement.to_world, {}};
-  for (std::size_t i = 0; i < body.corners.size(); ++i) {
-    const Vec3d corner((i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
-                       (i & 4U) != 0 ? box.max.z : box.min.z);
-    body.corners[i] = corner * placement.to_world;
-  }
-  bodies_.push_back(body);
+  const auto [known, is_new] = vertices_.try_emplace(&mesh);
+  if (is_new) known->second = VertexTree(mesh);
+  bodies_.push_back({&known->second, placement.to_world});
 }
 
 void LightCheck::add_light(const AreaLight& light, const Placement& placement, const Block& block) {
@@ -133,39 +151,40 @@ void LightCheck::add_light(const MeshLight& light, const Placement& placement, c
 void LightCheck::report(Diagnostics& diagnostics) const {
   // A file of lights alone is a part of scenes.
   const bool is_part = bodies_.empty();
+  std::vector<Box3d> boxes;
+  for (const Body& body : bodies_) {
+    Box3d& box = boxes.emplace_back();
+    for (const Vec3d& corner : corners_of(body.vertices->bounds(), body.to_world)) box.extendBy(corner);
+  }
+  const BoxTree bodies(boxes);
   for (const Light& light : lights_) {
     const bool has_area = light.mesh == nullptr ? light.normal.length() > 0 : light.mesh->face_count() > 0;
     if (!has_area) {
       diagnostics.warning(light.location, "a light without area");
-    } else if (!is_part && !faces_something(light)) {
+    } else if (!is_part && !faces_something(light, bodies)) {
       diagnostics.warning(light.location, "nothing is in front of this light, on the side that emits");
     }
   }
 }
 
-bool LightCheck::faces_something(const Light& light) const {
-  if (light.mesh == nullptr) return faces_something(light.point, light.normal);
+bool LightCheck::faces_something(const Light& light, const BoxTree& bodies) const {
+  if (light.mesh == nullptr) return has_body(Front(light.point, light.normal), bodies);
   const double side = light.to_world.determinant() < 0 ? -1 : 1;
   for (std::size_t i = 0; i < light.mesh->face_count(); ++i) {
     const Vec3d point = Vec3d(light.mesh->positions[light.mesh->face(i).front()]) * light.to_world;
-    if (faces_something(point, doubled_area_vector(*light.mesh, i, light.to_world) * side)) return true;
+    const Front front(point, doubled_area_vector(*light.mesh, i, light.to_world) * side);
+    if (has_body(front, bodies)) return true;
   }
   return false;
 }
 
-bool LightCheck::faces_something(const Vec3d& point, const Vec3d& normal) const {
-  const auto is_in_front = [&](const Vec3d& position) {
-    const Vec3d d = position - point;
-    return d.dot(normal) > LeastHeight * d.length() * normal.length();
+bool LightCheck::has_body(const Front& front, const BoxTree& bodies) const {
+  const auto has_vertex_of = [&](const Body& body) {
+    return body.vertices->any_in([&](const Box3d& box) { return front.overlap(box, body.to_world); },
+                                 [&](const Vec3d& vertex) { return front.has(vertex * body.to_world); });
   };
-  return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
-    const auto front_corners = std::count_if(body.corners.begin(), body.corners.end(), is_in_front);
-    if (front_corners == 0) return false;
-    if (front_corners == static_cast<std::ptrdiff_t>(body.corners.size())) return true;
-    const std::vector<Vec3f>& positions = body.mesh->positions;
-    return std::any_of(positions.begin(), positions.end(),
-                       [&](const Vec3f& position) { return is_in_front(Vec3d(position) * body.to_world); });
-  });
+  return bodies.any_in([&](const Box3d& box) { return front.overlap(box, Matrix44d()); },
+                       [&](std::size_t body) { return has_vertex_of(bodies_[body]); });
 }
 
 }  // namespace grf

@@ -1,11 +1,12 @@
 // The part of `check` that looks at shapes and places.
 #pragma once
 
-#include <array>
+#include <map>
 #include <vector>
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "grf/vertex_tree.h"
 #include "grf/visit.h"
 
 namespace grf {
@@ -50,9 +51,8 @@ class LightCheck {
 
  private:
   struct Body {
-    const Mesh* mesh = nullptr;
+    const VertexTree* vertices = nullptr;
     Matrix44d to_world;
-    std::array<Vec3d, 8> corners;  ///< of a box around it
   };
   struct Light {
     const Mesh* mesh = nullptr;  ///< null for a parallelogram
@@ -62,9 +62,12 @@ class LightCheck {
     SourceLocation location;
   };
 
-  bool faces_something(const Light& light) const;
-  bool faces_something(const Vec3d& point, const Vec3d& normal) const;
+  class Front;
 
+  bool faces_something(const Light& light, const BoxTree& bodies) const;
+  bool has_body(const Front& front, const BoxTree& bodies) const;
+
+  std::map<const Mesh*, VertexTree> vertices_;
   std::vector<Body> bodies_;
   std::vector<Light> lights_;
 };

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "grf/relocate.h"
+#include "grf/unique_names.h"
 #include "grf/visit.h"
 
 namespace grf {
@@ -54,7 +54,7 @@ class Downgrade {
   Scene run(const Scene& scene) {
     SceneVisitor names;
     names.definition = [this](const Definition& definition, const Placement&) {
-      names_.insert(definition.name);
+      names_.add(definition.name);
     };
     visit(scene, names);
     return {blocks(scene.contents)};
@@ -133,7 +133,7 @@ class Downgrade {
         copy.comments = definition.comments;
         name_in_comment(**mesh, copy.comments);
       } else {
-        copy.name = new_name(definition.name);
+        copy.name = names_.take(definition.name);
       }
       placed.names.push_back(copy.name);
       copy.body = Shared<Mesh>(std::move(part));
@@ -149,12 +149,6 @@ class Downgrade {
       if (name != use.mesh.name) copy.comments = {};
     }
     if (placed->second.light) result.blocks.push_back({*placed->second.light, {}, block.location});
-  }
-
-  std::string new_name(const std::string& name) {
-    std::size_t number = 2;
-    while (!names_.insert(fmt::format("{}_{}", name, number)).second) ++number;
-    return fmt::format("{}_{}", name, number);
   }
 
   static void name_in_comment(const Mesh& mesh, Comments& comments) {
@@ -340,7 +334,7 @@ class Downgrade {
   Diagnostics& diagnostics_;
   std::optional<ChangedFile> changed_file_;
   ScopeStack scope_;
-  std::set<std::string> names_;  ///< of all definitions
+  UniqueNames names_;  ///< of all definitions
   std::map<const Definition*, Placed> placed_;
 };
 

@@ -142,17 +142,20 @@ class Flattener {
                         include->contents->end_comments.end());
         continue;
       }
-      Block& copy = result.blocks.emplace_back(block);
-      copy.comments.before = std::exchange(comments, {});
-      if (auto* transform = std::get_if<Transform>(&copy.content)) {
-        transform->body = flat(transform->body, file);
-      } else if (auto* scope = std::get_if<DefinitionScope>(&copy.content)) {
-        const BlockList body = flat(scope->body, file);
-        scope->body = {};
-        Mover(names, true).move(*scope);
-        scope->body = body;
-      } else if (auto* mesh = std::get_if<Shared<Mesh>>(&copy.content)) {
-        Mover(names, true).move(*mesh);
+      // What is inside is not copied before it is made flat: that would be n^2 of n in one another.
+      Block& copy = result.blocks.emplace_back();
+      copy.comments = {std::exchange(comments, {}), block.comments.behind};
+      copy.location = block.location;
+      if (const auto* transform = std::get_if<Transform>(&block.content)) {
+        copy.content = Transform{transform->steps, flat(transform->body, file)};
+      } else if (const auto* scope = std::get_if<DefinitionScope>(&block.content)) {
+        DefinitionScope moved{scope->definitions, {}};
+        Mover(names, true).move(moved);
+        moved.body = flat(scope->body, file);
+        copy.content = std::move(moved);
+      } else {
+        copy.content = block.content;
+        if (auto* mesh = std::get_if<Shared<Mesh>>(&copy.content)) Mover(names, true).move(*mesh);
       }
     }
   }

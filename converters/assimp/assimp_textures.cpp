@@ -66,18 +66,12 @@ std::string EmbeddedTextures::file_of(const std::string& name) {
   return known->second;
 }
 
-std::string EmbeddedTextures::free_name(const aiTexture& texture, std::size_t index) const {
+std::string EmbeddedTextures::free_name(const aiTexture& texture, std::size_t index) {
   const std::string extension = "." + extension_of(texture);
   std::string stem = without_folder(text_of(texture.mFilename));
   if (stem.ends_with(extension)) stem.resize(stem.size() - extension.size());
   if (stem.empty() || stem.starts_with('.') || stem.starts_with('*')) stem = fmt::format("texture{}", index);
-  const auto is_taken = [this](const std::string& name) {
-    return std::any_of(files_.begin(), files_.end(),
-                       [&name](const EmbeddedFile& file) { return file.name == name; });
-  };
-  std::string name = stem + extension;
-  for (int i = 2; is_taken(name); ++i) name = fmt::format("{}_{}{}", stem, i, extension);
-  return name;
+  return free_names_.take(stem, extension);
 }
 
 }  // namespace convert

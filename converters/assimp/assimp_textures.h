@@ -8,6 +8,7 @@
 #include <assimp/scene.h>
 
 #include "converters/format.h"
+#include "grf/unique_names.h"
 
 namespace convert {
 
@@ -27,11 +28,12 @@ class EmbeddedTextures {
   std::vector<EmbeddedFile> take() { return std::move(files_); }
 
  private:
-  std::string free_name(const aiTexture& texture, std::size_t index) const;
+  std::string free_name(const aiTexture& texture, std::size_t index);
 
   const aiScene& scene_;
   std::map<const aiTexture*, std::string> names_;
   std::vector<EmbeddedFile> files_;
+  grf::UniqueNames free_names_;
 };
 
 }  // namespace convert

@@ -95,11 +95,7 @@ std::string ImageNames::take(std::string_view wanted, std::string_view extension
     if (grf::lower_case(stem).ends_with(own)) stem.resize(stem.size() - own.size());
   }
   if (stem.empty()) stem = "image";
-  std::string name = stem + std::string(extension);
-  for (int i = 2; !taken_.insert(grf::lower_case(name)).second; ++i) {
-    name = fmt::format("{}_{}{}", stem, i, extension);
-  }
-  return name;
+  return names_.take(stem, extension);
 }
 
 bool GltfImages::load() {

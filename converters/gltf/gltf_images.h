@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "converters/format.h"
 #include "converters/gltf/gltf_accessors.h"
 #include "converters/gltf/gltf_file.h"
+#include "grf/unique_names.h"
 
 namespace convert {
 
@@ -22,7 +22,8 @@ class ImageNames {
   std::string take(std::string_view wanted, std::string_view extension);
 
  private:
-  std::set<std::string> taken_;  ///< in lower case, since some file systems know no other
+  // Some file systems know no case.
+  grf::UniqueNames names_{grf::UniqueNames::Case::Ignored};
 };
 
 /// The images of a glTF file: files beside it, or bytes inside it that become files of their own.

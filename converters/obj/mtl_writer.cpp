@@ -157,12 +157,9 @@ void MtlWriter::add_materials(std::vector<Key> keys) {
 }
 
 void MtlWriter::add(const Key& key, const std::string& name) {
-  std::string free = name;
-  int& number = last_number_.try_emplace(name, 1).first->second;
-  while (!names_.insert(free).second) free = fmt::format("{}_{}", name, ++number);
   first_of_brdf_.emplace(key.brdf, materials_.size());
   by_key_.emplace(key, materials_.size());
-  materials_.push_back({key, free});
+  materials_.push_back({key, names_.take(name)});
 }
 
 const std::string* MtlWriter::name_of(const WorldSurface& surface, bool is_light) const {

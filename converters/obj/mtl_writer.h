@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "converters/material_rule.h"
 #include "converters/world_meshes.h"
 #include "grf/scene.h"
+#include "grf/unique_names.h"
 
 namespace convert {
 
@@ -77,8 +77,7 @@ class MtlWriter {
   std::map<const grf::BrdfModel*, std::size_t> first_of_brdf_;
   std::vector<Material> materials_;
   std::map<Key, std::size_t> by_key_;
-  std::set<std::string> names_;
-  std::map<std::string, int> last_number_;  ///< put behind a name that was not free
+  grf::UniqueNames names_;
   std::size_t approximated_faces_ = 0;
 };
 

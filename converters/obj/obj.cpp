@@ -66,12 +66,15 @@ class ObjReader {
  private:
   void smooth(const aiScene& imported);
   void read_object(const aiScene& imported, const aiNode& object);
-  void read_faces(const aiScene& imported, const aiMesh& faces, MeshBuilder& builder);
+  void read_mesh(const aiMesh& mesh, MeshBuilder& builder);
+  void read_faces(const aiMesh& mesh, std::span<const aiFace> faces, std::uint32_t index,
+                  MeshBuilder& builder);
   void read_corners(const aiMesh& faces, const aiFace& face);
   std::uint32_t vertex(std::uint32_t corner, const UvTransform& uv, std::uint32_t group,
                        MeshBuilder& builder);
   Corner corner_of(const ObjCorner& indices, const UvTransform& uv, std::uint32_t group) const;
-  ObjSurface surface_of(const aiScene& imported, const aiMesh& faces);
+  ObjSurface surface_of(std::uint32_t material, std::size_t faces);
+  std::uint32_t number_at_face(const std::vector<FaceRun>& runs, std::size_t& begun) const;
   std::uint32_t next_group();
   void report();
 
@@ -91,8 +94,10 @@ class ObjReader {
   std::vector<std::uint32_t> vertices_;          // the same in the mesh
   std::vector<std::uint32_t> vertex_of_corner_;  // in the mesh being built
   std::vector<std::uint32_t> corners_with_vertex_;
-  std::size_t face_ = 0;           // how many were read
-  std::size_t smoothing_run_ = 0;  // how many runs have begun
+  std::size_t face_ = 0;  // how many were read
+  // How many runs have begun.
+  std::size_t smoothing_run_ = 0;
+  std::size_t material_run_ = 0;
   bool is_sound_ = true;
 };
 
@@ -136,14 +141,14 @@ void ObjReader::smooth(const aiScene& imported) {
   }
 }
 
-// A mesh of Assimp's is what an object has of one material, in the order of the file.
+// The faces of an object are in the order of the file.
 void ObjReader::read_object(const aiScene& imported, const aiNode& object) {
   const std::size_t index = index_of(object.mName);
   is_sound_ = is_sound_ && index < text_.meshes.size();
   if (!is_sound_) return;
   MeshBuilder builder(text_.meshes[index]);
   for (unsigned i = 0; i < object.mNumMeshes; ++i) {
-    read_faces(imported, *imported.mMeshes[object.mMeshes[i]], builder);
+    read_mesh(*imported.mMeshes[object.mMeshes[i]], builder);
   }
   for (const std::uint32_t corner : corners_with_vertex_) vertex_of_corner_[corner] = ObjCorner::None;
   corners_with_vertex_.clear();
@@ -154,12 +159,27 @@ void ObjReader::read_object(const aiScene& imported, const aiNode& object) {
   meshes_.push_back(std::move(block));
 }
 
-void ObjReader::read_faces(const aiScene& imported, const aiMesh& faces, MeshBuilder& builder) {
-  const ObjSurface material = surface_of(imported, faces);
+void ObjReader::read_mesh(const aiMesh& mesh, MeshBuilder& builder) {
+  for (unsigned first = 0; first < mesh.mNumFaces;) {
+    is_sound_ = is_sound_ && face_ < text_.faces;
+    if (!is_sound_) return;
+    const std::uint32_t material = number_at_face(text_.material_runs, material_run_);
+    const std::size_t end = material_run_ < text_.material_runs.size()
+                                ? text_.material_runs[material_run_].first_face
+                                : text_.faces;
+    const auto count = static_cast<unsigned>(std::min<std::size_t>(mesh.mNumFaces - first, end - face_));
+    read_faces(mesh, std::span(mesh.mFaces + first, count), material, builder);
+    first += count;
+  }
+}
+
+void ObjReader::read_faces(const aiMesh& mesh, std::span<const aiFace> faces, std::uint32_t index,
+                           MeshBuilder& builder) {
+  const ObjSurface material = surface_of(index, faces.size());
   const std::uint32_t surface = builder.surface(material.surface);
-  for (const aiFace& face : std::span(faces.mFaces, faces.mNumFaces)) {
+  for (const aiFace& face : faces) {
     const std::uint32_t group = next_group();
-    read_corners(faces, face);
+    read_corners(mesh, face);
     vertices_.clear();
     for (const std::uint32_t corner : corners_) {
       vertices_.push_back(vertex(corner, material.uv, group, builder));
@@ -207,21 +227,23 @@ Corner ObjReader::corner_of(const ObjCorner& indices, const UvTransform& uv, std
   return corner;
 }
 
-// Faces come in the order of the file.
-std::uint32_t ObjReader::next_group() {
-  const std::vector<SmoothingRun>& runs = text_.smoothing;
-  while (smoothing_run_ < runs.size() && runs[smoothing_run_].first_face <= face_) ++smoothing_run_;
-  ++face_;
-  return smoothing_run_ == 0 ? 0 : runs[smoothing_run_ - 1].group;
+/// What the run of the next face has in common; 0 before the first. Faces come in the order of the file.
+std::uint32_t ObjReader::number_at_face(const std::vector<FaceRun>& runs, std::size_t& begun) const {
+  while (begun < runs.size() && runs[begun].first_face <= face_) ++begun;
+  return begun == 0 ? 0 : runs[begun - 1].number;
 }
 
-ObjSurface ObjReader::surface_of(const aiScene& imported, const aiMesh& faces) {
-  const std::size_t index = index_of(imported.mMaterials[faces.mMaterialIndex]->GetName());
-  is_sound_ = is_sound_ && index < text_.materials.size();
-  if (!is_sound_ || index == 0) return {};
-  const std::string& name = text_.materials[index];
+std::uint32_t ObjReader::next_group() {
+  const std::uint32_t group = number_at_face(text_.smoothing, smoothing_run_);
+  ++face_;
+  return group;
+}
+
+ObjSurface ObjReader::surface_of(std::uint32_t material, std::size_t faces) {
+  if (material == 0) return {};
+  const std::string& name = text_.materials[material];
   if (name.empty() && !materials_.has(name)) return {};
-  return materials_.surface(name, faces.mNumFaces, losses_);
+  return materials_.surface(name, faces, losses_);
 }
 
 void ObjReader::report() {

@@ -62,6 +62,7 @@ class Checker {
   bool resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index);
   void add_corner(const ObjCorner& corner);
   void write_face(bool has_normals);
+  void begin_run(std::vector<FaceRun>& runs, std::uint32_t number) const;
   void check_highest_index(const Elements& elements);
   void finish();
 
@@ -85,7 +86,6 @@ class Checker {
   std::vector<std::uint32_t> face_;                              // indices of corners
   std::map<std::string, std::uint32_t, std::less<>> materials_;  // by name
   std::uint32_t material_ = 0;
-  std::uint32_t written_material_ = ObjCorner::None;
   bool mesh_has_faces_ = false;
   std::uint32_t group_ = 0;  // of smoothing; 0 is none
 };
@@ -327,20 +327,21 @@ void Checker::write_face(bool has_normals) {
     statements += fmt::format("g {}\n", text_.meshes.size() - 1);
     mesh_has_faces_ = true;
   }
-  if (written_material_ != material_) {
-    statements += fmt::format("usemtl {}\n", material_);
-    written_material_ = material_;
-  }
+  begin_run(text_.material_runs, material_);
   statements += 'f';
   for (const std::uint32_t corner : face_) {
     statements += ' ';
     append_number(statements, std::uint64_t{corner} + 1);
   }
   statements += '\n';
-  const std::uint32_t group = has_normals ? 0 : group_;
-  const std::uint32_t known_group = text_.smoothing.empty() ? 0 : text_.smoothing.back().group;
-  if (group != known_group) text_.smoothing.push_back({text_.faces, group});
+  begin_run(text_.smoothing, has_normals ? 0 : group_);
   ++text_.faces;
+}
+
+/// The next face has the number, and so have those after it. Before the first run it is 0.
+void Checker::begin_run(std::vector<FaceRun>& runs, std::uint32_t number) const {
+  const std::uint32_t known = runs.empty() ? 0 : runs.back().number;
+  if (number != known) runs.push_back({text_.faces, number});
 }
 
 void Checker::check_highest_index(const Elements& elements) {

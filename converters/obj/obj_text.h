@@ -25,10 +25,10 @@ struct LibraryName {
   grf::SourceLocation location;
 };
 
-/// Faces from one on, up to those of the next run, that belong to a smoothing group; 0: to none.
-struct SmoothingRun {
+/// Faces from one on, up to those of the next run, that have a number in common.
+struct FaceRun {
   std::size_t first_face = 0;
-  std::uint32_t group = 0;
+  std::uint32_t number = 0;
 };
 
 struct ObjText {
@@ -41,12 +41,13 @@ struct ObjText {
   /// The different corners that faces have.
   std::vector<ObjCorner> corners;
   /// The faces as statements for Assimp, whose vertices are those corners: the coordinates of a vertex are
-  /// the number of the corner, as `corner_at` understands it. A group or a material is called by its index
-  /// below.
+  /// the number of the corner, as `corner_at` understands it. A group is called by its index below. Materials
+  /// are not among them: Assimp would take n^2 for n of them.
   std::string statements;
-  std::vector<std::string> meshes;      ///< their names: of `o` and `g` statements that faces follow
-  std::vector<std::string> materials;   ///< their names; the first one stands for none
-  std::vector<SmoothingRun> smoothing;  ///< none where no face has a group and no normals
+  std::vector<std::string> meshes;     ///< their names: of `o` and `g` statements that faces follow
+  std::vector<std::string> materials;  ///< their names; the first one stands for none
+  std::vector<FaceRun> material_runs;  ///< indices of materials
+  std::vector<FaceRun> smoothing;      ///< groups, 0 for none; empty where no face has a group and no normals
   std::vector<LibraryName> libraries;
 
   std::size_t faces = 0;  ///< among the statements

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
+#include <unordered_set>
 
 #include "grf/summary.h"
 #include "grf/topology.h"
@@ -103,35 +102,45 @@ class Spread {
   std::vector<std::uint32_t> front_;       ///< selected faces from which to go on
 };
 
-/// What faces have, and what its names mean there: a name can mean other things in another scope.
-struct SurfaceAndLook {
-  const grf::Surface* surface;
-  const Look* look;
+/// A key holds what is compared of faces: their surface as it is written, and what its names mean there. A
+/// name can mean other things in another scope.
+struct LikenessKey {
+  grf::Surface written;
+  grf::Surface meant;
+  std::vector<LookTerm> terms;
+
+  bool operator==(const LikenessKey&) const = default;
 };
 
-bool have_same_look(const Look& a, const Look& b) {
-  return a.colour == b.colour && a.brdf == b.brdf && a.terms == b.terms && a.texture == b.texture;
+std::size_t hash_of(const LikenessKey& key) {
+  std::size_t hash = grf::hash_value(key.written) + 31 * grf::hash_value(key.meant);
+  for (const LookTerm& term : key.terms) {
+    grf::Surface of_term;
+    of_term.brdf = term.brdf;
+    hash = 31 * hash + grf::hash_value(of_term);
+  }
+  return hash;
 }
 
-bool are_alike(const SurfaceAndLook& first, const SurfaceAndLook& second, Likeness likeness) {
-  const grf::Surface& a = *first.surface;
-  const grf::Surface& b = *second.surface;
-  switch (likeness) {
-    case Likeness::Brdf:
-      return a.brdf == b.brdf && first.look->brdf == second.look->brdf &&
-             first.look->terms == second.look->terms;
-    case Likeness::Pdf:
-      return a.pdf == b.pdf;
-    case Likeness::Colour:
-      return a.colour == b.colour && first.look->colour == second.look->colour;
-    case Likeness::Texture:
-      return a.texture == b.texture && first.look->texture == second.look->texture;
-    case Likeness::Emission:
-      return a.emission == b.emission;
-    case Likeness::All:
-      return a == b && have_same_look(*first.look, *second.look);
+LikenessKey key_of(const grf::Surface& surface, const Look& look, Likeness likeness) {
+  const bool all = likeness == Likeness::All;
+  LikenessKey key;
+  if (all || likeness == Likeness::Brdf) {
+    key.written.brdf = surface.brdf;
+    key.meant.brdf = look.brdf;
+    key.terms = look.terms;
   }
-  return false;
+  if (all || likeness == Likeness::Pdf) key.written.pdf = surface.pdf;
+  if (all || likeness == Likeness::Colour) {
+    key.written.colour = surface.colour;
+    key.meant.colour = look.colour;
+  }
+  if (all || likeness == Likeness::Texture) {
+    key.written.texture = surface.texture;
+    key.meant.texture = grf::Reference{look.texture, {}};
+  }
+  if (all || likeness == Likeness::Emission) key.written.emission = surface.emission;
+  return key;
 }
 
 }  // namespace
@@ -255,21 +264,15 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
 }
 
 FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness) {
-  std::vector<SurfaceAndLook> wanted;
-  const auto is_wanted = [&](const SurfaceAndLook& one) {
-    return std::any_of(wanted.begin(), wanted.end(),
-                       [&](const SurfaceAndLook& other) { return are_alike(one, other, likeness); });
-  };
+  std::unordered_set<LikenessKey, decltype(&hash_of)> wanted(0, &hash_of);
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const std::vector<Look>& looks = objects.meshes[i].looks;
     std::vector<bool> is_used(mesh.surfaces.size());
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (selection.has({i, face})) is_used[mesh.surface_of_face[face]] = true;
     }
     for (std::size_t k = 0; k < is_used.size(); ++k) {
-      const SurfaceAndLook one = {&mesh.surfaces[k], &looks[k]};
-      if (is_used[k] && !is_wanted(one)) wanted.push_back(one);
+      if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness));
     }
   }
   FaceSelection result(objects);
@@ -277,7 +280,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<bool> takes;
     for (std::size_t k = 0; k < mesh.surfaces.size(); ++k) {
-      takes.push_back(is_wanted({&mesh.surfaces[k], &objects.meshes[i].looks[k]}));
+      takes.push_back(wanted.contains(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness)));
     }
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (takes[mesh.surface_of_face[face]]) result.set({i, face});

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "grf/text_file.h"
+#include "grf/vertex_tree.h"
 #include "grf/visit.h"
 
 namespace editor {
@@ -79,9 +81,16 @@ class Collector {
     const grf::Mesh& mesh = *objects_.meshes[index].mesh;
     objects_.instances.push_back({index, path_of(placement), placement.to_world});
     objects_.triangles += mesh.corners.size() - 2 * mesh.face_count();
-    for (const grf::Vec3f& position : mesh.positions) {
-      objects_.bounds.extendBy(grf::Vec3d(position) * placement.to_world);
+    const auto [known, is_first] = placed_.try_emplace(index);
+    if (is_first) {
+      for (const grf::Vec3f& position : mesh.positions) {
+        objects_.bounds.extendBy(grf::Vec3d(position) * placement.to_world);
+      }
+      return;
     }
+    // A tree pays from the second place on.
+    if (!known->second) known->second.emplace(mesh);
+    objects_.bounds.extendBy(known->second->bounds_under(placement.to_world));
   }
 
   void add_light(const grf::AreaLight& light, const grf::Placement& placement) {
@@ -116,6 +125,7 @@ class Collector {
 
   const std::string& path_;
   SceneObjects objects_;
+  std::map<std::uint32_t, std::optional<grf::VertexTree>> placed_;  ///< meshes that stand somewhere
   // What was met last under these definitions, see add_definition.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes
   std::map<const grf::Definition*, std::string> file_of_;    // in which a texture is defined

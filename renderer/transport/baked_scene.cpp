@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "grf/unique_names.h"
 #include "grf/visit.h"
 
 namespace transport {
@@ -22,11 +22,11 @@ using grf::Matrix44d;
 using grf::Mesh;
 using grf::Shared;
 
-std::set<std::string> defined_names(const grf::Scene& scene) {
-  std::set<std::string> names;
+grf::UniqueNames defined_names(const grf::Scene& scene) {
+  grf::UniqueNames names;
   grf::SceneVisitor visitor;
   visitor.definition = [&](const Definition& definition, const grf::Placement&) {
-    names.insert(definition.name);
+    names.add(definition.name);
   };
   grf::visit(scene, visitor);
   return names;
@@ -77,7 +77,7 @@ class IrradianceWriter {
 
   BakedScene& baked_;
   const Bake& bake_;
-  std::set<std::string> names_;
+  grf::UniqueNames names_;
   /// What each name means, the innermost last.
   std::map<std::string, std::vector<Used>> in_scope_;
   std::size_t next_ = 0;  ///< vertex of the bake
@@ -103,9 +103,7 @@ grf::Irradiance IrradianceWriter::value_of(std::size_t vertex, const Matrix44d& 
 }
 
 std::string IrradianceWriter::free_name(const std::string& name, std::size_t number) {
-  std::string result = fmt::format("{}${}", name, number);
-  while (!names_.insert(result).second) result += '$';
-  return result;
+  return names_.take(fmt::format("{}${}", name, number));
 }
 
 void IrradianceWriter::write(grf::Use& use, const Matrix44d& to_world) {

@@ -20,8 +20,9 @@ const std::string SquareWithFaces =
 const std::string EndOfFaces = " end faces end mesh\n";
 
 /// A strip of squares, each vertex with values.
-std::string strip(std::size_t count, const std::string& values, const std::string& before = "begin mesh") {
-  std::string text = before + " begin vertexs\n";
+std::string strip(std::size_t count, const std::string& values, bool is_light = false) {
+  std::string text = is_light ? "mesh light begin" : "begin mesh";
+  text += " begin vertexs\n";
   for (std::size_t i = 0; i <= count; ++i) {
     for (const int y : {0, 1}) text += fmt::format("{}({},{},{})\n", values, i, y, i % 2);
   }
@@ -29,7 +30,7 @@ std::string strip(std::size_t count, const std::string& values, const std::strin
   for (std::size_t i = 0; i < count; ++i) {
     text += fmt::format("({},{},{},{})\n", 2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1);
   }
-  return text + EndOfFaces;
+  return text + (is_light ? " end faces end\n" : EndOfFaces);
 }
 
 /// A zigzag band, or with one side of the band straight, a comb.
@@ -93,7 +94,7 @@ std::vector<Input> mesh_inputs() {
               "end list (0,0,0) (1,0,0) (1,1,0) end vertexs begin faces (0,1,2)" + EndOfFaces)},
       {"vertices with irradiance", "igrf", [](std::size_t n) { return strip(n, "irad (1,2,3) "); }},
       {"faces that emit", "grf", pieces(SquareWithFaces, same("light rgb (1,1,1) (0,1,2)\n"), EndOfFaces)},
-      {"faces of a mesh light", "grf", [](std::size_t n) { return strip(n, "", "mesh light begin"); }},
+      {"faces of a mesh light", "grf", [](std::size_t n) { return strip(n, "", true) + square(); }},
   };
 }
 
@@ -108,6 +109,16 @@ std::vector<Input> block_inputs() {
        pieces(
            "",
            [](std::size_t i) { return fmt::format("light begin ({},0,0) (1,0,0) (0,1,0) end\n", 2 * i); })},
+      {"lights that face nothing", "grf",
+       pieces("",
+              [](std::size_t i) {
+                return fmt::format("transform translation (0,0,-{}) begin ", i) + square() +
+                       fmt::format("end light begin ({},0,0) (1,0,0) (0,1,0) end\n", i);
+              })},
+      {"faces of a light that faces nothing", "grf",
+       [](std::size_t n) {
+         return strip(n, "", true) + "transform translation (0,0,-0.1) begin " + strip(n, "") + "end\n";
+       }},
       {"observers", "grf", pieces("params begin\n", same("dependent view (0,0,1)\n"), "end\n")},
       {"transforms", "grf", pieces("", same("transform translation (1,2,3) begin " + square() + "end\n"))},
       {"steps of a transform", "grf",
@@ -117,6 +128,8 @@ std::vector<Input> block_inputs() {
       {"nested definitions", "grf", [](std::size_t n) { return nested(n, "def a = brdf diffuse kd=0.5"); },
        15},
       {"scopes", "grf", pieces("", same("def a = brdf diffuse kd=0.5 begin " + square("brdf a") + "end\n"))},
+      {"scopes with meshes of one name", "grf",
+       pieces("", same("def m = " + square("light rgb (1,1,1)") + "begin use m use m end\n"))},
       {"definitions", "grf",
        pieces(
            "", [](std::size_t i) { return fmt::format("def a{} = brdf phong n={}\n", i, 1 + i % 100); },

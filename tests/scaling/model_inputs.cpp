@@ -37,6 +37,15 @@ std::vector<Input> obj_inputs() {
        pieces(triangle, [](std::size_t i) { return fmt::format("o object{}\nf 1 2 3\n", i); })},
       {"materials that are missing", "obj",
        pieces(triangle, [](std::size_t i) { return fmt::format("usemtl m{}\nf 1 2 3\n", i); })},
+      {"materials", "obj",
+       pieces("mtllib all.mtl\n" + triangle,
+              [](std::size_t i) { return fmt::format("usemtl m{}\nf 1 2 3\n", i); }),
+       500, false,
+       [](std::size_t n) {
+         const Text material =
+             pieces("", [](std::size_t i) { return fmt::format("newmtl m{}\nKd 0.5 0.5 0.{:06}\n", i, i); });
+         return std::vector<CompanionFile>{{"all.mtl", material(n)}};
+       }},
       {"switches of material", "obj",
        pieces(triangle, [](std::size_t i) { return fmt::format("usemtl m{}\nf 1 2 3\n", i % 2); })},
       {"libraries that are missing", "obj",
@@ -88,7 +97,8 @@ std::vector<Input> ply_inputs() {
          const Text more =
              pieces("", [](std::size_t i) { return fmt::format("element e{} 1\nproperty int a\n", i); });
          return copies(header(3, 1, more(n)) + vertices(3), "1\n", "3 0 1 2\n")(n);
-       }},
+       },
+       60},
       {"comments", "ply",
        [=](std::size_t n) {
          return header(3, 1, copies("", "comment about\n")(n)) + vertices(3) + "3 0 1 2\n";
@@ -135,7 +145,7 @@ std::vector<Input> gltf_inputs() {
                             }) +
                      R"(,{"mesh":0}],)" + scene_of_nodes(1));
        },
-       60},
+       55},
       {"children of a node", "gltf",
        [](std::size_t n) {
          return gltf(GltfAccessors + GltfMeshes + R"("nodes":[{"children":[)" +
@@ -157,6 +167,26 @@ std::vector<Input> gltf_inputs() {
        [=](std::size_t n) {
          return gltf(R"("accessors":[)" + listed(n, [](std::size_t) { return Accessor; }) + "]," +
                      GltfMeshes + one_node);
+       }},
+      {"images of one name", "gltf",
+       [=](std::size_t n) {
+         const std::string image =
+             R"({"name":"wood","mimeType":"image/png","uri":"data:image/png;base64,iVBORw0KGgo="})";
+         return gltf(GltfAccessors + R"("images":[)" + listed(n, [=](std::size_t) { return image; }) +
+                     R"(],"textures":[)" +
+                     listed(n, [](std::size_t i) { return fmt::format(R"({{"source":{}}})", i); }) +
+                     R"(],"materials":[)" +
+                     listed(n,
+                            [](std::size_t i) {
+                              return fmt::format(
+                                  R"({{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":{}}}}}}})", i);
+                            }) +
+                     R"(],"meshes":[{"primitives":[)" +
+                     listed(n,
+                            [](std::size_t i) {
+                              return fmt::format(R"({{"attributes":{{"POSITION":0}},"material":{}}})", i);
+                            }) +
+                     "]}]," + one_node);
        }},
       {"materials", "gltf",
        [=](std::size_t n) {
@@ -206,15 +236,17 @@ std::vector<Input> vrml_inputs() {
       {"uses", "wrl", copies(header + "DEF s " + shape, "USE s\n")},
       {"names given again", "wrl", copies(header, "DEF s " + shape + "USE s\n")},
       {"prototypes", "wrl",
-       pieces(header,
-              [=](std::size_t i) { return fmt::format("PROTO P{} [] {{ {} }}\nP{} {{}}\n", i, shape, i); })},
-      {"instances of a prototype", "wrl", copies(header + "PROTO P [] { " + shape + " }\n", "P {}\n")},
+       pieces(
+           header,
+           [=](std::size_t i) { return fmt::format("PROTO P{} [] {{ {} }}\nP{} {{}}\n", i, shape, i); },
+           shape)},
+      {"instances of a prototype", "wrl", copies(header + "PROTO P [] { " + shape + " }\n", "P {}\n", shape)},
       {"children", "wrl", copies(header + "Group { children [\n", shape, "] }\n")},
       {"nested groups", "wrl",
        [=](std::size_t n) {
          return header + copies("", "Group { children [ ")(n) + shape + copies("", "] }\n")(n);
        },
-       40},
+       30},
       {"faces", "wrl", copies(header + "Shape { " + points + "coordIndex [\n", "0 1 2 -1\n", "] } }\n")},
       {"smooth faces at one vertex", "wrl",
        copies(header + "Shape { " + points + "creaseAngle 1 coordIndex [\n", "0 1 2 -1\n", "] } }\n")},

@@ -1,0 +1,79 @@
+#include "grf/vertex_tree.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace grf {
+namespace {
+
+Mesh cloud(std::size_t vertices, std::mt19937& random) {
+  std::normal_distribution<float> number;
+  Mesh mesh;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    mesh.positions.emplace_back(number(random), 3 * number(random), number(random) - 5);
+  }
+  return mesh;
+}
+
+Matrix44d random_transform(std::mt19937& random) {
+  std::uniform_real_distribution<double> number(-2, 2);
+  Matrix44d matrix;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) matrix[i][k] = number(random);
+  }
+  return matrix;
+}
+
+TEST(VertexTree, BoundsTheTransformedVerticesThemselves) {
+  std::mt19937 random(1);
+  for (const std::size_t vertices : {1, 2, 15, 16, 17, 64, 65, 1000, 5000}) {
+    const Mesh mesh = cloud(vertices, random);
+    const VertexTree tree(mesh);
+    for (int i = 0; i < 20; ++i) {
+      const Matrix44d transform = random_transform(random);
+      Box3d expected;
+      for (const Vec3f& position : mesh.positions) expected.extendBy(Vec3d(position) * transform);
+      const Box3d bounds = tree.bounds_under(transform);
+      EXPECT_EQ(bounds.min, expected.min) << vertices;
+      EXPECT_EQ(bounds.max, expected.max) << vertices;
+    }
+  }
+}
+
+TEST(VertexTree, FindsWhetherAVertexIsBeyondAPlane) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> number;
+  for (const std::size_t vertices : {1, 16, 33, 4000}) {
+    const Mesh mesh = cloud(vertices, random);
+    const VertexTree tree(mesh);
+    int found = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3d normal = Vec3d(number(random), number(random), number(random)).normalized();
+      const double height = 8 * number(random);
+      const auto is_beyond = [&](const Vec3d& position) { return position.dot(normal) > height; };
+      const auto overlap = [&](const Box3d& box) {
+        int beyond = 0;
+        for (const Vec3d& corner : corners_of(box, Matrix44d())) beyond += is_beyond(corner) ? 1 : 0;
+        if (beyond == 0) return BoxTree::Overlap::None;
+        return beyond == 8 ? BoxTree::Overlap::All : BoxTree::Overlap::Some;
+      };
+      bool expected = false;
+      for (const Vec3f& position : mesh.positions) expected = expected || is_beyond(Vec3d(position));
+      EXPECT_EQ(tree.any_in(overlap, is_beyond), expected) << vertices;
+      found += expected ? 1 : 0;
+    }
+    EXPECT_GT(found, 20);
+    EXPECT_LT(found, 180);
+  }
+}
+
+TEST(VertexTree, OfNothingIsEmpty) {
+  const Mesh mesh;
+  const VertexTree tree(mesh);
+  EXPECT_TRUE(tree.bounds().isEmpty());
+  EXPECT_TRUE(tree.bounds_under(Matrix44d()).isEmpty());
+}
+
+}  // namespace
+}  // namespace grf
