@@ -7,6 +7,7 @@
 
 #include "converters/mesh_operations/scene_placement.h"
 #include "grf/summary.h"
+#include "tests/converters/assimp/collada_file.h"
 #include "tests/converters/reading.h"
 #include "tests/support/small_stack.h"
 
@@ -92,6 +93,20 @@ TEST(DeepNodes, OfVrmlAreReadUpToTheLimit) {
       EXPECT_THAT(read_bytes("a.wrl", chain(nodes)).text(), HasSubstr("nested more than 500 deep"));
     }
   });
+}
+
+TEST(DeepNodes, OfColladaAreReadUpToTheLimit) {
+  const auto chain = [](int nodes) {
+    ColladaParts parts;
+    for (int i = 0; i < nodes; ++i) parts.nodes += "<node><translate>1 0 0</translate>";
+    parts.nodes += "{}";
+    for (int i = 0; i < nodes; ++i) parts.nodes += "</node>";
+    return collada_file(parts);
+  };
+  const Reading deepest = read_bytes("a.dae", chain(500));
+  ASSERT_TRUE(deepest.scene) << deepest.text();
+  EXPECT_FLOAT_EQ(grf::summarize(*deepest.scene).bounds.max.x, 501);
+  EXPECT_THAT(read_bytes("a.dae", chain(501)).text(), HasSubstr("objects are nested deeper than 500"));
 }
 
 }  // namespace

@@ -15,18 +15,18 @@ using transport::Bake;
 using transport::Rgb;
 using transport::Vec3f;
 
-// A vertex on the edge of a roof, of which one side has half of the angle of the other there. Each side gets
+// A vertex on the edge of a roof, of which one side has a third of the angle of the other there. Each side gets
 // what Lambert's formula says; the vertex has their mean, weighted by the angles.
 TEST(Bake, WeighsFacesAtACreaseByTheirAngles) {
   const BakeScene scene(
-      "begin mesh brdf diffuse kd=0 begin vertexs (0,0,0) (0,2,0) (-2,2,0) (0,0,-2) end vertexs\n"
+      "begin mesh brdf diffuse kd=0 begin vertexs (0,0,0) (0,2,0) (-2,2,0) (0,-2,-2) end vertexs\n"
       "begin faces (0,1,2) (0,3,1) end faces end mesh\n"
       "light begin rgb (3,2,1) (0.5,-0.5,1.5) (0,1,0) (0.5,0,-0.5) end\n");
   const std::array corners = {V3d(0.5, -0.5, 1.5), V3d(0.5, 0.5, 1.5), V3d(1, 0.5, 1), V3d(1, -0.5, 1)};
   const double on_top = test::irradiance_of_polygon(V3d(0), V3d(0, 0, 1), corners);
   const double at_side = test::irradiance_of_polygon(V3d(0), V3d(1, 0, 0), corners);
   ASSERT_GT(on_top, 1.3 * at_side);
-  const double expected = (45 * on_top + 90 * at_side) / (45 + 90);
+  const double expected = (45 * on_top + 135 * at_side) / (45 + 135);
   Bake bake(scene.compiled, scene.points, bake_settings(8192, 1));
   bake.run();
   for (int k = 0; k < 3; ++k)
@@ -34,9 +34,9 @@ TEST(Bake, WeighsFacesAtACreaseByTheirAngles) {
   std::vector<transport::BakePoints::Point> points;
   scene.points.points_at(0, points);
   ASSERT_EQ(points.size(), 2U);
-  EXPECT_NEAR(points[0].share_end, 1.0 / 3, 1e-6);
+  EXPECT_NEAR(points[0].share_end, 0.25, 1e-6);
   EXPECT_EQ(points[1].share_end, 1);
-  const Vec3f normal = Vec3f(2, 0, 1).normalized();
+  const Vec3f normal = Vec3f(3, 0, 1).normalized();
   EXPECT_LT((transport::BakePoints::normal_of(points) - normal).length(), 1e-6F);
 }
 

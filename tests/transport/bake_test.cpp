@@ -292,6 +292,37 @@ TEST(Bake, PlacesSamplesWithoutBiasAndKnowsItsError) {
   EXPECT_NEAR(estimated / measured, 1, 0.15);
 }
 
+// A hole in a black ceiling, found by few samples: how many more a half takes must not follow from whether it
+// has found the hole, or the mean would be too small.
+TEST(Bake, LetsNoHalfDecideOverItself) {
+  const std::string black = "brdf diffuse kd=0";
+  const BakeScene scene(test::quad(black, "(0,0,0) (1,0,0) (1,1,0) (0,1,0)") +
+                        test::quad(black, "(-50,-50,1) (-50,50,1) (0.3,50,1) (0.3,-50,1)") +
+                        test::quad(black, "(0.7,-50,1) (0.7,50,1) (50,50,1) (50,-50,1)") +
+                        test::quad(black, "(0.3,-50,1) (0.3,0.3,1) (0.7,0.3,1) (0.7,-50,1)") +
+                        test::quad(black, "(0.3,0.7,1) (0.3,50,1) (0.7,50,1) (0.7,0.7,1)"));
+  const std::array hole = {V3d(0.3, 0.3, 1), V3d(0.7, 0.3, 1), V3d(0.7, 0.7, 1), V3d(0.3, 0.7, 1)};
+  const double expected = irradiance_of_polygon(V3d(0), V3d(0, 0, 1), hole);
+  BakeSettings settings = bake_settings(512, 1);
+  settings.integrator.background = Rgb(1);
+  constexpr int Seeds = 200;
+  double sum = 0;
+  double squares = 0;
+  for (int seed = 1; seed <= Seeds; ++seed) {
+    settings.seed = static_cast<std::uint32_t>(seed);
+    Bake bake(scene.compiled, scene.points, settings);
+    bake.run();
+    double mean = 0;
+    for (std::size_t i = 0; i < 4; ++i) mean += bake.irradiance(i).x / 4;
+    sum += mean;
+    squares += mean * mean;
+  }
+  const double mean = sum / Seeds;
+  const double deviation = std::sqrt((squares / Seeds - mean * mean) / (Seeds - 1));
+  EXPECT_LT(deviation, 0.02 * expected);
+  EXPECT_NEAR(mean, expected, 4 * deviation);
+}
+
 class BakeCheckpoint : public testing::Test {
  protected:
   const transport::Fingerprint ours_{1, 2, 3};

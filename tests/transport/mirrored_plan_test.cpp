@@ -62,6 +62,7 @@ TEST(MirroredLight, ShinesFromItsFront) {
   for (const Vec3f& scale : {Vec3f(1, -1, 1), Vec3f(-1, -1, -1)}) {
     for (const auto& [kind, light] : lights_that_shine(true)) {
       PlannedScene scene = planned(light, scale);
+      ASSERT_FALSE(scene.needed().empty()) << kind;
       EXPECT_EQ(scene.needed()[0], "area_lights") << kind;
       const test::Estimate estimate = test::mean_radiance(scene.film());
       EXPECT_NEAR(estimate.mean, expected, 4 * estimate.deviation + 2e-3 * expected) << kind;
