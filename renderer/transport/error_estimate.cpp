@@ -16,21 +16,29 @@ constexpr double NormalQuantile = 1.96;
 
 /// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
 /// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
-/// variance is not known at all count in full. Measured: 1/2 is a little too much (error_statistics_test).
-constexpr double UncertainPart = 0.4;
+/// variance is not known at all count in full. Measured, with error_statistics_test.
+constexpr double UncertainPart = 0.43;
+/// How many degrees of freedom the few pixels that an error is spread over have less than they seem to: those
+/// that are noisy by chance are taken for the noisy ones. Measured.
+constexpr double LostFreedom = 6;
 
 /// How much more the pixels must differ than the halves, so that it is no noise.
 constexpr double ContrastOverNoise = 1.5;
 /// Above this ratio of deviation and mean, only one half of a pixel is bright.
 constexpr double OneHalfBright = 0.7;
-/// How many times as bright as all neighbours, and as the floor, lone pixels are.
+/// How many times as bright as all neighbours but one, and as the floor, lone pixels are.
 constexpr double LoneContrast = 2;
+/// What is taken for granted of lone pixels is as if so many had been seen, whose halves agreed so much.
+constexpr double LonePixelsBefore = 2;
+constexpr double LoneAgreementBefore = 0.15;
+/// How many standard deviations the lone pixels' agreement may be off.
+constexpr double LoneQuantile = 1.5;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.4;      ///< of second-order errors that the denominators' bias makes
+constexpr double DoubtPart = 0.6;      ///< of second-order errors that the denominators' bias makes
 constexpr double LoneDoubtPart = 0.8;  ///< the same, of lone pixels' errors
 constexpr double TailGrowth = 0.45;    ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 25;       ///< of a touched pixel's squared relative error, in most images
+constexpr double TailBound = 100;      ///< of a touched pixel's squared relative error, in most images
 constexpr double TailPart = 0.9;       ///< of what the tail adds, that may as well not be there
 
 /// What the neighbours of a value are like.
@@ -41,6 +49,7 @@ struct Surroundings {
   double contrast = 0;  ///< sum of squared differences from their mean
   double darkest = std::numeric_limits<double>::max();
   double brightest = 0;
+  double second_brightest = 0;
 };
 
 Surroundings surroundings_of(const PixelMoments& pixels, int x, int y, int channel) {
@@ -57,6 +66,7 @@ Surroundings surroundings_of(const PixelMoments& pixels, int x, int y, int chann
       squares += value * value;
       around.noise += pixels.variances[index][channel];
       around.darkest = std::min(around.darkest, value);
+      around.second_brightest = std::max(around.second_brightest, std::min(around.brightest, value));
       around.brightest = std::max(around.brightest, value);
     }
   }
@@ -76,9 +86,9 @@ double visible_part(const Surroundings& around, double difference, double varian
 /// The squared relative error of a value, unless it is counted as lone or touched.
 double add_value(const Surroundings& around, double mean, double variance, ErrorSums& sums) {
   if (around.count == 0) return variance / (mean * mean + RelmseFloor);
-  const bool is_lone = mean > LoneContrast * (around.brightest + std::sqrt(RelmseFloor));
+  const bool is_lone = mean > LoneContrast * (around.second_brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
-    const double excess = mean - around.brightest;
+    const double excess = mean - around.second_brightest;
     ++sums.lone.count;
     sums.lone.agreement += 1 - variance / (excess * excess);
   }
@@ -122,13 +132,48 @@ Supplement errors_of(const ErrorSums::Touched& touched) {
   return spread_over(touched.errors * (1 + tail), touched.errors);
 }
 
-Supplement errors_of(const ErrorSums::Lone& lone) {
-  if (!(lone.count > 0.5)) return {};
-  const double agreement = std::clamp(lone.agreement / lone.count, 0.0, 1.0);
+/// The squared error of all lone values, and between what it may well be.
+struct LoneErrors {
+  double errors = 0;
+  double low = 0;
+  double high = 0;
+};
+
+/// If the halves of lone pixels agree so much.
+double errors_at(const ErrorSums::Lone& lone, double agreement) {
   const double hits = std::min(1.0, 4 * agreement / (1 + agreement));
   const double own = hits > 0 ? lone.own / (hits * hits) : std::numeric_limits<double>::max();
-  return spread_over(std::min(lone.neighbours, own), lone.count);
+  return std::min(std::max(lone.own, lone.neighbours), own);
 }
+
+LoneErrors errors_of(const ErrorSums::Lone& lone) {
+  if (!(lone.count > 0.5)) return {};
+  const double pixels = lone.count / PixelChannels + LonePixelsBefore;
+  const double sum = lone.agreement / PixelChannels + LonePixelsBefore * LoneAgreementBefore;
+  const double agreement = std::clamp(sum / pixels, 0.0, 1.0);
+  const double deviation = LoneQuantile * std::sqrt(agreement * (1 - agreement) / (pixels + 1));
+  return {errors_at(lone, agreement), errors_at(lone, std::min(1.0, agreement + deviation)),
+          errors_at(lone, std::max(0.0, agreement - deviation))};
+}
+
+/// Of Student's t distribution: 95 % are within so many (Cornish and Fisher 1938).
+double student_quantile(double freedom) {
+  constexpr double Z = NormalQuantile;
+  constexpr double Z2 = Z * Z;
+  const double v = 1 / freedom;
+  return Z * (1 + v * ((Z2 + 1) / 4 + v * (((5 * Z2 + 16) * Z2 + 3) / 96 +
+                                           v * (((3 * Z2 + 19) * Z2 + 17) * Z2 - 15) / 384)));
+}
+
+/// How far the logarithms of two estimates of one error lie apart, at most in 95 % of cases, if each is the
+/// root of a mean square with so many degrees of freedom: the root of F's quantile is exp of this, since
+/// 2 t / sqrt(v) = sqrt(F) - 1/sqrt(F) (Cacoullos 1965, "A relation between t and F-distributions").
+double logarithm_of_ratio(double freedom) {
+  return std::asinh(student_quantile(freedom) / std::sqrt(freedom));
+}
+
+/// What comes to a logarithm when so much is added to an error of 1.
+double half_logarithm(double added) { return std::log1p(added) / 2; }
 
 }  // namespace
 
@@ -169,20 +214,25 @@ ErrorSums error_sums_of(const PixelMoments& pixels) {
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   if (!(sums.values > 0)) return std::nullopt;
   const Supplement touched = errors_of(sums.touched);
-  const Supplement lone = errors_of(sums.lone);
+  const LoneErrors lone = errors_of(sums.lone);
   const double errors = sums.errors + touched.errors + lone.errors;
   if (!(errors > 0)) return ErrorEstimate();
-  // Of the logarithm of the squared error.
-  const double squares = std::max(0.0, sums.squares) + touched.squares + lone.squares;
-  const double deviation = 2 * NormalQuantile * std::sqrt(UncertainPart * squares) / errors;
+  const double squares = std::max(0.0, sums.squares) + touched.squares +
+                         (lone.errors > 0 ? spread_over(lone.errors, sums.lone.count).squares : 0);
+  const double freedom = std::max(1.0, errors * errors / squares / UncertainPart - LostFreedom);
+  // All of these are of the logarithm of the error.
+  const double deviation = logarithm_of_ratio(freedom);
   const double doubt =
-      (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors;
-  const double tail_above = std::log1p(std::max(0.0, sums.touched.bounds) / errors);
+      (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors / 2;
+  const double tail_above = half_logarithm(std::max(0.0, sums.touched.bounds) / errors);
   const double tail = std::max(0.0, touched.errors - sums.touched.errors);
-  const double tail_below = -std::log1p(-TailPart * tail / errors);
+  const double tail_below = -half_logarithm(-TailPart * tail / errors);
+  const double lone_above = half_logarithm((lone.high - lone.errors) / errors);
+  const double lone_below = -half_logarithm(-(lone.errors - lone.low) / errors);
+  const double above = std::hypot(std::hypot(deviation, doubt), tail_above, lone_above);
+  const double below = std::hypot(std::hypot(deviation, doubt), tail_below, lone_below);
   const double error = std::sqrt(errors / sums.values);
-  return ErrorEstimate{error, error * std::exp(-std::hypot(deviation, doubt, tail_below) / 2),
-                       error * std::exp(std::hypot(deviation, doubt, tail_above) / 2)};
+  return ErrorEstimate{error, error * std::exp(-below), error * std::exp(above)};
 }
 
 }  // namespace transport

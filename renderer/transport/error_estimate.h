@@ -25,7 +25,7 @@ struct ErrorSums {
     double bounds = 0;      ///< of the squared error, for most of such pixels
   } touched;
 
-  /// Values that stand out from all neighbours.
+  /// Values that stand out from all neighbours but one.
   struct Lone {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1 for each value
@@ -75,19 +75,22 @@ ErrorSums error_sums_of(const PixelMoments& pixels);
 
 /// The error of an image, and an interval that holds it in 95 % of images; nothing without values.
 ///
-/// The interval. The logarithm of the error has about the standard deviation 1 / sqrt(N), where N = (sum of
-/// var)^2 / sum of var^2 is how many pixels the error is spread over. To that comes the doubt about what is
-/// divided by, which does not become less with more pixels.
+/// The interval. The stated and the true error are both roots of sums of squares with about N degrees of
+/// freedom, where N grows with (sum of var)^2 / sum of var^2, which is how many pixels the error is spread
+/// over: so the square of their ratio has the distribution F(N, N). An error that is a handful of pixels is
+/// hardly known. To that comes the doubt about what is divided by, which does not become less with more
+/// pixels.
 ///
 /// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean; all h are as likely. Of
 /// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
 /// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
 /// pixels is about M times ln(M) plus a constant, and seldom above M times 50.
 ///
-/// Lone pixels. A value that stands out from all neighbours belongs to a small bright thing or is a rare
-/// bright sample of a dark one. If such things are hit h times in the mean, the halves of those that were hit
-/// agree with about h / 4: so all lone pixels of an image together tell h, and h times what was found is
-/// their radiance.
+/// Lone pixels. A value that stands out from all neighbours but one belongs to a small bright thing, or the
+/// end of a thin one, or is a rare bright sample of a dark one. If such things are hit h times in the mean,
+/// the halves of those that were hit agree with about h / 4: so all lone pixels of an image together tell h,
+/// and h times what was found is their radiance. Few pixels tell little of h, so that a small h is assumed to
+/// begin with, and the interval has what greater and smaller ones would give.
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
 
 }  // namespace transport
