@@ -17,7 +17,7 @@ constexpr double NormalQuantile = 1.96;
 /// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
 /// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
 /// variance is not known at all count in full. Measured, with error_statistics_test.
-constexpr double UncertainPart = 0.43;
+constexpr double UncertainPart = 0.38;
 /// How many degrees of freedom the few pixels that an error is spread over have less than they seem to: those
 /// that are noisy by chance are taken for the noisy ones. Measured.
 constexpr double LostFreedom = 6;
@@ -30,15 +30,16 @@ constexpr double OneHalfBright = 0.7;
 constexpr double LoneContrast = 2;
 /// What is taken for granted of lone pixels is as if so many had been seen, whose halves agreed so much.
 constexpr double LonePixelsBefore = 2;
-constexpr double LoneAgreementBefore = 0.15;
+constexpr double LoneAgreementBefore = 0.12;
 /// How many standard deviations the lone pixels' agreement may be off.
 constexpr double LoneQuantile = 1.5;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.6;      ///< of second-order errors that the denominators' bias makes
+constexpr double DoubtPart = 0.5;      ///< of second-order errors that the denominators' bias makes
 constexpr double LoneDoubtPart = 0.8;  ///< the same, of lone pixels' errors
-constexpr double TailGrowth = 0.45;    ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 100;      ///< of a touched pixel's squared relative error, in most images
+constexpr double TailGrowth = 0.6;     ///< with the logarithm of the number of touched pixels
+constexpr double TailBound = 80;       ///< of a touched pixel's squared relative error, in most images
+constexpr double UnseenPart = 1.5;     ///< of the error of pixels that were not hit, in most images
 constexpr double TailPart = 0.9;       ///< of what the tail adds, that may as well not be there
 
 /// What the neighbours of a value are like.
@@ -83,8 +84,19 @@ double visible_part(const Surroundings& around, double difference, double varian
   return contrast > 0 ? std::max(0.0, 1 - ContrastOverNoise * noise / contrast) : 0;
 }
 
+/// What is expected of pixels that the same edge has barely touched, and that no sample has hit, for each
+/// value that it covers in part: all shares are as likely, so there is one such pixel for each `samples` that
+/// are covered by more than one sample. A hit adds so much to the dark side, and half of that is missing.
+double unseen_error(const Surroundings& around, double mean, double samples) {
+  const double hit = around.brightest / samples;
+  const bool is_seen = 2 * hit > around.darkest + std::sqrt(RelmseFloor);
+  if (!is_seen || mean > 0.95 * around.brightest || mean <= around.darkest + hit) return 0;
+  const double radiance = around.darkest + hit / 2;
+  return hit * hit / 4 / (radiance * radiance + RelmseFloor) / samples;
+}
+
 /// The squared relative error of a value, unless it is counted as lone or touched.
-double add_value(const Surroundings& around, double mean, double variance, ErrorSums& sums) {
+double add_value(const Surroundings& around, double mean, double variance, double samples, ErrorSums& sums) {
   if (around.count == 0) return variance / (mean * mean + RelmseFloor);
   const bool is_lone = mean > LoneContrast * (around.second_brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
@@ -92,6 +104,7 @@ double add_value(const Surroundings& around, double mean, double variance, Error
     ++sums.lone.count;
     sums.lone.agreement += 1 - variance / (excess * excess);
   }
+  sums.touched.unseen += unseen_error(around, mean, samples);
   if (!(variance > 0)) return 0;
   const double difference = mean - around.mean;
   const double visible = visible_part(around, difference, variance);
@@ -185,6 +198,7 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
   touched.errors += sign * other.touched.errors;
   touched.logarithms += sign * other.touched.logarithms;
   touched.bounds += sign * other.touched.bounds;
+  touched.unseen += sign * other.touched.unseen;
   lone.count += sign * other.lone.count;
   lone.agreement += sign * other.lone.agreement;
   lone.own += sign * other.lone.own;
@@ -201,7 +215,7 @@ ErrorSums error_sums_of(const PixelMoments& pixels) {
       double error = 0;
       for (int c = 0; c < PixelChannels; ++c) {
         error += add_value(surroundings_of(pixels, x, y, c), pixels.means[index][c],
-                           pixels.variances[index][c], sums);
+                           pixels.variances[index][c], pixels.samples, sums);
       }
       sums.errors += error;
       sums.squares += error * error;
@@ -224,7 +238,9 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const double deviation = logarithm_of_ratio(freedom);
   const double doubt =
       (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors / 2;
-  const double tail_above = half_logarithm(std::max(0.0, sums.touched.bounds) / errors);
+  const double unseen = std::max(0.0, sums.touched.unseen);
+  const double bounds = std::max(0.0, sums.touched.bounds) + UnseenPart * (unseen + std::sqrt(unseen));
+  const double tail_above = half_logarithm(bounds / errors);
   const double tail = std::max(0.0, touched.errors - sums.touched.errors);
   const double tail_below = -half_logarithm(-TailPart * tail / errors);
   const double lone_above = half_logarithm((lone.high - lone.errors) / errors);

@@ -23,6 +23,7 @@ struct ErrorSums {
     double errors = 0;      ///< as if a pixel's own mean were its radiance
     double logarithms = 0;  ///< of how much brighter they are than the dark side, times that error
     double bounds = 0;      ///< of the squared error, for most of such pixels
+    double unseen = 0;      ///< expected errors of pixels at such edges that no sample has hit
   } touched;
 
   /// Values that stand out from all neighbours but one.
@@ -52,6 +53,7 @@ struct ErrorEstimate {
 struct PixelMoments {
   int width = 0;
   int height = 0;
+  double samples = 0;  ///< of each pixel
   std::vector<Imath::V3d> means;
   std::vector<Imath::V3d> variances;
 };
@@ -84,7 +86,7 @@ ErrorSums error_sums_of(const PixelMoments& pixels);
 /// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean; all h are as likely. Of
 /// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
 /// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
-/// pixels is about M times ln(M) plus a constant, and seldom above M times 50.
+/// pixels is about M times ln(M) plus a constant, and seldom above M times 50. As many pixels are not hit.
 ///
 /// Lone pixels. A value that stands out from all neighbours but one belongs to a small bright thing, or the
 /// end of a thin one, or is a rare bright sample of a dark one. If such things are hit h times in the mean,

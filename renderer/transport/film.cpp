@@ -42,7 +42,7 @@ Imath::V3d FilmTile::exact_variance(const PixelSums& sums) const {
 
 ErrorSums FilmTile::error_sums() const {
   if (counts[0] == 0 || counts[1] == 0) return {};
-  PixelMoments moments{bounds.width, bounds.height, {}, {}};
+  PixelMoments moments{bounds.width, bounds.height, static_cast<double>(sample_count()), {}, {}};
   for (const PixelSums& sums : pixels) {
     moments.means.push_back(exact_mean(sums));
     moments.variances.push_back(exact_variance(sums));
