@@ -133,8 +133,6 @@ void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<gr
   }
 }
 
-std::string DefinitionNames::take(std::string_view name) {
-  return names_.take(grf::to_identifier(name));
-}
+std::string DefinitionNames::take(std::string_view name) { return names_.take(grf::to_identifier(name)); }
 
 }  // namespace convert

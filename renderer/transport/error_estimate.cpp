@@ -28,7 +28,8 @@ constexpr double ContrastOverNoise = 1.5;
 constexpr double OneHalfBright = 0.7;
 /// How many times as bright as all neighbours but one, and as the floor, lone pixels are.
 constexpr double LoneContrast = 2;
-/// What is taken for granted of lone pixels is as if so many had been seen, whose halves agreed so much.
+/// What is assumed of lone pixels before they are seen is as if so many had been, whose halves agreed so much
+/// on black: where nothing else shines, no path finds light by chance.
 constexpr double LonePixelsBefore = 2;
 constexpr double LoneAgreementBefore = 0.12;
 /// How many standard deviations the lone pixels' agreement may be off.
@@ -102,6 +103,7 @@ double add_value(const Surroundings& around, double mean, double variance, doubl
   if (is_lone) {
     const double excess = mean - around.second_brightest;
     ++sums.lone.count;
+    sums.lone.on_black += RelmseFloor / (around.darkest * around.darkest + RelmseFloor);
     sums.lone.agreement += 1 - variance / (excess * excess);
   }
   sums.touched.unseen += unseen_error(around, mean, samples);
@@ -162,7 +164,8 @@ double errors_at(const ErrorSums::Lone& lone, double agreement) {
 LoneErrors errors_of(const ErrorSums::Lone& lone) {
   if (!(lone.count > 0.5)) return {};
   const double pixels = lone.count / PixelChannels + LonePixelsBefore;
-  const double sum = lone.agreement / PixelChannels + LonePixelsBefore * LoneAgreementBefore;
+  const double before = LoneAgreementBefore * lone.on_black / lone.count;
+  const double sum = lone.agreement / PixelChannels + LonePixelsBefore * before;
   const double agreement = std::clamp(sum / pixels, 0.0, 1.0);
   const double deviation = LoneQuantile * std::sqrt(agreement * (1 - agreement) / (pixels + 1));
   return {errors_at(lone, agreement), errors_at(lone, std::min(1.0, agreement + deviation)),
@@ -201,6 +204,7 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
   touched.unseen += sign * other.touched.unseen;
   lone.count += sign * other.lone.count;
   lone.agreement += sign * other.lone.agreement;
+  lone.on_black += sign * other.lone.on_black;
   lone.own += sign * other.lone.own;
   lone.neighbours += sign * other.lone.neighbours;
   return *this;

@@ -30,6 +30,7 @@ struct ErrorSums {
   struct Lone {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1 for each value
+    double on_black = 0;    ///< from 0, the surroundings shine, to 1 for each value
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
     double neighbours = 0;  ///< the same, if they are as their neighbours
   } lone;
@@ -91,8 +92,8 @@ ErrorSums error_sums_of(const PixelMoments& pixels);
 /// Lone pixels. A value that stands out from all neighbours but one belongs to a small bright thing, or the
 /// end of a thin one, or is a rare bright sample of a dark one. If such things are hit h times in the mean,
 /// the halves of those that were hit agree with about h / 4: so all lone pixels of an image together tell h,
-/// and h times what was found is their radiance. Few pixels tell little of h, so that a small h is assumed to
-/// begin with, and the interval has what greater and smaller ones would give.
+/// and h times what was found is their radiance. Few pixels tell little of h, so that on black a small h is
+/// assumed to begin with, and else none; and the interval has what greater and smaller ones would give.
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
 
 }  // namespace transport

@@ -15,8 +15,8 @@ using transport::Bake;
 using transport::Rgb;
 using transport::Vec3f;
 
-// A vertex on the edge of a roof, of which one side has a third of the angle of the other there. Each side gets
-// what Lambert's formula says; the vertex has their mean, weighted by the angles.
+// A vertex on the edge of a roof, of which one side has a third of the angle of the other there. Each side
+// gets what Lambert's formula says; the vertex has their mean, weighted by the angles.
 TEST(Bake, WeighsFacesAtACreaseByTheirAngles) {
   const BakeScene scene(
       "begin mesh brdf diffuse kd=0 begin vertexs (0,0,0) (0,2,0) (-2,2,0) (0,-2,-2) end vertexs\n"
