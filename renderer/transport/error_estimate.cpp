@@ -103,7 +103,7 @@ double add_value(const Surroundings& around, double mean, double variance, doubl
   if (is_lone) {
     const double excess = mean - around.second_brightest;
     ++sums.lone.count;
-    sums.lone.on_black += RelmseFloor / (around.darkest * around.darkest + RelmseFloor);
+    if (around.darkest < std::sqrt(RelmseFloor)) ++sums.lone.on_black;
     sums.lone.agreement += 1 - variance / (excess * excess);
   }
   sums.touched.unseen += unseen_error(around, mean, samples);

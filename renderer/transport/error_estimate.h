@@ -30,7 +30,7 @@ struct ErrorSums {
   struct Lone {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1 for each value
-    double on_black = 0;    ///< from 0, the surroundings shine, to 1 for each value
+    double on_black = 0;    ///< how many have a neighbour darker than the floor
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
     double neighbours = 0;  ///< the same, if they are as their neighbours
   } lone;
