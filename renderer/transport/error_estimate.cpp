@@ -40,8 +40,8 @@ constexpr double DoubtPart = 0.5;      ///< of second-order errors that the deno
 constexpr double LoneDoubtPart = 0.8;  ///< the same, of lone pixels' errors
 constexpr double TailGrowth = 0.6;     ///< with the logarithm of the number of touched pixels
 constexpr double TailBound = 80;       ///< of a touched pixel's squared relative error, in most images
-constexpr double UnseenPart = 1.5;     ///< of the error of pixels that were not hit, in most images
-constexpr double TailPart = 0.9;       ///< of what the tail adds, that may as well not be there
+constexpr double UnseenPart = 2.2;     ///< of the error of pixels that were not hit, in most images
+constexpr double TouchedPart = 0.4;    ///< of touched pixels' errors, that may as well not be there
 
 /// What the neighbours of a value are like.
 struct Surroundings {
@@ -245,8 +245,9 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const double unseen = std::max(0.0, sums.touched.unseen);
   const double bounds = std::max(0.0, sums.touched.bounds) + UnseenPart * (unseen + std::sqrt(unseen));
   const double tail_above = half_logarithm(bounds / errors);
-  const double tail = std::max(0.0, touched.errors - sums.touched.errors);
-  const double tail_below = -half_logarithm(-TailPart * tail / errors);
+  // There may as well be no tail.
+  const double least_touched = (1 - TouchedPart) * std::max(0.0, sums.touched.errors);
+  const double tail_below = -half_logarithm(-std::max(0.0, touched.errors - least_touched) / errors);
   const double lone_above = half_logarithm((lone.high - lone.errors) / errors);
   const double lone_below = -half_logarithm(-(lone.errors - lone.low) / errors);
   const double above = std::hypot(std::hypot(deviation, doubt), tail_above, lone_above);
