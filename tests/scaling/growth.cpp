@@ -15,6 +15,8 @@ constexpr double LeastSeconds = 1e-3;
 /// Less memory than that may be buffers of a fixed size.
 constexpr std::size_t LeastBytes = 256U << 10U;
 constexpr int MostRepeats = 8;
+/// Inputs that begin with fewer have a limit, such as of depth.
+constexpr std::size_t LeastUnlimited = 250;
 
 double processor_seconds() {
   timespec time = {};
@@ -34,6 +36,17 @@ void measure_again(const Measured& run, Cost& cost) {
   const Cost again = cost_of(run);
   cost.seconds = std::min(cost.seconds, again.seconds);
   cost.bytes = std::min(cost.bytes, again.bytes);
+}
+
+Growth growth_from(const Measured& first, const Prepare& prepare, std::size_t size) {
+  Growth growth;
+  growth.size = size;
+  const std::array<Measured, 3> runs = {first, prepare(size * 4), prepare(size * 16)};
+  for (std::size_t i = 0; i < runs.size(); ++i) growth.costs[i] = cost_of(runs[i]);
+  for (int repeat = 1; repeat < MostRepeats && growth.is_too_fast(); ++repeat) {
+    for (std::size_t i = 0; i < runs.size(); ++i) measure_again(runs[i], growth.costs[i]);
+  }
+  return growth;
 }
 
 }  // namespace
@@ -59,19 +72,15 @@ std::string Growth::to_text() const {
 }
 
 Growth growth_of(const Prepare& prepare, std::size_t least, std::size_t largest) {
-  Growth growth;
-  growth.size = least;
-  Measured first = prepare(growth.size);
-  while (growth.size * 2 <= largest && (first(), cost_of(first).seconds) < LeastSeconds) {
-    growth.size *= 2;
-    first = prepare(growth.size);
+  std::size_t size = least;
+  Measured first = prepare(size);
+  while (size * 2 <= largest && (first(), cost_of(first).seconds) < LeastSeconds) {
+    size *= 2;
+    first = prepare(size);
   }
-  const std::array<Measured, 3> runs = {first, prepare(growth.size * 4), prepare(growth.size * 16)};
-  for (std::size_t i = 0; i < runs.size(); ++i) growth.costs[i] = cost_of(runs[i]);
-  for (int repeat = 1; repeat < MostRepeats && growth.is_too_fast(); ++repeat) {
-    for (std::size_t i = 0; i < runs.size(); ++i) measure_again(runs[i], growth.costs[i]);
-  }
-  return growth;
+  const Growth growth = growth_from(first, prepare, size);
+  if (!growth.is_too_fast() || largest < LeastUnlimited) return growth;
+  return growth_from(prepare(size * 4), prepare, size * 4);
 }
 
 }  // namespace scaling
