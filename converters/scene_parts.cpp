@@ -7,7 +7,6 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <fmt/format.h>
 
 #include "grf/keywords.h"
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "grf/summary.h"
+#include "grf/vertex_tree.h"
 
 namespace grf {
 namespace {
@@ -104,7 +106,7 @@ void FaceCheck::report(const Found& found, Diagnostics& diagnostics) {
   }
 }
 
-/// What is in front of a light: it is convex.
+/// The front of a light is where its light can go, a convex region.
 class LightCheck::Front {
  public:
   Front(const Vec3d& point, const Vec3d& normal) : point_(point), normal_(normal) {}
@@ -127,11 +129,39 @@ class LightCheck::Front {
   Vec3d normal_;
 };
 
+/// The vertices of all bodies, found by trees: they are built only where a light asks.
+class LightCheck::World {
+ public:
+  explicit World(const std::vector<Body>& bodies) : bodies_(bodies) {
+    std::vector<Box3d> boxes;
+    for (const Body& body : bodies) {
+      const auto [known, is_new] = vertices_.try_emplace(body.mesh);
+      if (is_new) known->second = VertexTree(*body.mesh);
+      Box3d& box = boxes.emplace_back();
+      for (const Vec3d& corner : corners_of(known->second.bounds(), body.to_world)) box.extendBy(corner);
+    }
+    tree_ = BoxTree(boxes);
+  }
+
+  bool has_vertex_in(const Front& front) const {
+    return tree_.any_in([&](const Box3d& box) { return front.overlap(box, Matrix44d()); },
+                        [&](std::size_t body) { return has_vertex_in(front, bodies_[body]); });
+  }
+
+ private:
+  bool has_vertex_in(const Front& front, const Body& body) const {
+    return vertices_.at(body.mesh).any_in(
+        [&](const Box3d& box) { return front.overlap(box, body.to_world); },
+        [&](const Vec3d& vertex) { return front.has(vertex * body.to_world); });
+  }
+
+  const std::vector<Body>& bodies_;
+  std::map<const Mesh*, VertexTree> vertices_;
+  BoxTree tree_;  ///< of the bodies' boxes
+};
+
 void LightCheck::add(const Mesh& mesh, const Placement& placement) {
-  if (mesh.face_count() == 0) return;
-  const auto [known, is_new] = vertices_.try_emplace(&mesh);
-  if (is_new) known->second = VertexTree(mesh);
-  bodies_.push_back({&known->second, placement.to_world});
+  if (mesh.face_count() > 0) bodies_.push_back({&mesh, placement.to_world});
 }
 
 void LightCheck::add_light(const AreaLight& light, const Placement& placement, const Block& block) {
@@ -149,42 +179,29 @@ void LightCheck::add_light(const MeshLight& light, const Placement& placement, c
 }
 
 void LightCheck::report(Diagnostics& diagnostics) const {
+  if (lights_.empty()) return;
   // A file of lights alone is a part of scenes.
   const bool is_part = bodies_.empty();
-  std::vector<Box3d> boxes;
-  for (const Body& body : bodies_) {
-    Box3d& box = boxes.emplace_back();
-    for (const Vec3d& corner : corners_of(body.vertices->bounds(), body.to_world)) box.extendBy(corner);
-  }
-  const BoxTree bodies(boxes);
+  const World world(bodies_);
   for (const Light& light : lights_) {
     const bool has_area = light.mesh == nullptr ? light.normal.length() > 0 : light.mesh->face_count() > 0;
     if (!has_area) {
       diagnostics.warning(light.location, "a light without area");
-    } else if (!is_part && !faces_something(light, bodies)) {
+    } else if (!is_part && !faces_something(light, world)) {
       diagnostics.warning(light.location, "nothing is in front of this light, on the side that emits");
     }
   }
 }
 
-bool LightCheck::faces_something(const Light& light, const BoxTree& bodies) const {
-  if (light.mesh == nullptr) return has_body(Front(light.point, light.normal), bodies);
+bool LightCheck::faces_something(const Light& light, const World& world) {
+  if (light.mesh == nullptr) return world.has_vertex_in(Front(light.point, light.normal));
   const double side = light.to_world.determinant() < 0 ? -1 : 1;
   for (std::size_t i = 0; i < light.mesh->face_count(); ++i) {
     const Vec3d point = Vec3d(light.mesh->positions[light.mesh->face(i).front()]) * light.to_world;
     const Front front(point, doubled_area_vector(*light.mesh, i, light.to_world) * side);
-    if (has_body(front, bodies)) return true;
+    if (world.has_vertex_in(front)) return true;
   }
   return false;
-}
-
-bool LightCheck::has_body(const Front& front, const BoxTree& bodies) const {
-  const auto has_vertex_of = [&](const Body& body) {
-    return body.vertices->any_in([&](const Box3d& box) { return front.overlap(box, body.to_world); },
-                                 [&](const Vec3d& vertex) { return front.has(vertex * body.to_world); });
-  };
-  return bodies.any_in([&](const Box3d& box) { return front.overlap(box, Matrix44d()); },
-                       [&](std::size_t body) { return has_vertex_of(bodies_[body]); });
 }
 
 }  // namespace grf

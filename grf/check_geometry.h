@@ -1,12 +1,10 @@
 // The part of `check` that looks at shapes and places.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
-#include "grf/vertex_tree.h"
 #include "grf/visit.h"
 
 namespace grf {
@@ -51,7 +49,7 @@ class LightCheck {
 
  private:
   struct Body {
-    const VertexTree* vertices = nullptr;
+    const Mesh* mesh = nullptr;
     Matrix44d to_world;
   };
   struct Light {
@@ -63,11 +61,10 @@ class LightCheck {
   };
 
   class Front;
+  class World;
 
-  bool faces_something(const Light& light, const BoxTree& bodies) const;
-  bool has_body(const Front& front, const BoxTree& bodies) const;
+  static bool faces_something(const Light& light, const World& world);
 
-  std::map<const Mesh*, VertexTree> vertices_;
   std::vector<Body> bodies_;
   std::vector<Light> lights_;
 };

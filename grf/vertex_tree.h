@@ -27,7 +27,7 @@ class VertexTree {
 
  private:
   std::span<const Vec3f> run(std::size_t index) const;
-  /// Of a transformed coordinate, times the sign.
+  /// The highest value that a coordinate of the transformed vertices has, times the sign.
   double highest(const Matrix44d& transform, int axis, double sign) const;
 
   const Mesh* mesh_ = nullptr;

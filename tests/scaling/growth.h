@@ -32,8 +32,8 @@ struct Growth {
 constexpr double MostGrowth = 6;
 
 /// Measures from the least size on at which a run takes long enough to be measured, or from `largest` on.
-/// What looks too fast is measured again, since other programs disturb, but none makes a run shorter; and
-/// then at four times the size, since what no longer fits a cache takes longer once.
+/// Growth that looks too fast is measured again, since other programs disturb, but none makes a run shorter;
+/// and then at four times the size, since what no longer fits a cache takes longer once.
 Growth growth_of(const Prepare& prepare, std::size_t least, std::size_t largest);
 
 }  // namespace scaling

@@ -123,6 +123,13 @@ std::string scene_of_nodes(std::size_t count) {
   return R"("scene":0,"scenes":[{"nodes":[)" + numbers(count) + "]}]";
 }
 
+/// Writes primitives of one triangle, each with a material of its own.
+std::string primitives_of_materials(std::size_t count) {
+  return listed(count, [](std::size_t i) {
+    return fmt::format(R"({{"attributes":{{"POSITION":0}},"material":{}}})", i);
+  });
+}
+
 std::vector<Input> gltf_inputs() {
   const std::string one_node = R"("nodes":[{"mesh":0}],)" + scene_of_nodes(1);
   const auto mesh_with = [=](const std::string& primitives) {
@@ -181,12 +188,7 @@ std::vector<Input> gltf_inputs() {
                               return fmt::format(
                                   R"({{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":{}}}}}}})", i);
                             }) +
-                     R"(],"meshes":[{"primitives":[)" +
-                     listed(n,
-                            [](std::size_t i) {
-                              return fmt::format(R"({{"attributes":{{"POSITION":0}},"material":{}}})", i);
-                            }) +
-                     "]}]," + one_node);
+                     R"(],"meshes":[{"primitives":[)" + primitives_of_materials(n) + "]}]," + one_node);
        }},
       {"materials", "gltf",
        [=](std::size_t n) {
@@ -196,12 +198,7 @@ std::vector<Input> gltf_inputs() {
                               return fmt::format(
                                   R"({{"name":"m{}","pbrMetallicRoughness":{{"roughnessFactor":0.5}}}})", i);
                             }) +
-                     R"(],"meshes":[{"primitives":[)" +
-                     listed(n,
-                            [](std::size_t i) {
-                              return fmt::format(R"({{"attributes":{{"POSITION":0}},"material":{}}})", i);
-                            }) +
-                     "]}]," + one_node);
+                     R"(],"meshes":[{"primitives":[)" + primitives_of_materials(n) + "]}]," + one_node);
        }},
       {"morph targets", "gltf",
        [=](std::size_t n) {
