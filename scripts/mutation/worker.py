@@ -20,9 +20,11 @@ class Worker:
     def __init__(self, tree, folder, options, stop, log):
         # What tests leave when they are killed goes with the copy.
         self.temporary = folder / "temporary"
-        self.runner = Runner(stop, {"TMPDIR": str(self.temporary)})
+        # What one copy has compiled is in the compiler cache for the others.
+        self.runner = Runner(stop, {"TMPDIR": str(self.temporary), "CCACHE_BASEDIR": str(folder.parent),
+                                    "CCACHE_NOHASHDIR": "1"})
         self.copy = CopyOfTree(tree, folder / "tree")
-        self.build = Build(self.copy, self.runner, options.preset, options.parallel, options.configure)
+        self.build = Build(self.copy, self.runner, options.preset, options.processors, options.configure)
         self.suite = Suite(self.build, self.runner, options.labels, options.exclude, options.memory)
         self.log = log
         self.targets = options.targets
