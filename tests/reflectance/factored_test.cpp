@@ -1,8 +1,11 @@
 // Non-negative factorisations, the lobes that are made of them, and their files.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -69,6 +72,41 @@ TEST(NonnegativeFactors, AreZeroWhereTheMatrixIs) {
   MatrixXd spike = MatrixXd::Zero(5, 6);
   spike(2, 3) = 1;
   EXPECT_LT((product(factorised(spike, 2)) - spike).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+/// Two lobes over two rows and a column of cells: the first fills the upper row, the second the lower.
+Factors of_two_rows(std::size_t view_angles, std::size_t view_azimuths, std::vector<float> weights) {
+  return {
+      {view_angles, view_azimuths, 2, 1, 2, 1, false}, std::move(weights), {0, 1, 1, 0, 1, 0, 0, 1, 0, 1}};
+}
+
+/// The first lobe's share of the light that a view sees, from the density in its row.
+double first_share(const Factors& factors, const Vec3f& u) {
+  const double solid_angle = 2 * M_PI * (1 - std::sqrt(0.5));
+  const double even = Factors::Floor / (2 * M_PI);
+  return (factors.density(u, Vec3f(0.1F, 0, std::sqrt(0.99F))) - even) * solid_angle / (1 - Factors::Floor);
+}
+
+TEST(Factors, AreInterpolatedBetweenTheAnglesOfViews) {
+  const Factors factors = of_two_rows(2, 1, {1, 0, 0, 1});  // at 22.5 and 67.5 degrees
+  for (const double degrees : {0.0, 10.0, 22.5, 30.0, 45.0, 60.0, 67.5, 80.0}) {
+    const double angle = degrees * M_PI / 180;
+    const Vec3f u(0, static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)));
+    EXPECT_NEAR(first_share(factors, u), 1 - std::clamp((degrees - 22.5) / 45, 0.0, 1.0), 1e-5) << degrees;
+  }
+}
+
+TEST(Factors, AreInterpolatedAroundTheAzimuthsOfViews) {
+  const Factors factors =
+      of_two_rows(1, 4, {1, 0, 0.75F, 0.25F, 0, 1, 0.5F, 0.5F});  // at 45, 135, 225 and 315
+  const std::vector<std::pair<double, double>> expected = {
+      {45, 1},          {90, 0.875}, {120, 0.75 + 0.25 / 6},    {180, 0.375}, {225, 0},
+      {300, 0.5 / 1.2}, {0, 0.75},   {350, 0.5 + 0.5 * 35 / 90}};
+  for (const auto& [degrees, share] : expected) {
+    const double angle = degrees * M_PI / 180;
+    const Vec3f u(static_cast<float>(0.6 * std::cos(angle)), static_cast<float>(0.6 * std::sin(angle)), 0.8F);
+    EXPECT_NEAR(first_share(factors, u), share, 1e-5) << degrees;
+  }
 }
 
 FactorSize size_of(std::size_t j, std::size_t k, bool by_half) { return {8, 1, 32, 16, j, k, by_half}; }
