@@ -87,6 +87,13 @@ TEST(OpText, KnowsWhatLinesAreAbout) {
   EXPECT_EQ(text.options().seed, 4U);
 }
 
+TEST(OpText, TakesOptionsFromTheFirstLineOnAndTheFirstValueThatIsRight) {
+  const RenderOptions given_twice = OpText("Seed 4\nSeed 5\nDepth 9").options();
+  EXPECT_EQ(given_twice.seed, 4U);
+  EXPECT_EQ(given_twice.depth, 9);
+  EXPECT_EQ(OpText("Depth x\nDepth 9\nDepth 8").options().depth, 9);
+}
+
 TEST(OpText, KeepsLineEndsOfLinesThatStay) {
   OpText text("\xEF\xBB\xBF#a\r\n#b\n#c\r\n#d");
   EXPECT_EQ(text.plain_text(), "#a\n#b\n#c\n#d");
