@@ -77,6 +77,40 @@ TEST(GltfMaterial, KeepsItsNameAndItsValuesInAComment) {
             " glTF: baseColorFactor 0.5 0.5 0.5 1; metallicFactor 0; roughnessFactor 1");
 }
 
+TEST(GltfMaterial, CommentsHaveAllValuesThatAreRead) {
+  const auto values = [](const json& material) {
+    const Reading reading = with_material(material).read();
+    if (!reading.scene) throw std::runtime_error(reading.text());
+    const grf::Definition definition = definitions_of(*reading.scene).at(0);
+    std::string joined;
+    for (const std::string& line : definition.comments.before) {
+      joined += " " + line.substr(line.find_first_not_of(' '));
+    }
+    return joined;
+  };
+  json all = pbr({0.5, 0.25, 0, 0.75}, 0.5, 0.25);
+  all["extensions"]["KHR_materials_ior"] = {{"ior", 3}};
+  all["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0, 1}}};
+  all["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 8}};
+  all["emissiveFactor"] = {1, 0.5, 0};
+  all["alphaMode"] = "BLEND";
+  all["doubleSided"] = true;
+  EXPECT_EQ(values(all),
+            " glTF: baseColorFactor 0.5 0.25 0 0.75; metallicFactor 0.5; roughnessFactor 0.25; ior 3; "
+            "specularFactor 0.5; specularColorFactor 1 0 1; emissiveFactor 1 0.5 0; emissiveStrength 8; "
+            "alphaMode BLEND; doubleSided");
+  json unlit = pbr({1, 1, 1, 1}, 0, 1);
+  unlit["extensions"]["KHR_materials_unlit"] = json::object();
+  EXPECT_THAT(values(unlit), HasSubstr("unlit"));
+  const json glossy = {{"extensions",
+                        {{"KHR_materials_pbrSpecularGlossiness",
+                          {{"diffuseFactor", {0.5, 0.25, 0, 1}},
+                           {"specularFactor", {0.25, 0.75, 1}},
+                           {"glossinessFactor", 0.5}}}}}};
+  EXPECT_EQ(values(glossy),
+            " glTF: diffuseFactor 0.5 0.25 0 1; specularFactor 0.25 0.75 1; glossinessFactor 0.5");
+}
+
 TEST(GltfMaterial, TheBaseColoursTextureMultiplies) {
   json material = pbr({1, 1, 1, 1}, 0, 1);
   material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
