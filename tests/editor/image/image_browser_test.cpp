@@ -12,9 +12,11 @@
 #include <QSlider>
 #include <QTcpSocket>
 #include <QTest>
+#include <QtConcurrent>
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -295,16 +297,21 @@ TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
     const QImage converted = colours.convert(image, QRect(0, 0, 1920, 1080));
     EXPECT_EQ(converted.pixel(960, 540), colours(Rgb(0.5F, 0.5F, 0)));
   });
-  double sum = 0;
+  // On as many threads, since two on one core take more processor time than one.
+  std::vector<double> rows(static_cast<std::size_t>(image.height));
   const double formula = least_time([&](int) {
-    for (const Rgb& pixel : image.pixels) {
-      sum += std::pow(pixel.x, 1 / 2.4) + std::pow(pixel.y, 1 / 2.4) + std::pow(pixel.z + 0.5F, 1 / 2.4);
-    }
+    QtConcurrent::blockingMap(rows, [&](double& sum) {
+      const Rgb* row = &image.at(0, static_cast<int>(&sum - rows.data()));
+      sum = 0;
+      for (const Rgb* pixel = row; pixel < row + image.width; ++pixel) {
+        sum += std::pow(pixel->x, 1 / 2.4) + std::pow(pixel->y, 1 / 2.4) + std::pow(pixel->z + 0.5F, 1 / 2.4);
+      }
+    });
   });
-  EXPECT_GT(sum, 0);
+  EXPECT_GT(rows.back(), 0);
   RecordProperty("share", std::to_string(table / formula));
   // Sanitizers slow down memory, and not the power.
-  EXPECT_LT(table, (test::HasSanitizers ? 4 : 0.8) * formula);
+  EXPECT_LT(table, (test::HasSanitizers ? 4 : 0.6) * formula);
 }
 
 TEST(ImageWindow, ShowsWhatIsSent) {
