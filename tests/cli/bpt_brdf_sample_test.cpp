@@ -4,6 +4,8 @@
 #include <numbers>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "renderer/plot/fit_file.h"
 #include "tests/cli/bpt_brdf.h"
 #include "tests/plot/reading.h"
@@ -167,6 +169,40 @@ TEST_F(BptBrdfPlotOfSampling, HasARowForEachView) {
   EXPECT_TRUE(says(one, "View 28.65\u00B0, azimuth 57.3\u00B0"));
   EXPECT_EQ(test::elements(picture({"ward", "--pdf", "auto", "--u", "0.5,1", "--u", "1"}), "image").size(),
             4U);
+}
+
+TEST_F(BptBrdfPlotOfSampling, NamesItsColumns) {
+  const auto svg = picture({"ward", "--pdf", "diffuse", "--u", "1"});
+  for (const char* words : {"Density, and 1000 samples", "on the unit disc, per area of it", "f cos / albedo",
+                            "in the same colours", "In the plane of incidence", "Weights f cos / density",
+                            "a perfect scheme has weight 1 alone"}) {
+    EXPECT_TRUE(says(svg, words)) << words;
+  }
+}
+
+// A dark ring on a white one, which is wider, so that it is seen on all colours.
+TEST_F(BptBrdfPlotOfSampling, MarksTheView) {
+  const auto svg = picture({"ward", "--pdf", "diffuse", "--u", "0.5,1"});
+  std::vector<std::string> rings;
+  std::vector<std::string> expected;
+  for (const test::Element& circle : test::elements(svg, "circle")) {
+    const auto value = [&circle](const std::string& name) {
+      return circle.get<std::string>("<xmlattr>." + name);
+    };
+    if (value("r") == "4.00") {
+      rings.push_back(value("cx") + " " + value("cy") + " " + value("stroke") + " " + value("stroke-width"));
+    }
+  }
+  for (const test::Element& disc : test::elements(svg, "image")) {
+    const auto value = [&disc](const std::string& name) { return disc.get<double>("<xmlattr>." + name); };
+    const double radius = value("width") / 2;
+    const double x = value("x") + radius * (1 + std::sin(0.5) * std::cos(1.0));
+    const double y = value("y") + radius * (1 - std::sin(0.5) * std::sin(1.0));
+    expected.push_back(fmt::format("{:.2f} {:.2f} #fff 3", x, y));
+    expected.push_back(fmt::format("{:.2f} {:.2f} #111 1.2", x, y));
+  }
+  ASSERT_EQ(expected.size(), 4U);
+  EXPECT_EQ(rings, expected);
 }
 
 TEST_F(BptBrdfPlotOfSampling, TellsAPerfectScheme) {

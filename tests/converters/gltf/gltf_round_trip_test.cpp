@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "converters/gltf/gltf_check.h"
 #include "converters/text_encoding.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
@@ -153,6 +154,37 @@ TEST(GltfRoundTrip, BrdfsStayInAChangedFileUnlessTheirMaterialChanged) {
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene)[1]), "diffuse kd=0.5");
   EXPECT_THAT(reading.text(), HasSubstr("1 material was changed"));
   EXPECT_THAT(reading.text(), HasSubstr("'clay'"));
+}
+
+/// What is read of the room if its extras, which state that nobody changed the file, say otherwise of their
+/// meshes.
+template <class Change>
+Reading with_other_records(const Change& change) {
+  const test::TemporaryFolder folder;
+  json file = json_of(write(scene_of_text(Room), folder, "room.gltf"));
+  change(file["extras"]["grf"]["meshes"]);
+  std::string text = file.dump();
+  const std::string check = check_of(text, test::bytes_of(folder.path("room.bin")));
+  text.replace(text.find(CheckMember) + CheckMember.size(), check.size(), check);
+  return read_path(folder.add("room.gltf", text));
+}
+
+void expect_gltf_itself(const Reading& reading, const std::string& reason) {
+  EXPECT_THAT(reading.text(), HasSubstr("(" + reason + "): the glTF model itself is read"));
+  ASSERT_TRUE(reading.scene.has_value()) << reason;
+  // As triangles, see above; the GRF scene has 8 faces.
+  EXPECT_EQ(count_of(*reading.scene).faces, 13U) << reason;
+}
+
+TEST(GltfRoundTrip, ExtrasThatContradictThemselvesArePassedOver) {
+  expect_gltf_itself(with_other_records([](json& records) { records.erase(0); }),
+                     "the extras have fewer meshes than their scene");
+  expect_gltf_itself(with_other_records([](json& records) { records.push_back(records[0]); }),
+                     "the extras have more meshes than their scene");
+  expect_gltf_itself(with_other_records([](json& records) { records[0]["corners"] = 9999; }),
+                     "there is no accessor 9999");
+  expect_gltf_itself(with_other_records([](json& records) { records.back().erase("corners"); }),
+                     "the lists of faces of a mesh differ in length");
 }
 
 TEST(GltfRoundTrip, WithoutExtrasTheShapesRemain) {
