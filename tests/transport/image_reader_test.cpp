@@ -143,6 +143,23 @@ class ImageReader : public testing::Test {
 
 const Rgb Orange(1, 0.2158605F, 0);  // 255, 128, 0
 
+// A code up to 128 is followed by so many bytes; one above by a single one, for so many pixels less 128.
+TEST_F(ImageReader, TakesRunsOfRadianceOfAnyLength) {
+  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 130\n" + bytes(2, 2, 0, 130);
+  file += bytes(128);
+  for (int x = 0; x < 128; ++x) file += bytes(x);
+  file += bytes(129, 200) + bytes(1, 100);
+  file += bytes(255, 64, 131, 128) + bytes(255, 0, 131, 32) + bytes(255, 130, 131, 130);
+  const auto image = read("runs.hdr", file);
+  ASSERT_TRUE(image) << diagnostics_.to_text();
+  // The exponent 130 makes 64 of a byte 1.
+  for (int x = 0; x < 128; ++x) EXPECT_EQ(image->at(x, 0).x, static_cast<float>(x) / 64) << x;
+  EXPECT_EQ(image->at(128, 0), Rgb(200.0F / 64, 2, 0.5F));
+  EXPECT_EQ(image->at(129, 0), Rgb(100.0F / 64, 2, 0.5F));
+  EXPECT_EQ(image->at(126, 0), Rgb(126.0F / 64, 1, 0));
+  EXPECT_EQ(image->at(127, 0), Rgb(127.0F / 64, 2, 0.5F));
+}
+
 TEST_F(ImageReader, ReadsWhatTheWriterWrites) {
   const Image image = gradient(13, 7);
   EXPECT_EQ(read("a.exr", encoded(image, "image.exr"))->pixels, image.pixels);

@@ -282,5 +282,22 @@ TEST(Obj, AVeryLongLineCostsNoMoreThanItsLength) {
   EXPECT_EQ(mesh_of_text(obj + "\n").face(0).size(), 100'000U);
 }
 
+TEST(Obj, HasMoreThanAMillionCorners) {
+  constexpr std::size_t Faces = 340'000;
+  std::string obj;
+  for (std::size_t i = 0; i < 3 * Faces; ++i) obj += fmt::format("v {} {} {}\n", i % 1000, i / 1000, i % 2);
+  for (std::size_t i = 0; i < Faces; ++i) obj += fmt::format("f {} {} {}\n", 3 * i + 1, 3 * i + 2, 3 * i + 3);
+  const grf::Mesh mesh = mesh_of_text(obj);
+  ASSERT_EQ(mesh.face_count(), Faces);
+  for (const std::size_t face : {std::size_t(0), Faces / 2, Faces - 5'000, Faces - 1}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = 3 * face + k;
+      EXPECT_EQ(mesh.positions[mesh.face(face)[k]],
+                grf::Vec3f(static_cast<float>(i % 1000), static_cast<float>(i / 1000), i % 2 == 0 ? 0 : 1))
+          << face << " " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace convert
