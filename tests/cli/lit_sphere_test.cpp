@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "grf/read.h"
+#include "tests/reflectance/brdf_cases.h"
 
 namespace command {
 namespace {
@@ -15,10 +15,7 @@ constexpr int Side = 60;
 constexpr double Radius = 0.47 * Side;
 
 transport::Image sphere_of(const char* brdf) {
-  grf::Diagnostics diagnostics;
-  const auto model = grf::read_brdf(brdf, "BRDF", diagnostics);
-  if (!model) throw std::runtime_error(diagnostics.to_text());
-  return lit_sphere(reflectance::Reflector(*reflectance::make_brdf(*model), reflectance::OwnScheme()), Side);
+  return lit_sphere(reflectance::Reflector(test::brdf_of(brdf), reflectance::OwnScheme()), Side);
 }
 
 double distance_from_centre(int x, int y) { return std::hypot(x + 0.5 - Side / 2.0, y + 0.5 - Side / 2.0); }

@@ -49,18 +49,21 @@ std::string big_endian_grey_pfm() {
   return "Pf 2 1 1.0\n" + bytes(0x3f, 0x80, 0, 0) + bytes(0x40, 0, 0, 0);  // 1 and 2
 }
 
+std::string radiance_header(int width, int height) {
+  return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+         std::to_string(width) + "\n";
+}
+
 /// Rows of 4 bytes a pixel, without run lengths: (0.5, 1, 2) everywhere.
 std::string radiance_file(int width, int height) {
-  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
-                     std::to_string(width) + "\n";
+  std::string file = radiance_header(width, height);
   for (int i = 0; i < width * height; ++i) file += bytes(32, 64, 128, 130);
   return file;
 }
 
 /// With run lengths, as most files are.
 std::string radiance_rle_file(int width, int height) {
-  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
-                     std::to_string(width) + "\n";
+  std::string file = radiance_header(width, height);
   for (int y = 0; y < height; ++y) {
     file += bytes(2, 2, width >> 8, width & 255);
     for (const int value : {32, 64, 128, 130}) file += bytes(128 + width, value);
@@ -145,7 +148,7 @@ const Rgb Orange(1, 0.2158605F, 0);  // 255, 128, 0
 
 // A code up to 128 is followed by so many bytes; one above by a single one, for so many pixels less 128.
 TEST_F(ImageReader, TakesRunsOfRadianceOfAnyLength) {
-  std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 130\n" + bytes(2, 2, 0, 130);
+  std::string file = radiance_header(130, 1) + bytes(2, 2, 0, 130);
   file += bytes(128);
   for (int x = 0; x < 128; ++x) file += bytes(x);
   file += bytes(129, 200) + bytes(1, 100);
