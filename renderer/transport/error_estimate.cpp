@@ -16,11 +16,14 @@ constexpr double NormalQuantile = 1.96;
 
 /// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
 /// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
-/// variance is not known at all count in full. Measured, with error_statistics_test.
-constexpr double UncertainPart = 0.38;
+/// variance is not known at all count in full, and images that lack their rare bright samples state too small
+/// an error. Measured, with error_statistics_test.
+constexpr double UncertainPart = 0.45;
 /// How many degrees of freedom the few pixels that an error is spread over have less than they seem to: those
 /// that are noisy by chance are taken for the noisy ones. Measured.
-constexpr double LostFreedom = 6;
+constexpr double LostFreedom = 4;
+/// The part of the deviation that counts downwards: the error is seldom stated too great by noise. Measured.
+constexpr double LowerDeviation = 0.75;
 
 /// How much more the pixels must differ than the halves, so that it is no noise.
 constexpr double ContrastOverNoise = 1.5;
@@ -33,15 +36,17 @@ constexpr double LoneContrast = 2;
 constexpr double LonePixelsBefore = 2;
 constexpr double LoneAgreementBefore = 0.12;
 /// How many standard deviations the lone pixels' agreement may be off.
-constexpr double LoneQuantile = 1.5;
+constexpr double LoneQuantile = 1;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.5;      ///< of second-order errors that the denominators' bias makes
-constexpr double LoneDoubtPart = 0.8;  ///< the same, of lone pixels' errors
-constexpr double TailGrowth = 0.6;     ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 80;       ///< of a touched pixel's squared relative error, in most images
-constexpr double UnseenPart = 2.2;     ///< of the error of pixels that were not hit, in most images
-constexpr double TouchedPart = 0.4;    ///< of touched pixels' errors, that may as well not be there
+constexpr double DoubtPart = 0.86;      ///< of second-order errors that the denominators' bias makes
+constexpr double LoneDoubtPart = 0.4;   ///< the same, of lone pixels' errors
+constexpr double TailGrowth = 0.6;      ///< with the logarithm of the number of touched pixels
+constexpr double TailBound = 80;        ///< of a touched pixel's squared relative error, in most images
+constexpr double TailBoundPart = 0.35;  ///< of these bounds, that the sum over all touched pixels may reach
+constexpr double BrightestPixels = 8;   ///< as many more may have the greatest error of all, in most images
+constexpr double UnseenPart = 1.6;      ///< of the error of pixels that were not hit, in most images
+constexpr double TouchedPart = 0.83;    ///< of touched pixels' errors, that may as well not be there
 
 /// What the neighbours of a value are like.
 struct Surroundings {
@@ -61,7 +66,7 @@ Surroundings surroundings_of(const PixelMoments& pixels, int x, int y, int chann
   for (int k = std::max(y - 1, 0); k <= std::min(y + 1, pixels.height - 1); ++k) {
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, pixels.width - 1); ++i) {
       if (i == x && k == y) continue;
-      const auto index = static_cast<std::size_t>(k * pixels.width + i);
+      const auto index = pixels.index(i, k);
       const double value = pixels.means[index][channel];
       ++around.count;
       sum += value;
@@ -139,12 +144,26 @@ Supplement spread_over(double errors, double values) {
   return {errors, errors * errors * PixelChannels / values};
 }
 
+double pixels_of(const ErrorSums::Touched& touched) { return touched.errors / PixelChannels; }
+
+/// How much brighter touched pixels are than the dark side: of squares, the geometric mean.
+double contrast_of(const ErrorSums::Touched& touched) {
+  return std::exp(touched.logarithms / touched.errors);
+}
+
 Supplement errors_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return {};
-  const double pixels = touched.errors / PixelChannels;
-  const double brighter = std::exp(touched.logarithms / touched.errors);
-  const double tail = TailGrowth * std::log1p(std::min(brighter, 4 * pixels));
+  const double tail = TailGrowth * std::log1p(std::min(contrast_of(touched), 4 * pixels_of(touched)));
   return spread_over(touched.errors * (1 + tail), touched.errors);
+}
+
+/// By how much the squared errors of touched pixels, and of those that were not hit, may be greater.
+double bound_of(const ErrorSums::Touched& touched) {
+  const double unseen = std::max(0.0, touched.unseen);
+  const double of_unseen = UnseenPart * (unseen + std::sqrt(unseen));
+  if (!(touched.errors > 0)) return of_unseen;
+  const double brightest = BrightestPixels * PixelChannels * contrast_of(touched);
+  return std::min(TailBoundPart * std::max(0.0, touched.bounds), brightest) + of_unseen;
 }
 
 /// The squared error of all lone values, and between what it may well be.
@@ -215,7 +234,7 @@ ErrorSums error_sums_of(const PixelMoments& pixels) {
   sums.values = PixelChannels * static_cast<double>(pixels.means.size());
   for (int y = 0; y < pixels.height; ++y) {
     for (int x = 0; x < pixels.width; ++x) {
-      const auto index = static_cast<std::size_t>(y * pixels.width + x);
+      const auto index = pixels.index(x, y);
       double error = 0;
       for (int c = 0; c < PixelChannels; ++c) {
         error += add_value(surroundings_of(pixels, x, y, c), pixels.means[index][c],
@@ -242,16 +261,13 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const double deviation = logarithm_of_ratio(freedom);
   const double doubt =
       (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors / 2;
-  const double unseen = std::max(0.0, sums.touched.unseen);
-  const double bounds = std::max(0.0, sums.touched.bounds) + UnseenPart * (unseen + std::sqrt(unseen));
-  const double tail_above = half_logarithm(bounds / errors);
+  const double tail_above = half_logarithm(bound_of(sums.touched) / errors);
   // There may as well be no tail.
-  const double least_touched = (1 - TouchedPart) * std::max(0.0, sums.touched.errors);
-  const double tail_below = -half_logarithm(-std::max(0.0, touched.errors - least_touched) / errors);
+  const double tail_below = -half_logarithm(-TouchedPart * touched.errors / errors);
   const double lone_above = half_logarithm((lone.high - lone.errors) / errors);
   const double lone_below = -half_logarithm(-(lone.errors - lone.low) / errors);
   const double above = std::hypot(std::hypot(deviation, doubt), tail_above, lone_above);
-  const double below = std::hypot(std::hypot(deviation, doubt), tail_below, lone_below);
+  const double below = std::hypot(std::hypot(LowerDeviation * deviation, doubt), tail_below, lone_below);
   const double error = std::sqrt(errors / sums.values);
   return ErrorEstimate{error, error * std::exp(-below), error * std::exp(above)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,10 @@ struct PixelMoments {
   double samples = 0;  ///< of each pixel
   std::vector<Imath::V3d> means;
   std::vector<Imath::V3d> variances;
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
 };
 
 /// Adds up the estimated errors of the pixels of a rectangle, with their neighbours within it.
@@ -87,7 +92,9 @@ ErrorSums error_sums_of(const PixelMoments& pixels);
 /// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean; all h are as likely. Of
 /// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
 /// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
-/// pixels is about M times ln(M) plus a constant, and seldom above M times 50. As many pixels are not hit.
+/// pixels is about M times ln(M) plus a constant, and seldom above M times 20. Where the hit and the dark
+/// side differ by the factor B in square, no error is above B: the sum then differs from its mean by no more
+/// than a few of these, however many pixels there are. As many pixels are not hit.
 ///
 /// Lone pixels. A value that stands out from all neighbours but one belongs to a small bright thing, or the
 /// end of a thin one, or is a rare bright sample of a dark one. If such things are hit h times in the mean,

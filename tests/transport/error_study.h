@@ -94,8 +94,10 @@ inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int sam
     const double squared = all.relmse(images[i], true, 1);
     const double error = std::sqrt(squared);
     study.inside += error >= estimates[i].low && error <= estimates[i].high ? 1 : 0;
-    study.quotients += estimates[i].error / error;
-    study.widths += estimates[i].high / estimates[i].low;
+    // An image that is exact, and said to be so, is as good as can be.
+    const bool is_exact = error == 0 && estimates[i].high == 0;
+    study.quotients += is_exact ? 1 : estimates[i].error / error;
+    study.widths += is_exact ? 1 : estimates[i].high / estimates[i].low;
     mean += squared / seeds;
     stated += estimates[i].error * estimates[i].error;
   }
