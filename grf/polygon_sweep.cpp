@@ -82,14 +82,16 @@ class PolygonSweep {
   void nest(std::span<std::uint32_t> corners);
   bool is_outer(std::uint32_t start, std::uint32_t other) const;
   EdgeTree::iterator place_of(std::uint32_t corner);
-  bool is_inside(EdgeTree::const_iterator place) const { return place != tree_.end() && !place->is_floor; }
+  bool is_inside(const EdgeTree::const_iterator& place) const {
+    return place != tree_.end() && !place->is_floor;
+  }
   void start(std::uint32_t corner);
   bool is_under(const SweptEdge& edge, std::uint32_t corner) const;
-  bool touches(EdgeTree::const_iterator place, std::uint32_t corner) const;
+  bool touches(const EdgeTree::const_iterator& place, std::uint32_t corner) const;
   double distance(const SweptEdge& edge, std::uint32_t corner) const;
-  EdgeTree::iterator across_nearest_edge(EdgeTree::iterator place, std::uint32_t corner);
-  void open(std::uint32_t corner, EdgeTree::iterator place);
-  void split(std::uint32_t corner, EdgeTree::iterator place);
+  EdgeTree::iterator across_nearest_edge(const EdgeTree::iterator& place, std::uint32_t corner);
+  void open(std::uint32_t corner, const EdgeTree::iterator& place);
+  void split(std::uint32_t corner, const EdgeTree::iterator& place);
   void pass(std::uint32_t corner);
   void end(std::uint32_t corner);
   bool end_if_adjacent(std::uint32_t corner, EdgeTree::iterator& place);
@@ -248,7 +250,7 @@ bool PolygonSweep::is_under(const SweptEdge& edge, std::uint32_t corner) const {
   return side_of(edge, after(corner)) + side_of(edge, ahead_of(corner)) > 0;
 }
 
-bool PolygonSweep::touches(EdgeTree::const_iterator place, std::uint32_t corner) const {
+bool PolygonSweep::touches(const EdgeTree::const_iterator& place, std::uint32_t corner) const {
   const auto is_on = [&](const SweptEdge& edge) { return side_of(edge, corner) == 0; };
   return (place != tree_.end() && is_on(*place)) || (place != tree_.begin() && is_on(*std::prev(place)));
 }
@@ -258,7 +260,7 @@ double PolygonSweep::distance(const SweptEdge& edge, std::uint32_t corner) const
 }
 
 // A corner that touches an edge may be on its wrong side, by rounding.
-EdgeTree::iterator PolygonSweep::across_nearest_edge(EdgeTree::iterator place, std::uint32_t corner) {
+EdgeTree::iterator PolygonSweep::across_nearest_edge(const EdgeTree::iterator& place, std::uint32_t corner) {
   const bool has_above = place != tree_.end();
   const bool has_below = place != tree_.begin();
   is_stuck_ = !has_above && !has_below;
@@ -269,7 +271,7 @@ EdgeTree::iterator PolygonSweep::across_nearest_edge(EdgeTree::iterator place, s
   return std::next(place);
 }
 
-void PolygonSweep::open(std::uint32_t corner, EdgeTree::iterator place) {
+void PolygonSweep::open(std::uint32_t corner, const EdgeTree::iterator& place) {
   SweptEdge& floor = edges_[corner];
   const std::uint32_t node = add_node(corner);
   floor.chain = {node, node, node};
@@ -278,7 +280,7 @@ void PolygonSweep::open(std::uint32_t corner, EdgeTree::iterator place) {
 }
 
 // The rightmost corner of the chain is seen from here: the two chains part there.
-void PolygonSweep::split(std::uint32_t corner, EdgeTree::iterator place) {
+void PolygonSweep::split(std::uint32_t corner, const EdgeTree::iterator& place) {
   Chain& lower = std::prev(place)->chain;
   const std::uint32_t lower_end = lower.last;
   const std::uint32_t upper_end = add_node(nodes_[lower_end].corner);

@@ -72,11 +72,11 @@ auto printed(const Read& read) {
 
 }  // namespace
 
-std::optional<reflectance::Reflector> read_instance(const std::string& text) {
-  const auto instance =
-      printed([&](grf::Diagnostics& diagnostics) { return instance_of(text, diagnostics); });
-  if (!instance) return std::nullopt;
-  return reflectance::Reflector(instance->brdf, reflectance::OwnScheme());
+std::optional<reflectance::Reflector> read_instance(const std::string& instance) {
+  const auto read =
+      printed([&](grf::Diagnostics& diagnostics) { return instance_of(instance, diagnostics); });
+  if (!read) return std::nullopt;
+  return reflectance::Reflector(read->brdf, reflectance::OwnScheme());
 }
 
 std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf) {

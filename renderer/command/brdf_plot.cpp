@@ -111,7 +111,7 @@ std::vector<plot::Series> albedo_curves(const Reflector& reflector, double azimu
   std::vector<plot::Series> channels;
   for (std::size_t i = 0; i < 3; ++i) channels.push_back({Names[i], {}, Colours[i], {}});
   bool is_grey = true;
-  for (double degrees = 0; degrees < 90; degrees += degrees < 70 ? 2 : 1) {
+  for (int degrees = 0; degrees < 90; degrees += degrees < 70 ? 2 : 1) {
     const Rgb value = reflectance::albedo(reflector, direction_at(degrees, azimuth), Samples);
     is_grey = is_grey && value.x == value.y && value.y == value.z;
     for (std::size_t i = 0; i < 3; ++i) channels[i].points.emplace_back(degrees, value[static_cast<int>(i)]);

@@ -5,7 +5,6 @@
 namespace job {
 namespace {
 
-using transport::Film;
 using transport::Image;
 using transport::Render;
 using transport::RenderSettings;

@@ -237,9 +237,9 @@ const std::vector<OptionInfo>& option_table() {
 }
 
 std::string_view title_of(OptionGroup group) {
-  static constexpr std::array<std::string_view, 7> titles = {
+  static constexpr std::array<std::string_view, 7> Titles = {
       "Scene and image", "View and light", "Estimator", "Effects", "Running", "Sampling scheme", "Times"};
-  return titles[static_cast<std::size_t>(group)];
+  return Titles[static_cast<std::size_t>(group)];
 }
 
 const OptionInfo* find_option(std::string_view key) {

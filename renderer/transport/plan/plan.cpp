@@ -318,15 +318,15 @@ void follow(const Plan& plan, RenderSettings& settings) {
   keep_only(plan.needed(), settings);
 }
 
-void keep_only(const EffectSet& needed, RenderSettings& settings) {
+void keep_only(const EffectSet& effects, RenderSettings& settings) {
   IntegratorSettings& integrator = settings.integrator;
-  integrator.reflects_mirrors &= needed.has(Effect::MirrorReflection);
-  integrator.uses_irradiance &= needed.has(Effect::Irradiance);
-  if (!needed.has(Effect::Environment)) {
+  integrator.reflects_mirrors &= effects.has(Effect::MirrorReflection);
+  integrator.uses_irradiance &= effects.has(Effect::Irradiance);
+  if (!effects.has(Effect::Environment)) {
     integrator.environment = nullptr;
     integrator.resampling = std::nullopt;
   }
-  if (!needed.has(Effect::Background)) {
+  if (!effects.has(Effect::Background)) {
     integrator.background = Rgb(0);
     settings.backplate = nullptr;
   }

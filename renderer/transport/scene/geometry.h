@@ -65,7 +65,7 @@ struct AffineMap {
 
 /// A mesh as it stands in the scene.
 struct Instance {
-  explicit Instance(const grf::Matrix44d& to_scene);
+  explicit Instance(const grf::Matrix44d& matrix);
 
   AffineMap to_scene;
   /// The inverse transpose: under a map that mirrors, too, fronts stay where they were relative to normals.

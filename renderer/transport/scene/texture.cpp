@@ -138,24 +138,24 @@ Rgb Texture::texel(const Level& level, int x, int y) const {
   return {texel[0], texel[1], texel[2]};
 }
 
-Rgb Texture::lookup_level(const Vec2f& uv, std::size_t index) const {
-  const Level& level = levels_[index];
-  const float x = wrapped(uv.x) * static_cast<float>(level.width) - 0.5F;
-  const float y = (1 - wrapped(uv.y)) * static_cast<float>(level.height) - 0.5F;
+Rgb Texture::lookup_level(const Vec2f& uv, std::size_t level) const {
+  const Level& texels = levels_[level];
+  const float x = wrapped(uv.x) * static_cast<float>(texels.width) - 0.5F;
+  const float y = (1 - wrapped(uv.y)) * static_cast<float>(texels.height) - 0.5F;
   const float left = std::floor(x);
   const float top = std::floor(y);
   const auto wrap = [](float place, int size) {
     const int i = static_cast<int>(place);
     return i < 0 ? i + size : i >= size ? i - size : i;
   };
-  const int x0 = wrap(left, level.width);
-  const int x1 = wrap(left + 1, level.width);
-  const int y0 = wrap(top, level.height);
-  const int y1 = wrap(top + 1, level.height);
+  const int x0 = wrap(left, texels.width);
+  const int x1 = wrap(left + 1, texels.width);
+  const int y0 = wrap(top, texels.height);
+  const int y1 = wrap(top + 1, texels.height);
   const float s = x - left;
   const float t = y - top;
-  return (texel(level, x0, y0) * (1 - s) + texel(level, x1, y0) * s) * (1 - t) +
-         (texel(level, x0, y1) * (1 - s) + texel(level, x1, y1) * s) * t;
+  return (texel(texels, x0, y0) * (1 - s) + texel(texels, x1, y0) * s) * (1 - t) +
+         (texel(texels, x0, y1) * (1 - s) + texel(texels, x1, y1) * s) * t;
 }
 
 Rgb Texture::lookup(const Vec2f& uv, float footprint) const {
