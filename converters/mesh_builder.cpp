@@ -34,7 +34,7 @@ MeshBuilder::MeshBuilder(std::string name) { mesh_.name = std::move(name); }
 std::uint32_t MeshBuilder::surface(const grf::Surface& surface) {
   if (!surfaces_) {
     mesh_.surfaces = {surface};
-    surfaces_.emplace(mesh_);
+    surfaces_.emplace(mesh_.surfaces);
   }
   return surfaces_->index_of(surface);
 }

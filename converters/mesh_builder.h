@@ -48,7 +48,7 @@ class MeshBuilder {
  private:
   bool is_alike(std::uint32_t vertex, const Corner& corner) const;
 
-  grf::Mesh mesh_;
+  grf::MeshDraft mesh_;
   std::optional<grf::SurfaceIndex> surfaces_;
   IndexTable vertices_;
   std::vector<std::uint32_t> face_;

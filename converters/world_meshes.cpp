@@ -27,16 +27,16 @@ double determinant_3x3(const grf::Matrix44d& m) {
 std::size_t count_vertices(const grf::Mesh& mesh, const auto& values) {
   if (values.empty()) return 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) count += values.has(i) ? 1 : 0;
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) count += values.has(i) ? 1 : 0;
   return count;
 }
 
 std::size_t count_faces_with_uv(const grf::Mesh& mesh) {
-  if (mesh.uvs.empty()) return 0;
+  if (mesh.geometry->uvs.empty()) return 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const auto face = mesh.face(i);
-    const auto has_uv = [&mesh](std::uint32_t vertex) { return mesh.uvs.has(vertex); };
+    const auto has_uv = [&mesh](std::uint32_t vertex) { return mesh.geometry->uvs.has(vertex); };
     if (std::any_of(face.begin(), face.end(), has_uv)) ++count;
   }
   return count;
@@ -49,8 +49,8 @@ std::size_t count_polygons(const grf::Mesh& mesh) {
 }
 
 std::size_t count_loose_vertices(const grf::Mesh& mesh) {
-  std::vector<bool> used(mesh.positions.size());
-  for (const std::uint32_t corner : mesh.corners) used[corner] = true;
+  std::vector<bool> used(mesh.geometry->positions.size());
+  for (const std::uint32_t corner : mesh.geometry->corners) used[corner] = true;
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
@@ -77,11 +77,11 @@ std::size_t count_in(const WorldMesh& placed, Loss loss) {
   if (placed.is_light()) return 0;
   switch (loss) {
     case Loss::Irradiance:
-      return count_vertices(mesh, mesh.irradiance);
+      return count_vertices(mesh, *mesh.irradiance);
     case Loss::VertexColour:
-      return count_vertices(mesh, mesh.colours);
+      return count_vertices(mesh, mesh.geometry->colours);
     case Loss::Normal:
-      return count_vertices(mesh, mesh.normals);
+      return count_vertices(mesh, mesh.geometry->normals);
     case Loss::TextureCoordinates:
       return count_faces_with_uv(mesh);
     case Loss::Polygon:
@@ -122,12 +122,12 @@ WorldMesh::WorldMesh(const grf::Mesh& mesh, const grf::Matrix44d& to_world, bool
 }
 
 grf::Vec3f WorldMesh::position(std::size_t vertex) const {
-  const grf::Vec3f& position = mesh_->positions[vertex];
+  const grf::Vec3f& position = mesh_->geometry->positions[vertex];
   return moves_ ? grf::Vec3f(grf::Vec3d(position) * to_world_) : position;
 }
 
 grf::Vec3f WorldMesh::normal(std::size_t vertex) const {
-  const grf::Vec3f& normal = mesh_->normals[vertex];
+  const grf::Vec3f& normal = mesh_->geometry->normals[vertex];
   if (!turns_normals_) return normal;
   grf::Vec3d turned(0);
   normals_to_world_.multDirMatrix(grf::Vec3d(normal), turned);
@@ -150,12 +150,12 @@ WorldMeshes::WorldMeshes(const grf::Scene& scene) {
   visitor.mesh_light = [this](const grf::MeshLight& light, const grf::Placement& placement,
                               const grf::Block&) { add_light(*light.mesh, placement); };
   visitor.light = [this](const grf::AreaLight& light, const grf::Placement& placement, const grf::Block&) {
-    grf::Mesh& mesh = parallelograms_.emplace_back();
+    grf::MeshDraft mesh;
     mesh.positions = {light.corner, light.corner + light.edge1, light.corner + light.edge1 + light.edge2,
                       light.corner + light.edge2};
     if (light.radiance) mesh.surfaces.front().colour = *light.radiance;
     mesh.add_face(std::array<std::uint32_t, 4>{0, 1, 2, 3}, 0);
-    add_light(mesh, placement);
+    add_light(parallelograms_.emplace_back(std::move(mesh)), placement);
   };
   grf::visit(scene, visitor);
 }
@@ -201,8 +201,9 @@ bool WorldMeshes::is_finite() const {
   };
   for (const WorldMesh& placed : meshes_) {
     const grf::Mesh& mesh = placed.mesh();
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      if (!fits(placed.position(i)) || (mesh.normals.has(i) && !fits(placed.normal(i)))) return false;
+    for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+      if (!fits(placed.position(i)) || (mesh.geometry->normals.has(i) && !fits(placed.normal(i))))
+        return false;
     }
   }
   return true;

@@ -111,9 +111,10 @@ class Check {
   }
 
   void check_vertices(const Mesh& mesh, const SourceLocation& location) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      if (mesh.colours.has(i)) check_colour(mesh.colours[i], location, "vertex colour");
-      if (mesh.irradiance.has(i)) check_irradiance(mesh.irradiance[i], location);
+    const auto& colours = mesh.geometry->colours;
+    for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+      if (colours.has(i)) check_colour(colours[i], location, "vertex colour");
+      if (mesh.irradiance->has(i)) check_irradiance((*mesh.irradiance)[i], location);
     }
   }
 

@@ -24,8 +24,8 @@ double longest_edge2(const Mesh& mesh, std::size_t face) {
   const auto corners = mesh.face(face);
   double longest = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec3d a(mesh.positions[corners[k]]);
-    const Vec3d b(mesh.positions[corners[(k + 1) % corners.size()]]);
+    const Vec3d a(mesh.geometry->positions[corners[k]]);
+    const Vec3d b(mesh.geometry->positions[corners[(k + 1) % corners.size()]]);
     longest = std::max(longest, (a - b).length2());
   }
   return longest;
@@ -34,14 +34,14 @@ double longest_edge2(const Mesh& mesh, std::size_t face) {
 bool has_normals_behind(const Mesh& mesh, std::size_t face, const Vec3d& area) {
   const auto corners = mesh.face(face);
   return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-    return mesh.normals.has(corner) && Vec3d(mesh.normals[corner]).dot(area) < 0;
+    return mesh.geometry->normals.has(corner) && Vec3d(mesh.geometry->normals[corner]).dot(area) < 0;
   });
 }
 
 bool lacks_uv(const Mesh& mesh, std::size_t face) {
   const auto corners = mesh.face(face);
   return mesh.surface(face).texture && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-           return !mesh.uvs.has(corner);
+           return !mesh.geometry->uvs.has(corner);
          });
 }
 
@@ -71,7 +71,7 @@ std::string path_of(const SourceLocation& location) {
 void FaceCheck::add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics) {
   Found found{location, {}, {}, {}};
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    const Vec3d area = doubled_area_vector(mesh, i, Matrix44d());
+    const Vec3d area = doubled_area_vector(*mesh.geometry, i, Matrix44d());
     if (area.length() <= LeastArea * longest_edge2(mesh, i)) {
       add_face(found.flat, i);
     } else if (has_normals_behind(mesh, i, area)) {
@@ -136,7 +136,7 @@ class LightCheck::World {
     std::vector<Box3d> boxes;
     for (const Body& body : bodies) {
       const auto [known, is_new] = vertices_.try_emplace(body.mesh);
-      if (is_new) known->second = VertexTree(*body.mesh);
+      if (is_new) known->second = VertexTree(*body.mesh->geometry);
       Box3d& box = boxes.emplace_back();
       for (const Vec3d& corner : corners_of(known->second.bounds(), body.to_world)) box.extendBy(corner);
     }
@@ -197,8 +197,8 @@ bool LightCheck::faces_something(const Light& light, const World& world) {
   if (light.mesh == nullptr) return world.has_vertex_in(Front(light.point, light.normal));
   const double side = light.to_world.determinant() < 0 ? -1 : 1;
   for (std::size_t i = 0; i < light.mesh->face_count(); ++i) {
-    const Vec3d point = Vec3d(light.mesh->positions[light.mesh->face(i).front()]) * light.to_world;
-    const Front front(point, doubled_area_vector(*light.mesh, i, light.to_world) * side);
+    const Vec3d point = Vec3d(light.mesh->geometry->positions[light.mesh->face(i).front()]) * light.to_world;
+    const Front front(point, doubled_area_vector(*light.mesh->geometry, i, light.to_world) * side);
     if (world.has_vertex_in(front)) return true;
   }
   return false;

@@ -2,35 +2,52 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace grf {
 
-void Mesh::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index) {
-  corners.insert(corners.end(), face_corners.begin(), face_corners.end());
-  face_offsets.push_back(static_cast<std::uint32_t>(corners.size()));
+MeshDraft::MeshDraft(const Mesh& mesh)
+    : Geometry(*mesh.geometry),
+      name(mesh.name),
+      comments(mesh.comments),
+      irradiance(*mesh.irradiance),
+      surfaces(mesh.surfaces),
+      surface_of_face(mesh.surface_of_face) {}
+
+void MeshDraft::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index) {
+  Geometry::add_face(face_corners);
   surface_of_face.push_back(surface_index);
 }
 
-void Mesh::free_spare_memory() {
-  const auto free = [](auto& values) {
-    if (has_spare_memory(values)) values.shrink_to_fit();
-  };
-  free(positions);
-  free(corners);
-  free(face_offsets);
-  free(surface_of_face);
-  normals.free_spare_memory();
-  colours.free_spare_memory();
-  uvs.free_spare_memory();
-  irradiance.free_spare_memory();
+std::uint32_t MeshDraft::copy_vertex(const Mesh& from, std::uint32_t vertex) {
+  const auto copy = static_cast<std::uint32_t>(positions.size());
+  const Geometry& geometry = *from.geometry;
+  positions.push_back(geometry.positions[vertex]);
+  if (geometry.normals.has(vertex)) normals.set(copy, geometry.normals[vertex]);
+  if (geometry.colours.has(vertex)) colours.set(copy, geometry.colours[vertex]);
+  if (geometry.uvs.has(vertex)) uvs.set(copy, geometry.uvs[vertex]);
+  if (from.irradiance->has(vertex)) irradiance.set(copy, (*from.irradiance)[vertex]);
+  return copy;
 }
 
+void MeshDraft::free_spare_memory() {
+  Geometry::free_spare_memory();
+  irradiance.free_spare_memory();
+  if (has_spare_memory(surface_of_face)) surface_of_face.shrink_to_fit();
+}
+
+Mesh::Mesh(MeshDraft draft)
+    : name(std::move(draft.name)),
+      comments(std::move(draft.comments)),
+      geometry(static_cast<Geometry&&>(draft)),
+      irradiance(std::move(draft.irradiance)),
+      surfaces(std::move(draft.surfaces)),
+      surface_of_face(std::move(draft.surface_of_face)) {}
+
 bool operator==(const Mesh& a, const Mesh& b) {
-  const bool same_shape = a.name == b.name && a.comments == b.comments && a.positions == b.positions &&
-                          a.normals == b.normals && a.colours == b.colours && a.uvs == b.uvs &&
-                          a.irradiance == b.irradiance && a.corners == b.corners &&
-                          a.face_offsets == b.face_offsets && a.surfaces.front() == b.surfaces.front();
-  if (!same_shape) return false;
+  const bool is_alike = a.name == b.name && a.comments == b.comments && a.geometry == b.geometry &&
+                        a.irradiance == b.irradiance && a.surfaces.front() == b.surfaces.front();
+  if (!is_alike) return false;
   std::uint32_t known_a = 0;
   std::uint32_t known_b = 0;  // the last pair found equal: faces come in runs
   for (std::size_t i = 0; i < a.face_count(); ++i) {
@@ -50,27 +67,17 @@ std::vector<bool> used_surfaces(const Mesh& mesh) {
   return used;
 }
 
-std::uint32_t copy_vertex(const Mesh& from, std::uint32_t vertex, Mesh& to) {
-  const auto copy = static_cast<std::uint32_t>(to.positions.size());
-  to.positions.push_back(from.positions[vertex]);
-  if (from.normals.has(vertex)) to.normals.set(copy, from.normals[vertex]);
-  if (from.colours.has(vertex)) to.colours.set(copy, from.colours[vertex]);
-  if (from.uvs.has(vertex)) to.uvs.set(copy, from.uvs[vertex]);
-  if (from.irradiance.has(vertex)) to.irradiance.set(copy, from.irradiance[vertex]);
-  return copy;
-}
-
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   constexpr auto Unused = std::numeric_limits<std::uint32_t>::max();
-  Mesh part;
+  MeshDraft part;
   if (!faces.empty()) part.surfaces = {mesh.surface(faces.front())};
-  SurfaceIndex surfaces(part);
-  std::vector<std::uint32_t> vertex_of(mesh.positions.size(), Unused);
+  SurfaceIndex surfaces(part.surfaces);
+  std::vector<std::uint32_t> vertex_of(mesh.geometry->positions.size(), Unused);
   std::vector<std::uint32_t> corners;
   for (const std::uint32_t face : faces) {
     corners.clear();
     for (const std::uint32_t corner : mesh.face(face)) {
-      if (vertex_of[corner] == Unused) vertex_of[corner] = copy_vertex(mesh, corner, part);
+      if (vertex_of[corner] == Unused) vertex_of[corner] = part.copy_vertex(mesh, corner);
       corners.push_back(vertex_of[corner]);
     }
     part.add_face(corners, surfaces.index_of(mesh.surface(face)));
@@ -78,21 +85,20 @@ Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   return part;
 }
 
-SurfaceIndex::SurfaceIndex(Mesh& mesh) : mesh_(&mesh) {
-  for (std::uint32_t i = 0; i < mesh.surfaces.size(); ++i) {
-    by_hash_.emplace(hash_value(mesh.surfaces[i]), i);
+SurfaceIndex::SurfaceIndex(std::vector<Surface>& surfaces) : surfaces_(&surfaces) {
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    by_hash_.emplace(hash_value(surfaces[i]), i);
   }
 }
 
 std::uint32_t SurfaceIndex::index_of(const Surface& surface) {
   const std::size_t hash = hash_value(surface);
   const auto [first, last] = by_hash_.equal_range(hash);
-  const auto known = std::find_if(first, last, [&](const auto& entry) {
-    return is_written_alike(mesh_->surfaces[entry.second], surface);
-  });
+  const auto known = std::find_if(
+      first, last, [&](const auto& entry) { return is_written_alike((*surfaces_)[entry.second], surface); });
   if (known != last) return known->second;
-  const auto index = static_cast<std::uint32_t>(mesh_->surfaces.size());
-  mesh_->surfaces.push_back(surface);
+  const auto index = static_cast<std::uint32_t>(surfaces_->size());
+  surfaces_->push_back(surface);
   by_hash_.emplace(hash, index);
   return index;
 }

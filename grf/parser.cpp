@@ -123,9 +123,9 @@ bool Parser::parse_block(BlockList& list) {
 
 bool Parser::parse_content(const Token& opening, Block& block) {
   const auto parse_mesh_of = [&](MeshKind kind, Shared<Mesh>& shared) {
-    Mesh mesh;
+    MeshDraft mesh;
     if (!parse_mesh(opening, kind, mesh)) return false;
-    shared = std::move(mesh);
+    shared = Mesh(std::move(mesh));
     return true;
   };
   // After an error in a list of definitions this is most likely the body behind it.

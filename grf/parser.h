@@ -131,15 +131,15 @@ class Parser {
   // parser_mesh.cpp
   /// A mesh light is a mesh with other attributes and another end.
   enum class MeshKind { Mesh, Light };
-  bool parse_mesh(const Token& opening, MeshKind kind, Mesh& mesh);
-  bool parse_vertices(Mesh& mesh);
-  bool parse_vertex(Mesh& mesh);
+  bool parse_mesh(const Token& opening, MeshKind kind, MeshDraft& mesh);
+  bool parse_vertices(MeshDraft& mesh);
+  bool parse_vertex(MeshDraft& mesh);
   bool parse_irradiance_list(std::vector<DirectionalIrradiance>& list);
-  bool parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, bool& mesh_closed);
-  bool parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners);
-  bool parse_corner_list(const Mesh& mesh, std::vector<std::uint32_t>& corners);
-  bool parse_corners(const Mesh& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners);
-  bool parse_corner(const Mesh& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_faces(const Token& mesh_opening, MeshKind kind, MeshDraft& mesh, bool& mesh_closed);
+  bool parse_face(const MeshDraft& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_corner_list(const MeshDraft& mesh, std::vector<std::uint32_t>& corners);
+  bool parse_corners(const MeshDraft& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners);
+  bool parse_corner(const MeshDraft& mesh, std::vector<std::uint32_t>& corners);
   bool end_faces(const Token& opening, MeshKind kind, bool& mesh_closed);
   bool end_mesh(const Token& opening, MeshKind kind);
 
@@ -156,7 +156,7 @@ class Parser {
   template <class ModelOfKind>
   void take_reference(ModelOfKind model,
                       std::optional<std::variant<ModelOfKind, Reference>>& attribute) const;
-  Comments* comments_of_attribute(Mesh& mesh, const Token& keyword) const;
+  Comments* comments_of_attribute(MeshDraft& mesh, const Token& keyword) const;
 
   // parser_words.cpp: tokens and values
   Token take();

@@ -14,7 +14,7 @@ bool Parser::is_attribute(const Token& token) const {
           same_keyword(token.text, "light"));
 }
 
-Comments* Parser::comments_of_attribute(Mesh& mesh, const Token& keyword) const {
+Comments* Parser::comments_of_attribute(MeshDraft& mesh, const Token& keyword) const {
   if (same_keyword(keyword.text, "brdf")) return &mesh.comments.brdf;
   if (same_keyword(keyword.text, "pdf")) return &mesh.comments.pdf;
   if (same_keyword(keyword.text, "texture")) return &mesh.comments.texture;

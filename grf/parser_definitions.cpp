@@ -121,7 +121,7 @@ bool Parser::parse_definition_body(Definition& definition, std::optional<NextDef
   }
   const Token opening = lexer_.peek();
   if (!accept("begin")) return fail_expected("'rgb', 'brdf', 'pdf', 'texture' or 'begin mesh'");
-  Mesh mesh;
+  MeshDraft mesh;
   if (!expect("mesh", "after this 'begin'") || !parse_mesh(opening, MeshKind::Mesh, mesh)) return false;
   definition.body = Shared<Mesh>(std::move(mesh));
   return true;

@@ -35,7 +35,7 @@ class Growth {
   std::size_t bytes_at_start_;
 };
 
-void reserve_vertices(Mesh& mesh, std::size_t count) {
+void reserve_vertices(MeshDraft& mesh, std::size_t count) {
   mesh.positions.reserve(count);
   if (!mesh.normals.empty()) mesh.normals.reserve(count);
   if (!mesh.colours.empty()) mesh.colours.reserve(count);
@@ -43,7 +43,7 @@ void reserve_vertices(Mesh& mesh, std::size_t count) {
   if (!mesh.irradiance.empty()) mesh.irradiance.reserve(count);
 }
 
-void reserve_faces(Mesh& mesh, std::size_t count) {
+void reserve_faces(MeshDraft& mesh, std::size_t count) {
   const std::size_t faces = std::max<std::size_t>(mesh.face_count(), 1);
   mesh.corners.reserve(count * mesh.corners.size() / faces + 1);
   mesh.face_offsets.reserve(count + 1);
@@ -52,7 +52,7 @@ void reserve_faces(Mesh& mesh, std::size_t count) {
 
 }  // namespace
 
-bool Parser::parse_mesh(const Token& opening, MeshKind kind, Mesh& mesh) {
+bool Parser::parse_mesh(const Token& opening, MeshKind kind, MeshDraft& mesh) {
   if (kind == MeshKind::Mesh && lexer_.peek().kind == TokenKind::String) mesh.name = lexer_.next().text;
   Surface own;
   while (is_attribute(lexer_.peek())) {
@@ -75,7 +75,7 @@ bool Parser::parse_mesh(const Token& opening, MeshKind kind, Mesh& mesh) {
   return end_mesh(opening, kind);
 }
 
-bool Parser::parse_vertices(Mesh& mesh) {
+bool Parser::parse_vertices(MeshDraft& mesh) {
   const Token opening = lexer_.peek();
   const auto accept_word = [this] { return accept("vertexs") || accept("vertices"); };
   if (!accept("begin")) return fail_expected("an attribute of the mesh or 'begin vertexs'");
@@ -94,7 +94,7 @@ bool Parser::parse_vertices(Mesh& mesh) {
   return true;
 }
 
-bool Parser::parse_vertex(Mesh& mesh) {
+bool Parser::parse_vertex(MeshDraft& mesh) {
   const std::size_t vertex = mesh.positions.size();
   Vec3f value(0);
   while (lexer_.peek().kind == TokenKind::Word) {
@@ -142,12 +142,12 @@ bool Parser::parse_irradiance_list(std::vector<DirectionalIrradiance>& list) {
   return true;
 }
 
-bool Parser::parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, bool& mesh_closed) {
+bool Parser::parse_faces(const Token& mesh_opening, MeshKind kind, MeshDraft& mesh, bool& mesh_closed) {
   const Token opening = lexer_.peek();
   if (!accept("begin")) return fail_expected("'begin faces'");
   if (!expect("faces", "after the vertices")) return false;
   Surface surface = mesh.surfaces.front();
-  SurfaceIndex surfaces(mesh);
+  SurfaceIndex surfaces(mesh.surfaces);
   std::uint32_t surface_index = 0;
   std::vector<std::uint32_t> corners;
   index_reported_ = false;
@@ -171,7 +171,7 @@ bool Parser::parse_faces(const Token& mesh_opening, MeshKind kind, Mesh& mesh, b
 }
 
 // A face is `(0, 1, 2)`, `3 (0, 1, 2)` or `3 0 1 2`.
-bool Parser::parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
+bool Parser::parse_face(const MeshDraft& mesh, std::vector<std::uint32_t>& corners) {
   const Token first = lexer_.peek();
   std::uint32_t count = 0;
   const bool has_count = first.kind == TokenKind::Number;
@@ -190,7 +190,7 @@ bool Parser::parse_face(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
   return true;
 }
 
-bool Parser::parse_corner_list(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
+bool Parser::parse_corner_list(const MeshDraft& mesh, std::vector<std::uint32_t>& corners) {
   lexer_.next();
   do {
     if (!parse_corner(mesh, corners)) return false;
@@ -199,7 +199,7 @@ bool Parser::parse_corner_list(const Mesh& mesh, std::vector<std::uint32_t>& cor
 }
 
 // As many as the count says, unless something else begins before.
-bool Parser::parse_corners(const Mesh& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners) {
+bool Parser::parse_corners(const MeshDraft& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners) {
   const auto next_begins = [this] {
     return lexer_.peek().is('(') || is_attribute(lexer_.peek()) || at("end");
   };
@@ -209,7 +209,7 @@ bool Parser::parse_corners(const Mesh& mesh, std::uint32_t count, std::vector<st
   return true;
 }
 
-bool Parser::parse_corner(const Mesh& mesh, std::vector<std::uint32_t>& corners) {
+bool Parser::parse_corner(const MeshDraft& mesh, std::vector<std::uint32_t>& corners) {
   const Token token = lexer_.peek();
   std::uint32_t corner = 0;
   if (!parse_index(corner, "the index of a vertex")) return false;

@@ -18,11 +18,11 @@ std::string_view kind_of(const Definition::Body& body) {
 bool has_irradiance(const BlockList& contents) {
   const auto defines_some = [](const Definition& definition) {
     const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body);
-    return mesh != nullptr && !(*mesh)->irradiance.empty();
+    return mesh != nullptr && !(*mesh)->irradiance->empty();
   };
   return std::any_of(contents.blocks.begin(), contents.blocks.end(), [&](const Block& block) {
-    if (const auto* mesh = std::get_if<Shared<Mesh>>(&block.content)) return !(*mesh)->irradiance.empty();
-    if (const auto* light = std::get_if<MeshLight>(&block.content)) return !light->mesh->irradiance.empty();
+    if (const auto* mesh = std::get_if<Shared<Mesh>>(&block.content)) return !(*mesh)->irradiance->empty();
+    if (const auto* light = std::get_if<MeshLight>(&block.content)) return !light->mesh->irradiance->empty();
     if (const auto* transform = std::get_if<Transform>(&block.content))
       return has_irradiance(transform->body);
     const auto* scope = std::get_if<DefinitionScope>(&block.content);

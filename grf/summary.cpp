@@ -21,10 +21,7 @@ constexpr std::size_t VerticesOfABox = 256;
 
 /// What is the same of a mesh wherever it is placed.
 struct MeshFigures {
-  std::size_t triangles = 0;
-  Topology topology;
   std::vector<Box3f> boxes;  ///< of each so many vertices
-  double area = 0;
   bool emits = false;
 };
 
@@ -43,10 +40,11 @@ Box3f box_around(const Box3f& box, const Matrix44d& to_world) {
   return placed;
 }
 
-double area_of(const Mesh& mesh, const Matrix44d& to_world) {
+double area_of(const Geometry& geometry, const Matrix44d& to_world) {
   double area = 0;
-  for (std::size_t i = 0; i < mesh.face_count(); ++i)
-    area += doubled_area_vector(mesh, i, to_world).length() / 2;
+  for (std::size_t i = 0; i < geometry.face_count(); ++i) {
+    area += doubled_area_vector(geometry, i, to_world).length() / 2;
+  }
   return area;
 }
 
@@ -106,47 +104,47 @@ class Counter {
   void add(const Mesh& mesh, const Placement& placement, bool is_light) {
     const auto [known, is_new] = figures_.try_emplace(&mesh);
     MeshFigures& figures = known->second;
+    const Topology& topology = mesh.geometry.topology();
     if (is_new) {
       figures = figures_of(mesh);
       summary_.different_meshes.push_back(
-          {name_of(mesh, placement), mesh.positions.size(), mesh.face_count(), figures.topology});
+          {name_of(mesh, placement), mesh.geometry->positions.size(), mesh.face_count(), topology});
     }
     ++(is_light ? summary_.lights : summary_.meshes);
-    summary_.vertices += mesh.positions.size();
+    summary_.vertices += mesh.geometry->positions.size();
     summary_.faces += mesh.face_count();
-    summary_.triangles += figures.triangles;
-    const Topology& topology = figures.topology;
+    summary_.triangles += mesh.geometry->triangle_count();
     summary_.boundary_edges += topology.boundary_edges;
     summary_.boundary_loops += topology.boundary_loops;
     summary_.nonmanifold_edges += topology.nonmanifold_edges;
     summary_.nonmanifold_vertices += topology.nonmanifold_vertices;
     if (figures.emits && !is_light) ++summary_.lights;
     const auto scale = uniform_scale(placement.to_world);
-    summary_.area += scale ? *scale * *scale * figures.area : area_of(mesh, placement.to_world);
-    add_bounds(mesh, figures.boxes, placement.to_world);
+    summary_.area +=
+        scale ? *scale * *scale * mesh.geometry.area() : area_of(*mesh.geometry, placement.to_world);
+    add_bounds(mesh.geometry->positions, figures.boxes, placement.to_world);
   }
 
   // Where many instances are placed, most vertices are in boxes that lie inside of what is known already.
-  void add_bounds(const Mesh& mesh, const std::vector<Box3f>& boxes, const Matrix44d& to_world) {
+  void add_bounds(const std::vector<Vec3f>& positions, const std::vector<Box3f>& boxes,
+                  const Matrix44d& to_world) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Box3f box = box_around(boxes[i], to_world);
       if (summary_.bounds.intersects(box.min) && summary_.bounds.intersects(box.max)) continue;
-      const std::size_t end = std::min(mesh.positions.size(), (i + 1) * VerticesOfABox);
+      const std::size_t end = std::min(positions.size(), (i + 1) * VerticesOfABox);
       for (std::size_t k = i * VerticesOfABox; k < end; ++k) {
-        add_place(mesh.positions[k], to_world, summary_.bounds);
+        add_place(positions[k], to_world, summary_.bounds);
       }
     }
   }
 
   MeshFigures figures_of(const Mesh& mesh) {
     MeshFigures figures;
-    figures.triangles = mesh.corners.size() - 2 * mesh.face_count();
-    figures.area = area_of(mesh, Matrix44d());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const std::vector<Vec3f>& positions = mesh.geometry->positions;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
       if (i % VerticesOfABox == 0) figures.boxes.emplace_back();
-      figures.boxes.back().extendBy(mesh.positions[i]);
+      figures.boxes.back().extendBy(positions[i]);
     }
-    figures.topology = topology_of(mesh);
     const std::vector<bool> is_used = used_surfaces(mesh);
     for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
       if (!is_used[i]) continue;
@@ -178,18 +176,6 @@ class Counter {
 };
 
 }  // namespace
-
-Vec3d doubled_area_vector(const Mesh& mesh, std::size_t face, const Matrix44d& to_world) {
-  const auto corners = mesh.face(face);
-  const Vec3d origin = Vec3d(mesh.positions[corners[0]]) * to_world;
-  Vec3d sum(0);
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-    const Vec3d a = Vec3d(mesh.positions[corners[k]]) * to_world - origin;
-    const Vec3d b = Vec3d(mesh.positions[corners[k + 1]]) * to_world - origin;
-    sum += a.cross(b);
-  }
-  return sum;
-}
 
 Summary summarize(const Scene& scene) { return Counter().run(scene); }
 

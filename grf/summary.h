@@ -41,7 +41,4 @@ struct Summary {
 
 Summary summarize(const Scene& scene);
 
-/// Twice the area of a polygon as a vector along its normal (Newell's method), for any polygon.
-Vec3d doubled_area_vector(const Mesh& mesh, std::size_t face, const Matrix44d& to_world);
-
 }  // namespace grf

@@ -18,14 +18,14 @@ std::size_t count_sets(CornerSets& sets, const std::vector<std::uint32_t>& corne
 }
 
 /// Vertices of more than one fan of faces, but for those in `left_out`.
-std::size_t count_nonmanifold_vertices(const Mesh& mesh, std::span<const std::uint32_t> places,
+std::size_t count_nonmanifold_vertices(const Geometry& geometry, std::span<const std::uint32_t> places,
                                        CornerSets& fans, const std::vector<bool>& left_out) {
   constexpr std::uint32_t None = ~0U;
-  std::vector<std::uint32_t> fan_at(mesh.positions.size(), None);
+  std::vector<std::uint32_t> fan_at(geometry.positions.size(), None);
   std::vector<bool> counted = left_out;
   std::size_t count = 0;
-  for (std::uint32_t corner = 0; corner < mesh.corners.size(); ++corner) {
-    const std::uint32_t place = places[mesh.corners[corner]];
+  for (std::uint32_t corner = 0; corner < geometry.corners.size(); ++corner) {
+    const std::uint32_t place = places[geometry.corners[corner]];
     const std::uint32_t fan = fans.set_of(corner);
     if (fan_at[place] == None) fan_at[place] = fan;
     if (fan_at[place] == fan || counted[place]) continue;
@@ -37,21 +37,22 @@ std::size_t count_nonmanifold_vertices(const Mesh& mesh, std::span<const std::ui
 
 /// Does something with each edge that has a length, in the order of faces and their corners.
 template <class Action>
-void for_each_face_edge(const Mesh& mesh, std::span<const std::uint32_t> places, const Action& action) {
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-    const auto corners = mesh.face(face);
+void for_each_face_edge(const Geometry& geometry, std::span<const std::uint32_t> places,
+                        const Action& action) {
+  for (std::uint32_t face = 0; face < geometry.face_count(); ++face) {
+    const auto corners = geometry.face(face);
     for (std::uint32_t k = 0; k < corners.size(); ++k) {
       const std::uint64_t a = places[corners[k]];
       const std::uint64_t b = places[corners[(k + 1) % corners.size()]];
       if (a == b) continue;
-      action(FaceEdge{std::min(a, b) << 32U | std::max(a, b), face, mesh.face_offsets[face] + k});
+      action(FaceEdge{std::min(a, b) << 32U | std::max(a, b), face, geometry.face_offsets[face] + k});
     }
   }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
+std::vector<std::uint32_t> first_at_place(const Geometry& geometry) {
   struct Hash {
     std::size_t operator()(const Vec3f& v) const {
       const std::hash<float> hash;
@@ -59,24 +60,25 @@ std::vector<std::uint32_t> first_at_place(const Mesh& mesh) {
     }
   };
   std::unordered_map<Vec3f, std::uint32_t, Hash> places;
-  places.reserve(mesh.positions.size());
+  places.reserve(geometry.positions.size());
   std::vector<std::uint32_t> first;
-  first.reserve(mesh.positions.size());
-  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
-    first.push_back(places.emplace(mesh.positions[i], i).first->second);
+  first.reserve(geometry.positions.size());
+  for (std::uint32_t i = 0; i < geometry.positions.size(); ++i) {
+    first.push_back(places.emplace(geometry.positions[i], i).first->second);
   }
   return first;
 }
 
-std::vector<FaceEdge> edges_of_faces(const Mesh& mesh, std::span<const std::uint32_t> places) {
+std::vector<FaceEdge> edges_of_faces(const Geometry& geometry, std::span<const std::uint32_t> places) {
   // Each is put where its lower place belongs, in a time that grows as their number: few are left to be
   // sorted there.
   const auto lower_place = [](const FaceEdge& edge) { return static_cast<std::size_t>(edge.places >> 32U); };
   std::vector<std::size_t> ends(places.size() + 1);
-  for_each_face_edge(mesh, places, [&](const FaceEdge& edge) { ++ends[lower_place(edge) + 1]; });
+  for_each_face_edge(geometry, places, [&](const FaceEdge& edge) { ++ends[lower_place(edge) + 1]; });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<FaceEdge> edges(ends.back());
-  for_each_face_edge(mesh, places, [&](const FaceEdge& edge) { edges[ends[lower_place(edge)]++] = edge; });
+  for_each_face_edge(geometry, places,
+                     [&](const FaceEdge& edge) { edges[ends[lower_place(edge)]++] = edge; });
   auto begin = edges.begin();
   for (std::size_t place = 0; place < places.size(); ++place) {
     const auto end = edges.begin() + static_cast<std::ptrdiff_t>(ends[place]);
@@ -98,9 +100,9 @@ void for_each_edge(std::span<const FaceEdge> edges,
   }
 }
 
-std::uint32_t end_corner(const Mesh& mesh, const FaceEdge& edge) {
+std::uint32_t end_corner(const Geometry& geometry, const FaceEdge& edge) {
   const std::uint32_t next = edge.corner + 1;
-  return next == mesh.face_offsets[edge.face + 1] ? mesh.face_offsets[edge.face] : next;
+  return next == geometry.face_offsets[edge.face + 1] ? geometry.face_offsets[edge.face] : next;
 }
 
 CornerSets::CornerSets(std::size_t corners) : parent_(corners) {
@@ -121,21 +123,21 @@ void CornerSets::join(std::uint32_t a, std::uint32_t b) {
   parent_[std::max(a, b)] = std::min(a, b);
 }
 
-void CornerSets::join_at_edge(const Mesh& mesh, std::span<const std::uint32_t> places, const FaceEdge& a,
-                              const FaceEdge& b) {
-  const bool is_alike = places[mesh.corners[a.corner]] == places[mesh.corners[b.corner]];
-  const std::uint32_t end_a = end_corner(mesh, a);
-  const std::uint32_t end_b = end_corner(mesh, b);
+void CornerSets::join_at_edge(const Geometry& geometry, std::span<const std::uint32_t> places,
+                              const FaceEdge& a, const FaceEdge& b) {
+  const bool is_alike = places[geometry.corners[a.corner]] == places[geometry.corners[b.corner]];
+  const std::uint32_t end_a = end_corner(geometry, a);
+  const std::uint32_t end_b = end_corner(geometry, b);
   join(a.corner, is_alike ? b.corner : end_b);
   join(end_a, is_alike ? end_b : b.corner);
 }
 
-Topology topology_of(const Mesh& mesh) {
-  const std::vector<std::uint32_t> places = first_at_place(mesh);
-  const std::vector<FaceEdge> edges = edges_of_faces(mesh, places);
+Topology topology_of(const Geometry& geometry) {
+  const std::vector<std::uint32_t> places = first_at_place(geometry);
+  const std::vector<FaceEdge> edges = edges_of_faces(geometry, places);
   Topology topology;
-  CornerSets fans(mesh.corners.size());
-  std::vector<bool> at_nonmanifold_edge(mesh.positions.size());
+  CornerSets fans(geometry.corners.size());
+  std::vector<bool> at_nonmanifold_edge(geometry.positions.size());
   std::vector<FaceEdge> boundary;
   for_each_edge(edges, [&](std::span<const FaceEdge> of_faces) {
     if (of_faces.size() == 1) boundary.push_back(of_faces.front());
@@ -145,14 +147,14 @@ Topology topology_of(const Mesh& mesh) {
       at_nonmanifold_edge[of_faces.front().places & 0xFFFFFFFFU] = true;
     }
     for (const FaceEdge& other : of_faces.subspan(1)) {
-      fans.join_at_edge(mesh, places, of_faces.front(), other);
+      fans.join_at_edge(geometry, places, of_faces.front(), other);
     }
   });
   topology.boundary_edges = boundary.size();
-  topology.nonmanifold_vertices = count_nonmanifold_vertices(mesh, places, fans, at_nonmanifold_edge);
+  topology.nonmanifold_vertices = count_nonmanifold_vertices(geometry, places, fans, at_nonmanifold_edge);
   std::vector<std::uint32_t> begins;
   for (const FaceEdge& edge : boundary) {
-    fans.join(edge.corner, end_corner(mesh, edge));
+    fans.join(edge.corner, end_corner(geometry, edge));
     begins.push_back(edge.corner);
   }
   topology.boundary_loops = count_sets(fans, begins);

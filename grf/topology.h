@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "grf/mesh.h"
+#include "grf/geometry.h"
 
 namespace grf {
 
@@ -24,28 +24,28 @@ struct Topology {
   std::size_t nonmanifold_vertices = 0;
 };
 
-Topology topology_of(const Mesh& mesh);
+Topology topology_of(const Geometry& geometry);
 
 /// For each vertex, the first one at the same place.
-std::vector<std::uint32_t> first_at_place(const Mesh& mesh);
+std::vector<std::uint32_t> first_at_place(const Geometry& geometry);
 
 /// A face's edge, which leads from one of its corners to the next.
 struct FaceEdge {
   std::uint64_t places = 0;  ///< the vertices of both ends, each the first at its place; the lesser one above
   std::uint32_t face = 0;
-  std::uint32_t corner = 0;  ///< where it begins, an index of `Mesh::corners`
+  std::uint32_t corner = 0;  ///< where it begins, an index of `Geometry::corners`
 };
 
 /// All edges that have a length, sorted: those between the same places follow each other, in the order of
 /// their faces.
-std::vector<FaceEdge> edges_of_faces(const Mesh& mesh, std::span<const std::uint32_t> places);
+std::vector<FaceEdge> edges_of_faces(const Geometry& geometry, std::span<const std::uint32_t> places);
 
 /// Does something with each run of edges between the same places.
 void for_each_edge(std::span<const FaceEdge> edges,
                    const std::function<void(std::span<const FaceEdge> of_faces)>& action);
 
 /// The corner in which the edge ends.
-std::uint32_t end_corner(const Mesh& mesh, const FaceEdge& edge);
+std::uint32_t end_corner(const Geometry& geometry, const FaceEdge& edge);
 
 /// Sets of corners: each is alone at first.
 class CornerSets {
@@ -53,7 +53,7 @@ class CornerSets {
   explicit CornerSets(std::size_t corners);
   void join(std::uint32_t a, std::uint32_t b);
   /// Joins the corners of two faces at either end of an edge that they share.
-  void join_at_edge(const Mesh& mesh, std::span<const std::uint32_t> places, const FaceEdge& a,
+  void join_at_edge(const Geometry& geometry, std::span<const std::uint32_t> places, const FaceEdge& a,
                     const FaceEdge& b);
   /// One corner of each set stands for it.
   std::uint32_t set_of(std::uint32_t corner);

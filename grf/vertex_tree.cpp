@@ -9,21 +9,21 @@ namespace {
 /// So many that follow each other share a box.
 constexpr std::size_t VerticesOfABox = 16;
 
-std::vector<Box3d> boxes_of(const Mesh& mesh) {
+std::vector<Box3d> boxes_of(const Geometry& geometry) {
   std::vector<Box3d> boxes;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+  for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
     if (i % VerticesOfABox == 0) boxes.emplace_back();
-    boxes.back().extendBy(Vec3d(mesh.positions[i]));
+    boxes.back().extendBy(Vec3d(geometry.positions[i]));
   }
   return boxes;
 }
 
 }  // namespace
 
-VertexTree::VertexTree(const Mesh& mesh) : mesh_(&mesh), boxes_(boxes_of(mesh)) {}
+VertexTree::VertexTree(const Geometry& geometry) : geometry_(&geometry), boxes_(boxes_of(geometry)) {}
 
 std::span<const Vec3f> VertexTree::run(std::size_t index) const {
-  const auto rest = std::span(mesh_->positions).subspan(index * VerticesOfABox);
+  const auto rest = std::span(geometry_->positions).subspan(index * VerticesOfABox);
   return rest.first(std::min(VerticesOfABox, rest.size()));
 }
 

@@ -5,17 +5,17 @@
 #include <span>
 
 #include "grf/box_tree.h"
-#include "grf/mesh.h"
+#include "grf/geometry.h"
 
 namespace grf {
 
 /// A tree over the vertices of a mesh, those that no face uses too: it answers what would else need a look at
-/// each vertex for each place of the mesh.
+/// each vertex for each place of the geometry.
 class VertexTree {
  public:
   VertexTree() = default;
-  /// The mesh must stay as it is.
-  explicit VertexTree(const Mesh& mesh);
+  /// It must stay as it is.
+  explicit VertexTree(const Geometry& geometry);
 
   /// Whether a vertex lies in a region: `overlap` tells that of whole boxes, `has` of single vertices.
   bool any_in(const BoxTree::OverlapOfBox& overlap, const std::function<bool(const Vec3d&)>& has) const;
@@ -30,7 +30,7 @@ class VertexTree {
   /// The highest value that a coordinate of the transformed vertices has, times the sign.
   double highest(const Matrix44d& transform, int axis, double sign) const;
 
-  const Mesh* mesh_ = nullptr;
+  const Geometry* geometry_ = nullptr;
   BoxTree boxes_;  ///< of runs of vertices
 };
 

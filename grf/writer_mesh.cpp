@@ -28,28 +28,30 @@ void Writer::put_lists(const Mesh& mesh) {
 void Writer::put_vertices(const Mesh& mesh) {
   line("begin vertexs");
   ++indentation_;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+  const Geometry& geometry = *mesh.geometry;
+  const VertexIrradiance& irradiance = *mesh.irradiance;
+  for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
     begin_line("");
-    if (mesh.normals.has(i)) {
+    if (geometry.normals.has(i)) {
       text_ += "normal ";
-      put(mesh.normals[i]);
+      put(geometry.normals[i]);
       text_ += ' ';
     }
-    if (mesh.colours.has(i)) {
+    if (geometry.colours.has(i)) {
       text_ += "rgb ";
-      put(mesh.colours[i]);
+      put(geometry.colours[i]);
       text_ += ' ';
     }
-    if (mesh.uvs.has(i)) {
+    if (geometry.uvs.has(i)) {
       text_ += "uv ";
-      put(mesh.uvs[i]);
+      put(geometry.uvs[i]);
       text_ += ' ';
     }
-    if (mesh.irradiance.has(i)) {
-      put_irradiance(mesh.irradiance[i]);
+    if (irradiance.has(i)) {
+      put_irradiance(irradiance[i]);
       text_ += ' ';
     }
-    put(mesh.positions[i]);
+    put(geometry.positions[i]);
     end_line();
   }
   --indentation_;

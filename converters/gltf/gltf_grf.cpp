@@ -119,7 +119,7 @@ class ListReader {
                                 (surfaces.empty() || surfaces.size() == faces),
                             "the lists of faces of a mesh differ in length");
     if (!fits) return false;
-    grf::SurfaceIndex index(mesh_);
+    grf::SurfaceIndex index(mesh_.surfaces);
     std::vector<std::uint32_t> surface_of;
     for (std::size_t i = 0; i < stub_.face_count(); ++i)
       surface_of.push_back(index.index_of(stub_.surface(i)));
@@ -139,7 +139,7 @@ class ListReader {
   const GltfMeshLists& lists_;
   const grf::Mesh& stub_;
   GltfAccessors& accessors_;
-  grf::Mesh mesh_;
+  grf::MeshDraft mesh_;
 };
 
 GltfMeshLists lists_of(const Value& record) {
@@ -157,7 +157,7 @@ GltfMeshLists lists_of(const Value& record) {
 }  // namespace
 
 grf::Mesh without_lists(const grf::Mesh& mesh) {
-  grf::Mesh stub;
+  grf::MeshDraft stub;
   stub.name = mesh.name;
   stub.comments = mesh.comments;
   stub.surfaces = mesh.surfaces;

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "converters/gltf/gltf_grf.h"
-#include "grf/triangulation.h"
 
 namespace convert {
 namespace {
@@ -53,10 +52,10 @@ class MeshWriter {
       : mesh_(mesh), material_of_(material_of), document_(document) {}
 
   WrittenMesh run(const std::string& name) {
-    lists_.vertices = mesh_.positions.size();
+    lists_.vertices = mesh_.geometry->positions.size();
     lists_.faces = mesh_.face_count();
     WrittenMesh written;
-    if (!mesh_.positions.empty()) write_vertices();
+    if (!mesh_.geometry->positions.empty()) write_vertices();
     if (mesh_.face_count() > 0) {
       json primitives = write_primitives();
       written.mesh = document_.append("meshes", {{"primitives", std::move(primitives)}});
@@ -71,7 +70,7 @@ class MeshWriter {
   }
 
  private:
-  std::size_t size() const { return mesh_.positions.size(); }
+  std::size_t size() const { return mesh_.geometry->positions.size(); }
   bool has_faces() const { return mesh_.face_count() > 0; }
 
   template <class T>
@@ -84,29 +83,30 @@ class MeshWriter {
   }
 
   void write_vertices() {
-    lists_.positions = document_.add(mesh_.positions, has_faces() ? Use::Vertices : Use::Data, has_faces());
+    lists_.positions =
+        document_.add(mesh_.geometry->positions, has_faces() ? Use::Vertices : Use::Data, has_faces());
     attributes_["POSITION"] = *lists_.positions;
-    if (!mesh_.normals.empty()) write_normals();
-    if (!mesh_.colours.empty()) write_colours();
-    if (!mesh_.uvs.empty()) write_uvs();
-    if (!mesh_.irradiance.empty()) write_irradiance();
+    if (!mesh_.geometry->normals.empty()) write_normals();
+    if (!mesh_.geometry->colours.empty()) write_colours();
+    if (!mesh_.geometry->uvs.empty()) write_uvs();
+    if (!mesh_.irradiance->empty()) write_irradiance();
     write_present();
   }
 
   void write_normals() {
-    const auto exact = filled(mesh_.normals, grf::Vec3f(0, 0, 1));
+    const auto exact = filled(mesh_.geometry->normals, grf::Vec3f(0, 0, 1));
     std::vector<grf::Vec3f> units = exact;
     has_normal_.resize(size());
     for (std::size_t i = 0; i < size(); ++i) {
       const auto normal = unit(exact[i]);
-      has_normal_[i] = mesh_.normals.has(i) && normal;
+      has_normal_[i] = mesh_.geometry->normals.has(i) && normal;
       units[i] = normal.value_or(grf::Vec3f(0, 0, 1));
     }
     lists_.normals = write(exact, units, normal_accessor_);
   }
 
   void write_colours() {
-    const auto exact = filled(mesh_.colours, grf::Colour(1));
+    const auto exact = filled(mesh_.geometry->colours, grf::Colour(1));
     std::vector<grf::Colour> inside = exact;
     for (grf::Colour& colour : inside) {
       for (int i = 0; i < 3; ++i) colour[i] = std::clamp(colour[i], 0.0F, 1.0F);
@@ -126,7 +126,7 @@ class MeshWriter {
 
   // The axis that points up in GRF points down in glTF, and turning it rounds.
   void write_uvs() {
-    const auto exact = filled(mesh_.uvs, grf::Vec2f(0));
+    const auto exact = filled(mesh_.geometry->uvs, grf::Vec2f(0));
     lists_.uvs = document_.add(exact, Use::Data);
     if (!has_faces()) return;
     std::vector<grf::Vec2f> turned = exact;
@@ -140,12 +140,12 @@ class MeshWriter {
     std::vector<grf::Vec3f> directions;
     std::vector<grf::Colour> rays;
     for (std::size_t i = 0; i < size(); ++i) {
-      if (!mesh_.irradiance.has(i)) continue;
-      if (const auto* value = std::get_if<grf::Colour>(&mesh_.irradiance[i])) {
+      if (!mesh_.irradiance->has(i)) continue;
+      if (const auto* value = std::get_if<grf::Colour>(&(*mesh_.irradiance)[i])) {
         values[i] = *value;
         continue;
       }
-      const auto& list = std::get<std::vector<grf::DirectionalIrradiance>>(mesh_.irradiance[i]);
+      const auto& list = std::get<std::vector<grf::DirectionalIrradiance>>((*mesh_.irradiance)[i]);
       has_rays_ = true;
       counts[i] = static_cast<std::uint32_t>(list.size());
       for (const grf::DirectionalIrradiance& ray : list) {
@@ -162,16 +162,19 @@ class MeshWriter {
   }
 
   unsigned present(std::size_t i) const {
-    unsigned bits = (mesh_.normals.has(i) ? HasNormal : 0U) | (mesh_.colours.has(i) ? HasColour : 0U) |
-                    (mesh_.uvs.has(i) ? HasUv : 0U);
-    if (!mesh_.irradiance.has(i)) return bits;
-    const bool is_value = std::holds_alternative<grf::Colour>(mesh_.irradiance[i]);
+    unsigned bits = (mesh_.geometry->normals.has(i) ? HasNormal : 0U) |
+                    (mesh_.geometry->colours.has(i) ? HasColour : 0U) |
+                    (mesh_.geometry->uvs.has(i) ? HasUv : 0U);
+    if (!mesh_.irradiance->has(i)) return bits;
+    const bool is_value = std::holds_alternative<grf::Colour>((*mesh_.irradiance)[i]);
     return bits | (is_value ? HasIrradiance : HasRays);
   }
 
   void write_present() {
-    const unsigned all = (mesh_.normals.empty() ? 0U : HasNormal) | (mesh_.colours.empty() ? 0U : HasColour) |
-                         (mesh_.uvs.empty() ? 0U : HasUv) | (mesh_.irradiance.empty() ? 0U : HasIrradiance);
+    const unsigned all = (mesh_.geometry->normals.empty() ? 0U : HasNormal) |
+                         (mesh_.geometry->colours.empty() ? 0U : HasColour) |
+                         (mesh_.geometry->uvs.empty() ? 0U : HasUv) |
+                         (mesh_.irradiance->empty() ? 0U : HasIrradiance);
     std::vector<std::uint8_t> bits(size());
     for (std::size_t i = 0; i < size(); ++i) bits[i] = static_cast<std::uint8_t>(present(i));
     const bool same = std::all_of(bits.begin(), bits.end(), [all](std::uint8_t bit) { return bit == all; });
@@ -215,22 +218,14 @@ class MeshWriter {
   }
 
   void append_triangles(std::size_t face, std::vector<std::uint32_t>& corners) {
-    const auto polygon = mesh_.face(face);
-    if (polygon.size() == 3) {
-      corners.insert(corners.end(), polygon.begin(), polygon.end());
-      return;
-    }
-    positions_.clear();
-    triangles_.clear();
-    for (const std::uint32_t corner : polygon) positions_.push_back(mesh_.positions[corner]);
-    grf::triangulate(positions_, triangles_);
-    for (const auto& triangle : triangles_) {
-      for (const std::uint32_t corner : triangle) corners.push_back(polygon[corner]);
+    const grf::Triangulation& triangles = mesh_.geometry.triangulation();
+    for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
+      for (const std::uint32_t corner : triangles[i]) corners.push_back(corner);
     }
   }
 
   void write_faces() {
-    const bool all_triangles = mesh_.corners.size() == 3 * mesh_.face_count() && sizes_are_three();
+    const bool all_triangles = mesh_.geometry->corners.size() == 3 * mesh_.face_count() && sizes_are_three();
     if (!all_triangles) {
       std::vector<std::uint32_t> sizes(mesh_.face_count());
       for (std::size_t i = 0; i < sizes.size(); ++i)
@@ -238,7 +233,7 @@ class MeshWriter {
       lists_.sizes = document_.add(sizes, Use::Data);
     }
     lists_.corners =
-        all_triangles && last_indices_ ? *last_indices_ : document_.add(mesh_.corners, Use::Data);
+        all_triangles && last_indices_ ? *last_indices_ : document_.add(mesh_.geometry->corners, Use::Data);
     const std::vector<bool> used = grf::used_surfaces(mesh_);
     if (std::count(used.begin(), used.end(), true) == 1) return;
     std::vector<std::uint32_t> place(used.size());
@@ -266,8 +261,6 @@ class MeshWriter {
   std::vector<bool> has_normal_;
   std::optional<int> last_indices_;  ///< of the one primitive, if there is one alone
   bool has_rays_ = false;
-  std::vector<grf::Vec3f> positions_;
-  std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
 }  // namespace

@@ -169,7 +169,7 @@ class MeshReader {
   std::uint32_t surface_index(const grf::Surface& surface) {
     if (!surfaces_) {
       mesh_.surfaces = {surface};
-      surfaces_.emplace(mesh_);
+      surfaces_.emplace(mesh_.surfaces);
     }
     return surfaces_->index_of(surface);
   }
@@ -233,7 +233,7 @@ class MeshReader {
   GltfAccessors& accessors_;
   GltfMaterials& materials_;
   Losses& losses_;
-  grf::Mesh mesh_;
+  grf::MeshDraft mesh_;
   std::optional<grf::SurfaceIndex> surfaces_;
   std::map<GltfVertexSource, std::size_t> known_blocks_;
   std::deque<Block> blocks_;

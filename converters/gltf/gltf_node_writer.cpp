@@ -100,7 +100,7 @@ void GltfNodeWriter::write(const grf::MeshLight& light, Nodes& nodes) {
 }
 
 void GltfNodeWriter::write(const grf::AreaLight& light, Nodes& nodes) {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   mesh.positions = {light.corner, light.corner + light.edge1, light.corner + light.edge1 + light.edge2,
                     light.corner + light.edge2};
   // glTF has no infinity: a corner beyond the largest float stands there.
@@ -113,7 +113,8 @@ void GltfNodeWriter::write(const grf::AreaLight& light, Nodes& nodes) {
   const grf::Colour radiance = light.radiance.value_or(grf::Colour(1));
   // Its lists are of no use: the light stands in the scene's text.
   const WrittenMesh written = write_mesh(
-      mesh, "light", [&](const grf::Surface&) { return materials_.light_material(radiance); }, document_);
+      grf::Mesh(std::move(mesh)), "light",
+      [&](const grf::Surface&) { return materials_.light_material(radiance); }, document_);
   add_node(written.mesh, "light", nodes);
 }
 
@@ -150,7 +151,7 @@ int GltfNodeWriter::add_mesh(const grf::Mesh& mesh, const std::string& name) {
   const grf::Scope scope = scope_.scope();
   const auto material_of = [&](grf::Surface surface) {
     // glTF has no image without texture coordinates; GRF looks up one place of it.
-    if (mesh.uvs.empty()) surface.texture.reset();
+    if (mesh.geometry->uvs.empty()) surface.texture.reset();
     return materials_.material(surface, scope);
   };
   WrittenMesh written = write_mesh(mesh, to_utf8(name), material_of, document_);

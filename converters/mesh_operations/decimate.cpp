@@ -165,16 +165,16 @@ class Decimation {
  public:
   explicit Decimation(const grf::Mesh& mesh) : mesh_(mesh), alike_(first_alike(mesh)) {
     const Silence silence;
-    const std::vector<std::uint32_t> places = grf::first_at_place(mesh);
+    const std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
     const std::vector<bool> is_left_alone = faces_to_leave_alone(places);
-    std::vector<Vertex> vertex_at(mesh.positions.size());
+    std::vector<Vertex> vertex_at(mesh.geometry->positions.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
       const auto corners = mesh.face(face);
       Triangle triangle;
       triangle.surface = mesh.surface_of_face[face];
       for (std::size_t k = 0; k < 3; ++k) {
         Vertex& vertex = vertex_at[places[corners[k]]];
-        if (!vertex.is_valid()) vertex = add_vertex(mesh.positions[corners[k]]);
+        if (!vertex.is_valid()) vertex = add_vertex(mesh.geometry->positions[corners[k]]);
         triangle.ends[k] = vertex;
         triangle.corners[k] = alike_[corners[k]];
       }
@@ -220,7 +220,7 @@ class Decimation {
  private:
   std::vector<bool> faces_to_leave_alone(const std::vector<std::uint32_t>& places) const {
     std::vector<bool> left_alone(mesh_.face_count());
-    const std::vector<grf::FaceEdge> edges = grf::edges_of_faces(mesh_, places);
+    const std::vector<grf::FaceEdge> edges = grf::edges_of_faces(*mesh_.geometry, places);
     grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
       if (of_faces.size() <= 2) return;
       for (const grf::FaceEdge& edge : of_faces) left_alone[edge.face] = true;

@@ -17,8 +17,8 @@ namespace convert {
 namespace {
 
 std::size_t count_unused_vertices(const grf::Mesh& mesh) {
-  std::vector<bool> is_used(mesh.positions.size());
-  for (const std::uint32_t corner : mesh.corners) is_used[corner] = true;
+  std::vector<bool> is_used(mesh.geometry->positions.size());
+  for (const std::uint32_t corner : mesh.geometry->corners) is_used[corner] = true;
   return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
 }
 

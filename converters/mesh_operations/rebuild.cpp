@@ -34,26 +34,26 @@ Key key_of(const grf::Mesh& mesh, std::uint32_t vertex, std::uint32_t place) {
       key[i++] = std::bit_cast<std::uint32_t>(value[static_cast<int>(k)]);
     }
   };
-  put(mesh.normals, 1);
-  put(mesh.colours, 2);
-  put(mesh.uvs, 4);
+  put(mesh.geometry->normals, 1);
+  put(mesh.geometry->colours, 2);
+  put(mesh.geometry->uvs, 4);
   return key;
 }
 
 bool have_same_irradiance(const grf::Mesh& mesh, std::uint32_t a, std::uint32_t b) {
-  if (mesh.irradiance.has(a) != mesh.irradiance.has(b)) return false;
-  return !mesh.irradiance.has(a) || mesh.irradiance[a] == mesh.irradiance[b];
+  if (mesh.irradiance->has(a) != mesh.irradiance->has(b)) return false;
+  return !mesh.irradiance->has(a) || (*mesh.irradiance)[a] == (*mesh.irradiance)[b];
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh) {
-  const std::vector<std::uint32_t> places = grf::first_at_place(mesh);
+  const std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
   std::unordered_map<Key, std::uint32_t, KeyHash> known;
-  known.reserve(mesh.positions.size());
+  known.reserve(mesh.geometry->positions.size());
   std::vector<std::uint32_t> first;
-  first.reserve(mesh.positions.size());
-  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+  first.reserve(mesh.geometry->positions.size());
+  for (std::uint32_t i = 0; i < mesh.geometry->positions.size(); ++i) {
     const std::uint32_t candidate = known.emplace(key_of(mesh, i, places[i]), i).first->second;
     first.push_back(have_same_irradiance(mesh, candidate, i) ? candidate : i);
   }
@@ -61,8 +61,8 @@ std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh) {
 }
 
 Rebuild::Rebuild(const grf::Mesh& source) : source_(source), mesh_(without_geometry(source)) {
-  mesh_.corners.reserve(source.corners.size());
-  mesh_.face_offsets.reserve(source.face_offsets.size());
+  mesh_.corners.reserve(source.geometry->corners.size());
+  mesh_.face_offsets.reserve(source.geometry->face_offsets.size());
   mesh_.surface_of_face.reserve(source.surface_of_face.size());
 }
 
@@ -71,19 +71,19 @@ void Rebuild::add_face(std::span<const std::uint32_t> corners, std::uint32_t sur
 }
 
 grf::Mesh Rebuild::take() {
-  std::vector<bool> is_used(source_.positions.size());
+  std::vector<bool> is_used(source_.geometry->positions.size());
   for (const std::uint32_t corner : mesh_.corners) is_used[corner] = true;
-  std::vector<std::uint32_t> copies(source_.positions.size());
+  std::vector<std::uint32_t> copies(source_.geometry->positions.size());
   for (std::uint32_t i = 0; i < is_used.size(); ++i) {
-    if (is_used[i]) copies[i] = grf::copy_vertex(source_, i, mesh_);
+    if (is_used[i]) copies[i] = mesh_.copy_vertex(source_, i);
   }
   for (std::uint32_t& corner : mesh_.corners) corner = copies[corner];
   mesh_.free_spare_memory();
   return std::move(mesh_);
 }
 
-grf::Mesh without_geometry(const grf::Mesh& mesh) {
-  grf::Mesh empty;
+grf::MeshDraft without_geometry(const grf::Mesh& mesh) {
+  grf::MeshDraft empty;
   empty.name = mesh.name;
   empty.comments = mesh.comments;
   empty.surfaces = mesh.surfaces;

@@ -28,10 +28,10 @@ class Rebuild {
 
  private:
   const grf::Mesh& source_;
-  grf::Mesh mesh_;
+  grf::MeshDraft mesh_;
 };
 
 /// A mesh without vertices and faces that is else like another one.
-grf::Mesh without_geometry(const grf::Mesh& mesh);
+grf::MeshDraft without_geometry(const grf::Mesh& mesh);
 
 }  // namespace convert

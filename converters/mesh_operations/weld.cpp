@@ -23,7 +23,7 @@ class Grid {
 
   /// The nearest of the vertices that stay, if it is near enough; else this one, which stays from now on.
   std::uint32_t nearest_or_add(std::uint32_t vertex) {
-    const grf::Vec3d position(mesh_.positions[vertex]);
+    const grf::Vec3d position(mesh_.geometry->positions[vertex]);
     const grf::Vec3d scaled = position / (2 * distance_);
     const Cell own = {std::floor(scaled.x), std::floor(scaled.y), std::floor(scaled.z)};
     std::uint32_t nearest = vertex;
@@ -32,7 +32,7 @@ class Grid {
       const auto vertices = cells_.find(neighbour(own, scaled, corner));
       if (vertices == cells_.end()) continue;
       for (const std::uint32_t other : vertices->second) {
-        const double distance2 = (grf::Vec3d(mesh_.positions[other]) - position).length2();
+        const double distance2 = (grf::Vec3d(mesh_.geometry->positions[other]) - position).length2();
         if (distance2 >= least2) continue;
         least2 = distance2;
         nearest = other;
@@ -68,7 +68,7 @@ class Grid {
 
 /// For each vertex, the one to whose place it goes.
 std::vector<std::uint32_t> places_after_welding(const grf::Mesh& mesh, double distance) {
-  std::vector<std::uint32_t> places = grf::first_at_place(mesh);
+  std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
   if (distance <= 0) return places;
   Grid grid(mesh, distance);
   for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -95,8 +95,9 @@ std::size_t different_places(const std::vector<std::uint32_t>& corners,
 
 Welded weld(const grf::Mesh& mesh, double distance) {
   const std::vector<std::uint32_t> places = places_after_welding(mesh, distance);
-  grf::Mesh moved = mesh;
-  for (std::uint32_t i = 0; i < places.size(); ++i) moved.positions[i] = mesh.positions[places[i]];
+  grf::MeshDraft draft(mesh);
+  for (std::uint32_t i = 0; i < places.size(); ++i) draft.positions[i] = mesh.geometry->positions[places[i]];
+  const grf::Mesh moved(std::move(draft));
   const std::vector<std::uint32_t> alike = first_alike(moved);
   Welded welded;
   for (std::uint32_t i = 0; i < places.size(); ++i) {

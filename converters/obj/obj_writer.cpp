@@ -122,7 +122,7 @@ class ObjWriter {
  public:
   ObjWriter(const WorldMeshes& meshes, const MtlWriter& materials, std::string library, Losses& losses)
       : meshes_(meshes), materials_(materials), library_(std::move(library)), losses_(losses) {
-    const auto is_coloured = [](const WorldMesh& mesh) { return !mesh.mesh().colours.empty(); };
+    const auto is_coloured = [](const WorldMesh& mesh) { return !mesh.mesh().geometry->colours.empty(); };
     has_colours_ = std::any_of(meshes.meshes().begin(), meshes.meshes().end(), is_coloured);
   }
 
@@ -184,7 +184,7 @@ void ObjWriter::write_name(const std::string& name, Output& output) {
 
 void ObjWriter::write_vertices(const WorldMesh& placed, Output& output) {
   const grf::Mesh& mesh = placed.mesh();
-  const std::size_t count = mesh.positions.size();
+  const std::size_t count = mesh.geometry->positions.size();
   positions_.begin_mesh();
   uvs_.begin_mesh();
   normals_.begin_mesh();
@@ -193,11 +193,12 @@ void ObjWriter::write_vertices(const WorldMesh& placed, Output& output) {
   normal_of_vertex_.assign(count, None);
   for (std::size_t i = 0; i < count; ++i) {
     position_of_vertex_[i] = positions_.index_of(position_and_colour(placed, i));
-    if (mesh.uvs.has(i)) uv_of_vertex_[i] = uvs_.index_of({mesh.uvs[i].x, mesh.uvs[i].y});
-    if (mesh.normals.has(i)) normal_of_vertex_[i] = normals_.index_of(numbers_of(placed.normal(i)));
+    if (mesh.geometry->uvs.has(i))
+      uv_of_vertex_[i] = uvs_.index_of({mesh.geometry->uvs[i].x, mesh.geometry->uvs[i].y});
+    if (mesh.geometry->normals.has(i)) normal_of_vertex_[i] = normals_.index_of(numbers_of(placed.normal(i)));
   }
   const bool some_lack_uvs =
-      !mesh.uvs.empty() && std::count(uv_of_vertex_.begin(), uv_of_vertex_.end(), None) > 0;
+      !mesh.geometry->uvs.empty() && std::count(uv_of_vertex_.begin(), uv_of_vertex_.end(), None) > 0;
   if (some_lack_uvs) zero_uv_ = uvs_.index_of({0, 0});
   for (const Numbers<6>& v : positions_.elements()) output.line("v", v, has_colours_ ? 6 : 3);
   for (const Numbers<2>& vt : uvs_.elements()) output.line("vt", vt);
@@ -210,7 +211,8 @@ Numbers<6> ObjWriter::position_and_colour(const WorldMesh& placed, std::size_t v
   const grf::Vec3f position = placed.position(vertex);
   if (!has_colours_) return {position.x, position.y, position.z, 0, 0, 0};
   const grf::Mesh& mesh = placed.mesh();
-  const grf::Colour colour = mesh.colours.has(vertex) ? mesh.colours[vertex] : grf::Colour(1);
+  const grf::Colour colour =
+      mesh.geometry->colours.has(vertex) ? mesh.geometry->colours[vertex] : grf::Colour(1);
   return {position.x, position.y, position.z, colour.x, colour.y, colour.z};
 }
 

@@ -75,7 +75,7 @@ class PlyMesh {
   grf::Colour checked(const grf::Colour& colour);
   void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
 
-  grf::Mesh mesh_;
+  grf::MeshDraft mesh_;
   grf::BrdfModel brdf_;
   DefinitionNames names_;
   Materials materials_;

@@ -125,14 +125,14 @@ class PlyWriter {
 
 void PlyWriter::survey(const WorldMesh& placed) {
   const grf::Mesh& mesh = placed.mesh();
-  vertices_ += mesh.positions.size();
+  vertices_ += mesh.geometry->positions.size();
   faces_ += mesh.face_count();
-  has_normals_ = has_normals_ || !mesh.normals.empty();
-  has_uvs_ = has_uvs_ || !mesh.uvs.empty();
+  has_normals_ = has_normals_ || !mesh.geometry->normals.empty();
+  has_uvs_ = has_uvs_ || !mesh.geometry->uvs.empty();
   for (std::size_t i = 0; i < mesh.face_count(); ++i)
     most_corners_ = std::max(most_corners_, mesh.face(i).size());
-  for (std::size_t i = 0; !mesh.colours.empty() && i < mesh.positions.size(); ++i) {
-    if (mesh.colours.has(i)) vertex_colours_.add(mesh.colours[i]);
+  for (std::size_t i = 0; !mesh.geometry->colours.empty() && i < mesh.geometry->positions.size(); ++i) {
+    if (mesh.geometry->colours.has(i)) vertex_colours_.add(mesh.geometry->colours[i]);
   }
   for (const WorldSurface& surface : placed.surfaces()) {
     if (surface.faces == 0) continue;
@@ -176,7 +176,7 @@ bool PlyWriter::write_body(PlyOutput& out) const {
   for (const WorldMesh& mesh : world_.meshes()) {
     if (mesh.is_light()) continue;
     if (!write_faces(mesh, first_vertex, out)) return false;
-    first_vertex += static_cast<std::uint32_t>(mesh.mesh().positions.size());
+    first_vertex += static_cast<std::uint32_t>(mesh.mesh().geometry->positions.size());
   }
   return out.flush();
 }
@@ -186,12 +186,13 @@ bool PlyWriter::write_vertices(const WorldMesh& placed, PlyOutput& out) const {
   const auto put = [&out](const auto& v) {
     for (unsigned i = 0; i < v.dimensions(); ++i) out.put(v[static_cast<int>(i)]);
   };
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
     put(placed.position(i));
-    if (has_normals_) put(mesh.normals.has(i) ? placed.normal(i) : grf::Vec3f(0));
-    if (has_uvs_) put(mesh.uvs.has(i) ? mesh.uvs[i] : grf::Vec2f(0));
+    if (has_normals_) put(mesh.geometry->normals.has(i) ? placed.normal(i) : grf::Vec3f(0));
+    if (has_uvs_) put(mesh.geometry->uvs.has(i) ? mesh.geometry->uvs[i] : grf::Vec2f(0));
     if (vertex_colours_.exist) {
-      put_colour(mesh.colours.has(i) ? mesh.colours[i] : grf::Colour(1), vertex_colours_, out);
+      put_colour(mesh.geometry->colours.has(i) ? mesh.geometry->colours[i] : grf::Colour(1), vertex_colours_,
+                 out);
     }
     if (!out.end_element()) return false;
   }

@@ -40,7 +40,7 @@ void append_triangle(std::string& bytes, const grf::Vec3f& a, const grf::Vec3f& 
 std::uint64_t count_triangles(const WorldMeshes& world) {
   std::uint64_t count = 0;
   for (const WorldMesh& placed : world.meshes()) {
-    if (!placed.is_light()) count += placed.mesh().corners.size() - 2 * placed.mesh().face_count();
+    if (!placed.is_light()) count += placed.mesh().geometry->triangle_count();
   }
   return count;
 }

@@ -78,9 +78,7 @@ grf::Mesh make_mesh(std::string name, const Polygons& polygons, std::span<const 
     if (!one_surface) surface = builder.surface(surface_of(polygons, i, surfaces));
     builder.add_face(corners, surface);
   }
-  grf::Mesh mesh = builder.take();
-  mesh.free_spare_memory();
-  return mesh;
+  return builder.take();
 }
 
 }  // namespace convert::vrml

@@ -15,8 +15,8 @@ namespace {
 class SharedEdges {
  public:
   explicit SharedEdges(const grf::Mesh& mesh)
-      : edges_(grf::edges_of_faces(mesh, grf::first_at_place(mesh))),
-        edge_of_corner_(mesh.corners.size(), None) {
+      : edges_(grf::edges_of_faces(*mesh.geometry, grf::first_at_place(*mesh.geometry))),
+        edge_of_corner_(mesh.geometry->corners.size(), None) {
     std::uint32_t first = 0;
     grf::for_each_edge(edges_, [&](std::span<const grf::FaceEdge> of_faces) {
       for (const grf::FaceEdge& edge : of_faces) edge_of_corner_[edge.corner] = edge_count();
@@ -81,8 +81,8 @@ class Spread {
  private:
   template <class Action>
   void for_each_edge_of(std::uint32_t face, const Action& action) const {
-    for (std::uint32_t corner = geometry_->face_offsets[face]; corner < geometry_->face_offsets[face + 1];
-         ++corner) {
+    for (std::uint32_t corner = geometry_->geometry->face_offsets[face];
+         corner < geometry_->geometry->face_offsets[face + 1]; ++corner) {
       const std::uint32_t edge = edges_.at_corner(corner);
       if (edge != SharedEdges::None) action(edge);
     }
@@ -212,7 +212,7 @@ FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects)
   FaceSelection result = selection;
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const auto edges = grf::edges_of_faces(mesh, grf::first_at_place(mesh));
+    const auto edges = grf::edges_of_faces(*mesh.geometry, grf::first_at_place(*mesh.geometry));
     grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
       const bool is_selected = std::any_of(of_faces.begin(), of_faces.end(), [&](const grf::FaceEdge& edge) {
         return selection.has({i, edge.face});
@@ -248,7 +248,7 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<grf::Vec3d> normals;
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      normals.push_back(grf::doubled_area_vector(mesh, face, {}).normalized());
+      normals.push_back(grf::doubled_area_vector(*mesh.geometry, face, {}).normalized());
     }
     // Each face is compared with the selected one that it was reached from, so that a bend of many small
     // steps ends.

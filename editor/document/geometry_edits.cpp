@@ -28,10 +28,12 @@ std::vector<std::uint32_t> numbers_of(const std::vector<bool>& faces) {
 /// The mesh with the vertices of a part, whose faces are some of its own in the same order, in place of those
 /// that these faces had.
 grf::Mesh with_part(const grf::Mesh& mesh, const std::vector<bool>& faces, const grf::Mesh& part) {
-  grf::Mesh both = mesh;
+  grf::MeshDraft vertices_of_both(mesh);
   std::vector<std::uint32_t> copies;
-  copies.reserve(part.positions.size());
-  for (std::uint32_t i = 0; i < part.positions.size(); ++i) copies.push_back(grf::copy_vertex(part, i, both));
+  const std::size_t count = part.geometry->positions.size();
+  copies.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) copies.push_back(vertices_of_both.copy_vertex(part, i));
+  const grf::Mesh both(std::move(vertices_of_both));
   const std::vector<std::uint32_t> first = convert::first_alike(both);
   convert::Rebuild rebuild(both);
   std::vector<std::uint32_t> corners;
@@ -49,7 +51,7 @@ grf::Mesh with_part(const grf::Mesh& mesh, const std::vector<bool>& faces, const
   return rebuild.take();
 }
 
-using MeshEdit = std::function<grf::Mesh(grf::Mesh)>;
+using MeshEdit = std::function<grf::Mesh(const grf::Mesh&)>;
 
 /// The mesh whose faces that are meant are edited. The edit keeps number and order of faces.
 grf::Mesh edited_mesh(const grf::Mesh& mesh, const std::vector<bool>& faces, const MeshEdit& edit) {
@@ -69,25 +71,26 @@ std::optional<grf::Scene> edited_scene(const SelectedFaces& faces, const MeshEdi
   return scene;
 }
 
-grf::Mesh flipped_mesh(grf::Mesh mesh) {
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+grf::Mesh flipped_mesh(const grf::Mesh& mesh) {
+  grf::MeshDraft flipped(mesh);
+  for (std::size_t face = 0; face < flipped.face_count(); ++face) {
     // The first corner stays the first.
-    const auto begin = mesh.corners.begin() + mesh.face_offsets[face] + 1;
-    std::reverse(begin, mesh.corners.begin() + mesh.face_offsets[face + 1]);
+    const auto begin = flipped.corners.begin() + flipped.face_offsets[face] + 1;
+    std::reverse(begin, flipped.corners.begin() + flipped.face_offsets[face + 1]);
   }
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (mesh.normals.has(i)) mesh.normals.set(i, -mesh.normals[i]);
+  for (std::size_t i = 0; i < flipped.positions.size(); ++i) {
+    if (flipped.normals.has(i)) flipped.normals.set(i, -flipped.normals[i]);
   }
-  return mesh;
+  return flipped;
 }
 
 template <class Value>
-void set_all(grf::OptionalVertexValues<Value>& values, std::size_t vertices,
-             const std::optional<grf::Colour>& value) {
-  values = {};
-  if (!value) return;
+grf::OptionalVertexValues<Value> same_at_all(std::size_t vertices, const std::optional<grf::Colour>& value) {
+  grf::OptionalVertexValues<Value> values;
+  if (!value) return values;
   values.reserve(vertices);
   for (std::size_t i = 0; i < vertices; ++i) values.set(i, *value);
+  return values;
 }
 
 /// What vertices have in common in a value that they may have.
@@ -142,18 +145,20 @@ std::optional<grf::Scene> flipped(const SelectedFaces& faces, grf::Diagnostics& 
 
 std::optional<grf::Scene> with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour,
                                               grf::Diagnostics& diagnostics) {
-  const auto edit = [&colour](grf::Mesh mesh) {
-    set_all(mesh.colours, mesh.positions.size(), colour);
-    return mesh;
+  const auto edit = [&colour](const grf::Mesh& mesh) {
+    grf::MeshDraft edited(mesh);
+    edited.colours = same_at_all<grf::Colour>(edited.positions.size(), colour);
+    return grf::Mesh(std::move(edited));
   };
   return edited_scene(faces, edit, diagnostics);
 }
 
 std::optional<grf::Scene> with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance,
                                           grf::Diagnostics& diagnostics) {
-  const auto edit = [&irradiance](grf::Mesh mesh) {
-    set_all(mesh.irradiance, mesh.positions.size(), irradiance);
-    return mesh;
+  const auto edit = [&irradiance](const grf::Mesh& mesh) {
+    grf::Mesh edited = mesh;
+    edited.irradiance = same_at_all<grf::Irradiance>(mesh.geometry->positions.size(), irradiance);
+    return edited;
   };
   return edited_scene(faces, edit, diagnostics);
 }
@@ -187,18 +192,19 @@ CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection&
   Common irradiance;
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const bool has_values = !mesh.colours.empty() || !mesh.irradiance.empty();
+    const auto& colours = mesh.geometry->colours;
+    const bool has_values = !colours.empty() || !mesh.irradiance->empty();
     const std::vector<bool>& faces = selection.of_mesh(i);
     bool is_first = true;
     for (std::size_t face = 0; face < faces.size(); ++face) {
       if (!faces[face]) continue;
       // Vertices without values are all alike.
-      if (!is_first && !has_values && (common.have_normals || mesh.normals.empty())) break;
+      if (!is_first && !has_values && (common.have_normals || mesh.geometry->normals.empty())) break;
       is_first = false;
       for (const std::uint32_t corner : mesh.face(face)) {
-        common.have_normals = common.have_normals || mesh.normals.has(corner);
-        colour.meet(mesh.colours.has(corner) ? std::optional(mesh.colours[corner]) : std::nullopt);
-        const auto* value = mesh.irradiance.has(corner) ? &mesh.irradiance[corner] : nullptr;
+        common.have_normals = common.have_normals || mesh.geometry->normals.has(corner);
+        colour.meet(colours.has(corner) ? std::optional(colours[corner]) : std::nullopt);
+        const auto* value = mesh.irradiance->has(corner) ? &(*mesh.irradiance)[corner] : nullptr;
         const auto* single = value == nullptr ? nullptr : std::get_if<grf::Colour>(value);
         irradiance.meet(single == nullptr ? std::nullopt : std::optional(*single));
         if (value != nullptr && single == nullptr) irradiance.is_mixed = true;

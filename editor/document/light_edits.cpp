@@ -45,7 +45,7 @@ void add_place(const MeshObject& mesh, const grf::Matrix44d& to_world, Emitter& 
   for (std::size_t face = 0; face < mesh.mesh->face_count(); ++face) {
     const auto radiance = emission_of(mesh, mesh.mesh->surface_of_face[face]);
     if (!radiance) continue;
-    const double area = grf::doubled_area_vector(*mesh.mesh, face, to_world).length() / 2;
+    const double area = grf::doubled_area_vector(*mesh.mesh->geometry, face, to_world).length() / 2;
     emitter.area += area;
     emitter.power += power_of(*radiance, area);
   }

@@ -80,16 +80,16 @@ class Collector {
   void place(std::uint32_t index, const grf::Placement& placement) {
     const grf::Mesh& mesh = *objects_.meshes[index].mesh;
     objects_.instances.push_back({index, path_of(placement), placement.to_world});
-    objects_.triangles += mesh.corners.size() - 2 * mesh.face_count();
+    objects_.triangles += mesh.geometry->triangle_count();
     const auto [known, is_first] = placed_.try_emplace(index);
     if (is_first) {
-      for (const grf::Vec3f& position : mesh.positions) {
+      for (const grf::Vec3f& position : mesh.geometry->positions) {
         objects_.bounds.extendBy(grf::Vec3d(position) * placement.to_world);
       }
       return;
     }
     // A tree pays from the second place on.
-    if (!known->second) known->second.emplace(mesh);
+    if (!known->second) known->second.emplace(*mesh.geometry);
     objects_.bounds.extendBy(known->second->bounds_under(placement.to_world));
   }
 

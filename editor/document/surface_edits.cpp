@@ -53,7 +53,7 @@ class Reassignment {
   }
 
   MeshSurfaces run(const std::vector<bool>& faces, const grf::ScenePath& path) {
-    grf::SurfaceIndex index(holder_);
+    grf::SurfaceIndex index(holder_.surfaces);
     holder_.surface_of_face = mesh_.surface_of_face;
     for (std::size_t face = 0; face < faces.size(); ++face) {
       if (faces[face]) holder_.surface_of_face[face] = edited(mesh_.surface_of_face[face], index);
@@ -156,7 +156,7 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
     const std::vector<bool>& faces = selection.of_mesh(instance.mesh);
     const grf::Mesh& mesh = *objects.meshes[instance.mesh].mesh;
     for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (faces[face]) area += grf::doubled_area_vector(mesh, face, instance.to_world).length() / 2;
+      if (faces[face]) area += grf::doubled_area_vector(*mesh.geometry, face, instance.to_world).length() / 2;
     }
   }
   return area;

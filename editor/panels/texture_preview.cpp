@@ -94,12 +94,13 @@ QVector<QPolygonF> uv_outlines(const SceneObjects& objects, const FaceSelection&
   for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     const std::vector<bool>& faces = selection.of_mesh(i);
-    if (mesh.uvs.empty()) continue;
+    if (mesh.geometry->uvs.empty()) continue;
     for (std::size_t face = 0; face < faces.size() && outlines.size() < Most; ++face) {
       if (!faces[face]) continue;
       QPolygonF outline;
       for (const std::uint32_t corner : mesh.face(face)) {
-        if (mesh.uvs.has(corner)) outline << QPointF(mesh.uvs[corner].x, mesh.uvs[corner].y);
+        if (mesh.geometry->uvs.has(corner))
+          outline << QPointF(mesh.geometry->uvs[corner].x, mesh.geometry->uvs[corner].y);
       }
       if (outline.size() == static_cast<qsizetype>(mesh.face(face).size())) outlines << outline;
     }

@@ -14,8 +14,6 @@ constexpr std::size_t SmallMesh = 40'000;
 /// Nothing is gained by standing in for fewer triangles.
 constexpr std::size_t LeastStoodInFor = 1'000;
 
-std::size_t triangles_of(const grf::Mesh& mesh) { return mesh.corners.size() - 2 * mesh.face_count(); }
-
 }  // namespace
 
 void GeometryStore::set_objects(const SceneObjects& objects) {
@@ -24,7 +22,7 @@ void GeometryStore::set_objects(const SceneObjects& objects) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     Entry& entry = entries_[i];
     entry.mesh = objects.meshes[i].mesh;
-    const std::size_t triangles = triangles_of(*entry.mesh);
+    const std::size_t triangles = entry.mesh->geometry->triangle_count();
     if (objects.triangles > 2 * QuickTriangles && triangles > LeastStoodInFor) {
       const double share = static_cast<double>(QuickTriangles) / static_cast<double>(objects.triangles);
       entry.quick_triangles =
@@ -60,7 +58,7 @@ void GeometryStore::reuse(std::vector<Entry>& old, Entry& entry) const {
 }
 
 void GeometryStore::make_geometry(Entry& entry) {
-  if (entry.mesh->corners.size() < SmallMesh) {
+  if (entry.mesh->geometry->corners.size() < SmallMesh) {
     entry.shape.geometry = std::make_shared<const MeshGeometry>(*entry.mesh);
     if (entry.quick_triangles > 0) make_stand_in(entry);
     return;

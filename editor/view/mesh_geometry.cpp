@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "grf/summary.h"
-#include "grf/triangulation.h"
 
 namespace editor {
 namespace {
@@ -25,17 +24,19 @@ grf::Colour total(const grf::Irradiance& irradiance) {
 }
 
 void copy_vertices(const grf::Mesh& mesh, TriangleArrays& arrays) {
-  const std::size_t count = mesh.positions.size();
-  arrays.positions = mesh.positions;
+  const grf::Geometry& geometry = *mesh.geometry;
+  const grf::VertexIrradiance& irradiance = *mesh.irradiance;
+  const std::size_t count = geometry.positions.size();
+  arrays.positions = geometry.positions;
   arrays.normals.assign(count, Imath::V4f(0));
-  if (!mesh.colours.empty()) arrays.colours.assign(count, Imath::V4f(1));
-  if (!mesh.irradiance.empty()) arrays.irradiance.assign(count, Imath::V4f(0));
-  if (!mesh.uvs.empty()) arrays.uvs.assign(count, grf::Vec2f(0));
+  if (!geometry.colours.empty()) arrays.colours.assign(count, Imath::V4f(1));
+  if (!irradiance.empty()) arrays.irradiance.assign(count, Imath::V4f(0));
+  if (!geometry.uvs.empty()) arrays.uvs.assign(count, grf::Vec2f(0));
   for (std::size_t i = 0; i < count; ++i) {
-    if (mesh.normals.has(i)) arrays.normals[i] = with_w(mesh.normals[i].normalized(), 1);
-    if (mesh.colours.has(i)) arrays.colours[i] = with_w(mesh.colours[i], 1);
-    if (mesh.irradiance.has(i)) arrays.irradiance[i] = with_w(total(mesh.irradiance[i]), 1);
-    if (mesh.uvs.has(i)) arrays.uvs[i] = mesh.uvs[i];
+    if (geometry.normals.has(i)) arrays.normals[i] = with_w(geometry.normals[i].normalized(), 1);
+    if (geometry.colours.has(i)) arrays.colours[i] = with_w(geometry.colours[i], 1);
+    if (irradiance.has(i)) arrays.irradiance[i] = with_w(total(irradiance[i]), 1);
+    if (geometry.uvs.has(i)) arrays.uvs[i] = geometry.uvs[i];
   }
 }
 
@@ -81,37 +82,29 @@ MeshGeometry::MeshGeometry(const grf::Mesh& mesh) {
 
 void MeshGeometry::cut_faces(const grf::Mesh& mesh) {
   const std::size_t faces = mesh.face_count();
-  const std::size_t triangles = mesh.corners.size() - 2 * faces;
-  arrays_.triangles.reserve(triangles);
-  arrays_.face_of_triangle.reserve(triangles);
+  const grf::Triangulation& triangles = mesh.geometry.triangulation();
+  arrays_.triangles.reserve(triangles.size());
+  arrays_.face_of_triangle.reserve(triangles.size());
   centres_.reserve(faces);
   normals_.reserve(faces);
   first_triangle_.reserve(faces + 1);
-  std::vector<Vec3f> corners;
-  std::vector<TriangleArrays::Triangle> cut;
   for (std::size_t i = 0; i < faces; ++i) {
     const auto face = mesh.face(i);
-    first_triangle_.push_back(static_cast<std::uint32_t>(arrays_.triangles.size()));
-    corners.clear();
+    first_triangle_.push_back(static_cast<std::uint32_t>(triangles.first_of(i)));
     Vec3d sum(0);
-    for (const std::uint32_t corner : face) {
-      corners.push_back(mesh.positions[corner]);
-      sum += Vec3d(corners.back());
-    }
+    for (const std::uint32_t corner : face) sum += Vec3d(mesh.geometry->positions[corner]);
     centres_.emplace_back(sum / static_cast<double>(face.size()));
-    normals_.emplace_back(grf::doubled_area_vector(mesh, i, {}).normalized());
-    cut.clear();
-    grf::triangulate(corners, cut);
-    for (const auto& t : cut) {
-      arrays_.triangles.push_back({face[t[0]], face[t[1]], face[t[2]]});
+    normals_.emplace_back(grf::doubled_area_vector(*mesh.geometry, i, {}).normalized());
+    for (std::size_t k = triangles.first_of(i); k < triangles.first_of(i + 1); ++k) {
+      arrays_.triangles.push_back(triangles[k]);
       arrays_.face_of_triangle.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  first_triangle_.push_back(static_cast<std::uint32_t>(arrays_.triangles.size()));
+  first_triangle_.push_back(static_cast<std::uint32_t>(triangles.size()));
 }
 
 void MeshGeometry::find_edges(const grf::Mesh& mesh) {
-  edges_.reserve(mesh.corners.size());
+  edges_.reserve(mesh.geometry->corners.size());
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const auto face = mesh.face(i);
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -154,8 +147,7 @@ std::optional<MeshHit> MeshGeometry::intersect(const ViewRay& ray) const {
 }
 
 bool has_same_geometry(const grf::Mesh& a, const grf::Mesh& b) {
-  return a.positions == b.positions && a.corners == b.corners && a.face_offsets == b.face_offsets &&
-         a.normals == b.normals && a.colours == b.colours && a.uvs == b.uvs && a.irradiance == b.irradiance;
+  return a.geometry == b.geometry && a.irradiance == b.irradiance;
 }
 
 }  // namespace editor

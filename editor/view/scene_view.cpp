@@ -95,7 +95,7 @@ void SceneView::frame_selection() {
     for (std::size_t face = 0; face < faces.size(); ++face) {
       if (!faces[face]) continue;
       for (const std::uint32_t corner : mesh.face(face)) {
-        box.extendBy(grf::Vec3d(mesh.positions[corner]) * instance.to_world);
+        box.extendBy(grf::Vec3d(mesh.geometry->positions[corner]) * instance.to_world);
       }
     }
   }

@@ -160,11 +160,11 @@ class Builder {
     std::vector<float> values;
     for (const MeshObject& mesh : objects.meshes) {
       const auto& irradiance = mesh.mesh->irradiance;
-      if (irradiance.empty()) continue;
-      for (std::size_t i = 0; i < mesh.mesh->positions.size(); ++i) {
-        if (!irradiance.has(i)) continue;
+      if (irradiance->empty()) continue;
+      for (std::size_t i = 0; i < mesh.mesh->geometry->positions.size(); ++i) {
+        if (!irradiance->has(i)) continue;
         float value = 0;
-        if (const auto* colour = std::get_if<grf::Colour>(&irradiance[i]))
+        if (const auto* colour = std::get_if<grf::Colour>(&(*irradiance)[i]))
           value = reflectance::largest(*colour);
         values.push_back(value);
       }

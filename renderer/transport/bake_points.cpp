@@ -66,7 +66,7 @@ void BakePoints::list_vertices(const grf::Scene& scene) {
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
     const UsedVertices& used = used_vertices(mesh);
     const std::size_t first = vertices_.size();
-    vertices_.resize(first + mesh.positions.size(), unused);
+    vertices_.resize(first + mesh.geometry->positions.size(), unused);
     for (std::size_t i = 0; i < used.count(); ++i) vertices_[first + used[i]] = next++;
   };
   visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement&, const grf::Block&) {

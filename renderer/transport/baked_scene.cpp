@@ -58,7 +58,7 @@ class IrradianceWriter {
   }
   void write(Shared<Mesh>& mesh, const Matrix44d& to_world) { fill(mesh.edit(), to_world); }
   void write(grf::MeshLight& light, const Matrix44d&) {
-    if (!light.mesh->irradiance.empty()) light.mesh.edit().irradiance = {};
+    if (!light.mesh->irradiance->empty()) light.mesh.edit().irradiance = {};
   }
   void write(grf::Transform& transform, const Matrix44d& to_world) {
     write(transform.body, grf::matrix_of(transform.steps) * to_world);
@@ -85,10 +85,11 @@ class IrradianceWriter {
 
 void IrradianceWriter::fill(Mesh& mesh, const Matrix44d& to_world) {
   const Matrix44d to_mesh = to_world.inverse();
-  mesh.irradiance = {};
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i, ++next_) {
-    if (bake_.has_value(next_)) mesh.irradiance.set(i, value_of(next_, to_mesh));
+  grf::VertexIrradiance irradiance;
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i, ++next_) {
+    if (bake_.has_value(next_)) irradiance.set(i, value_of(next_, to_mesh));
   }
+  mesh.irradiance = std::move(irradiance);
 }
 
 grf::Irradiance IrradianceWriter::value_of(std::size_t vertex, const Matrix44d& to_mesh) const {
@@ -149,8 +150,8 @@ bool has_few_copies(const grf::Scene& scene, grf::Diagnostics& diagnostics, std:
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const grf::Placement& placement, const Block&) {
     if (placement.instance_of == nullptr || ++places[placement.instance_of] == 1) return;
-    vertices += mesh.positions.size();
-    const std::size_t of_mesh = (places[placement.instance_of] - 1) * mesh.positions.size();
+    vertices += mesh.geometry->positions.size();
+    const std::size_t of_mesh = (places[placement.instance_of] - 1) * mesh.geometry->positions.size();
     if (of_mesh > most) largest = placement.instance_of;
     most = std::max(most, of_mesh);
   };

@@ -26,6 +26,7 @@
 namespace {
 
 using grf::Mesh;
+using grf::MeshDraft;
 using Imath::V3d;
 
 constexpr double Pi = std::numbers::pi;
@@ -45,7 +46,7 @@ struct Vertex {
 using Surface = std::function<Vertex(double s, double t)>;
 
 /// Quads over a surface, with corners at these places.
-void add_grid(Mesh& mesh, const Surface& surface, const std::vector<double>& across,
+void add_grid(MeshDraft& mesh, const Surface& surface, const std::vector<double>& across,
               const std::vector<double>& up, bool has_uv) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const auto columns = static_cast<std::uint32_t>(across.size());
@@ -87,7 +88,7 @@ class Box {
     const V3d x(1, 0, 0);
     const V3d y(0, 1, 0);
     const V3d z(0, 0, 1);
-    Mesh mesh;
+    MeshDraft mesh;
     for (const Side& side : {Side{x, y, z}, {-x, y, -z}, {-z, y, x}, {z, y, -x}, {x, -z, y}, {x, z, -y}}) {
       add_grid(
           mesh, [&](double s, double t) { return at(side, s, t); }, places, places, true);
@@ -138,7 +139,7 @@ Mesh turned(const std::function<std::array<double, 2>(double)>& profile, int aro
     const V3d normal = out * (after[1] - before[1]) - V3d(0, after[0] - before[0], 0);
     return {out * radius + V3d(0, height, 0), normal.normalized()};
   };
-  Mesh mesh;
+  MeshDraft mesh;
   add_grid(mesh, surface, steps(around), steps(along), false);
   return mesh;
 }
@@ -195,7 +196,7 @@ Mesh cove() {
     const Vertex& at = profile.at(static_cast<std::size_t>(std::lround(t * last)));
     return {at.position + V3d(60 * s - 30, 0, 0), at.normal};
   };
-  Mesh mesh;
+  MeshDraft mesh;
   add_grid(mesh, surface, {0, 1}, steps(static_cast<int>(last)), false);
   return mesh;
 }
@@ -214,7 +215,7 @@ class Random {
   std::mt19937 engine_{1968};
 };
 
-void add_cube(Mesh& mesh, const V3d& centre, double side, const V3d& turn) {
+void add_cube(MeshDraft& mesh, const V3d& centre, double side, const V3d& turn) {
   Imath::M44d rotation;
   rotation.rotate(turn);
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -234,7 +235,7 @@ Mesh cubes() {
   constexpr int Count = 6;
   constexpr double Side = 0.82;
   Random random;
-  Mesh mesh;
+  MeshDraft mesh;
   for (int layer = 0; layer < Count; ++layer) {
     const double disorder = std::pow(layer / (Count - 1.0), 2.5);
     for (int i = 0; i < Count * Count; ++i) {

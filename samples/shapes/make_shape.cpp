@@ -23,6 +23,7 @@
 namespace {
 
 using grf::Mesh;
+using grf::MeshDraft;
 using Imath::V3d;
 using shape::Fitting;
 using shape::rounded;
@@ -86,7 +87,7 @@ Grid grid_of(double quads, double length_over_girth) {
   return best;
 }
 
-void add_quads(Mesh& mesh, const Grid& grid) {
+void add_quads(MeshDraft& mesh, const Grid& grid) {
   for (std::uint32_t i = 0; i < grid.along; ++i) {
     const std::uint32_t row = i * grid.around;
     const std::uint32_t next = (i + 1) % grid.along * grid.around;
@@ -101,7 +102,7 @@ void add_quads(Mesh& mesh, const Grid& grid) {
 Mesh knot(int triangles) {
   const Grid grid = grid_of(triangles / 2.0, 8);
   std::vector<V3d> positions;
-  Mesh mesh;
+  MeshDraft mesh;
   for (std::uint32_t i = 0; i < grid.along * grid.around; ++i) {
     const double along = TwoPi * (i / grid.around) / grid.along;
     const double around = TwoPi * (i % grid.around) / grid.around;
@@ -115,7 +116,7 @@ Mesh knot(int triangles) {
 }
 
 /// Circles of vertices between two poles.
-void add_circles(Mesh& mesh, std::uint32_t rings, std::uint32_t segments) {
+void add_circles(MeshDraft& mesh, std::uint32_t rings, std::uint32_t segments) {
   const auto add = [&](const V3d& direction) {
     mesh.normals.set(mesh.positions.size(), rounded(direction, 1e4));
     mesh.positions.push_back(rounded(direction + V3d(0, 1, 0), 1e5));
@@ -136,7 +137,7 @@ Mesh sphere(int triangles) {
   const double rings_wanted = 0.5 + std::sqrt(0.25 + triangles / 4.0);
   const auto rings = static_cast<std::uint32_t>(std::lround(rings_wanted));
   const std::uint32_t segments = 2 * rings;
-  Mesh mesh;
+  MeshDraft mesh;
   add_circles(mesh, rings, segments);
   const auto bottom = static_cast<std::uint32_t>(mesh.positions.size() - 1);
   for (std::uint32_t k = 0; k < segments; ++k) {

@@ -82,7 +82,7 @@ void Builder::add(const Surface& surface, double triangles, double length_over_g
 }
 
 grf::Mesh Builder::mesh() const {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   const Fitting fit(positions_);
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     mesh.positions.push_back(rounded(fit(positions_[i]), 1e5));

@@ -64,9 +64,9 @@ void write_mesh(benchmark::State& state) {
 std::string obj_text(const Mesh& mesh) {
   std::string text;
   const auto out = std::back_inserter(text);
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3f& p = mesh.positions[i];
-    const Vec3f& n = mesh.normals[i];
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+    const Vec3f& p = mesh.geometry->positions[i];
+    const Vec3f& n = mesh.geometry->normals[i];
     fmt::format_to(out, "v {} {} {}\nvn {} {} {}\n", p.x, p.y, p.z, n.x, n.y, n.z);
   }
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {

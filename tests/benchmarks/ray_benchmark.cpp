@@ -65,7 +65,7 @@ Subject cornell_box() {
 /// A square sheet of waves.
 Subject bumpy_mesh() {
   constexpr std::uint32_t Quads = 256;
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   for (std::uint32_t i = 0; i <= Quads; ++i) {
     for (std::uint32_t k = 0; k <= Quads; ++k) {
       const float x = static_cast<float>(k) / Quads;

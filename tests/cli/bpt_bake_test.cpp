@@ -56,8 +56,8 @@ std::vector<grf::Colour> irradiance_in(const std::string& file) {
   std::vector<grf::Colour> values;
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      values.push_back(std::get<grf::Colour>(mesh.irradiance[i]));
+    for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+      values.push_back(std::get<grf::Colour>((*mesh.irradiance)[i]));
     }
   };
   grf::visit(*scene, visitor);

@@ -47,9 +47,9 @@ TEST(Teapot, TurnsItsFrontsOutwards) {
   const grf::Mesh& mesh = *std::get<grf::Shared<grf::Mesh>>(block->content);
   ASSERT_EQ(mesh.face_count(), 2048U);
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    const grf::Vec3d area = grf::doubled_area_vector(mesh, i, {});
+    const grf::Vec3d area = grf::doubled_area_vector(*mesh.geometry, i, {});
     for (const std::uint32_t corner : mesh.face(i)) {
-      EXPECT_GT(area.normalized().dot(grf::Vec3d(mesh.normals[corner])), 0) << "face " << i;
+      EXPECT_GT(area.normalized().dot(grf::Vec3d(mesh.geometry->normals[corner])), 0) << "face " << i;
     }
   }
   const grf::Box3f bounds = grf::summarize(*scene).bounds;
@@ -92,12 +92,12 @@ TEST_P(Shapes, AreClosedAndSmooth) {
   double volume = 0;
   std::size_t rough = 0;
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    const grf::Vec3d area = grf::doubled_area_vector(mesh, i, {});
-    volume += area.dot(grf::Vec3d(mesh.positions[mesh.face(i)[0]])) / 6;
+    const grf::Vec3d area = grf::doubled_area_vector(*mesh.geometry, i, {});
+    volume += area.dot(grf::Vec3d(mesh.geometry->positions[mesh.face(i)[0]])) / 6;
     float least = 1;
     for (const std::uint32_t corner : mesh.face(i)) {
-      least = std::min(least, grf::Vec3f(area.normalized()).dot(mesh.normals[corner]));
-      EXPECT_NEAR(mesh.normals[corner].length(), 1, 1e-3);
+      least = std::min(least, grf::Vec3f(area.normalized()).dot(mesh.geometry->normals[corner]));
+      EXPECT_NEAR(mesh.geometry->normals[corner].length(), 1, 1e-3);
     }
     if (!(least > 0.2F)) ++rough;
   }

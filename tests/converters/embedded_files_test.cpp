@@ -69,7 +69,7 @@ TEST(EmbeddedFiles, LeaveNothingAfterAnError) {
 
 TEST(EmbeddedFiles, AreNamedFromTheOutputWhereOthersAreNamedFromTheInput) {
   const test::TemporaryFolder folder;
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   mesh.surfaces.resize(2);
   mesh.surfaces[0].texture = grf::Texture{"embedded.png", {}};
   mesh.surfaces[1].texture = grf::Texture{"beside.png", {}};

@@ -23,14 +23,14 @@ TEST(MeshBuilder, SharesCornersThatAreAlike) {
   builder.add_face(std::vector{at(3), at(2), at(4)}, surface);
   const grf::Mesh mesh = builder.take();
   EXPECT_EQ(mesh.name, "name");
-  EXPECT_THAT(mesh.corners, ElementsAre(0, 1, 2, 2, 1, 3));
-  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_THAT(mesh.geometry->corners, ElementsAre(0, 1, 2, 2, 1, 3));
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
 }
 
 TEST(MeshBuilder, SharesNoCornersThatDifferInTheLastBit) {
   MeshBuilder builder("");
   builder.add_face(std::vector{at(1), at(std::nextafter(1.0F, 2.0F)), at(3)}, builder.surface({}));
-  EXPECT_EQ(builder.take().positions.size(), 3U);
+  EXPECT_EQ(builder.take().geometry->positions.size(), 3U);
 }
 
 TEST(MeshBuilder, TellsAnAbsentValueFromZero) {
@@ -41,11 +41,11 @@ TEST(MeshBuilder, TellsAnAbsentValueFromZero) {
   MeshBuilder builder("");
   builder.add_face(std::vector{at(1), with_normal, with_colour}, builder.surface({}));
   const grf::Mesh mesh = builder.take();
-  ASSERT_EQ(mesh.positions.size(), 3U);
-  EXPECT_FALSE(mesh.normals.has(0));
-  EXPECT_TRUE(mesh.normals.has(1));
-  EXPECT_FALSE(mesh.normals.has(2));
-  EXPECT_TRUE(mesh.colours.has(2));
+  ASSERT_EQ(mesh.geometry->positions.size(), 3U);
+  EXPECT_FALSE(mesh.geometry->normals.has(0));
+  EXPECT_TRUE(mesh.geometry->normals.has(1));
+  EXPECT_FALSE(mesh.geometry->normals.has(2));
+  EXPECT_TRUE(mesh.geometry->colours.has(2));
 }
 
 TEST(MeshBuilder, TheFirstSurfaceIsTheMeshsOwn) {
@@ -76,10 +76,10 @@ RC_GTEST_PROP(MeshBuilder, HasEachDifferentCornerOnce, (const std::vector<std::v
     builder.add_face(corners, surface);
   }
   const grf::Mesh mesh = builder.take();
-  RC_ASSERT(mesh.positions.size() == different.size());
+  RC_ASSERT(mesh.geometry->positions.size() == different.size());
   for (std::size_t i = 0; i < bits.size(); ++i) {
     std::uint32_t kept = 0;
-    const float x = mesh.positions[mesh.corners[i]].x + 0.0F;
+    const float x = mesh.geometry->positions[mesh.geometry->corners[i]].x + 0.0F;
     std::memcpy(&kept, &x, sizeof kept);
     RC_ASSERT(kept == bits[i]);
   }

@@ -51,14 +51,14 @@ std::vector<Face> faces_of(const grf::Scene& scene) {
       if (surface.colour) face.colour = std::get<grf::Colour>(*surface.colour);
       for (const std::uint32_t v : mesh.face(i)) {
         Corner& corner = face.corners.emplace_back();
-        m.multVecMatrix(grf::Vec3d(mesh.positions[v]), corner.position);
-        if (mesh.normals.has(v) && mesh.normals[v].length() > 0) {
+        m.multVecMatrix(grf::Vec3d(mesh.geometry->positions[v]), corner.position);
+        if (mesh.geometry->normals.has(v) && mesh.geometry->normals[v].length() > 0) {
           corner.normal.emplace();
-          of_normals.multDirMatrix(grf::Vec3d(mesh.normals[v]), *corner.normal);
+          of_normals.multDirMatrix(grf::Vec3d(mesh.geometry->normals[v]), *corner.normal);
           corner.normal->normalize();
         }
-        if (mesh.uvs.has(v)) corner.uv = mesh.uvs[v];
-        if (mesh.colours.has(v)) corner.colour = mesh.colours[v];
+        if (mesh.geometry->uvs.has(v)) corner.uv = mesh.geometry->uvs[v];
+        if (mesh.geometry->colours.has(v)) corner.colour = mesh.geometry->colours[v];
       }
       // It is flat then, and OBJ has no face with normals at some corners.
       const bool is_smooth = std::all_of(face.corners.begin(), face.corners.end(),

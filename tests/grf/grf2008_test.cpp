@@ -175,7 +175,7 @@ TEST(Grf2008, PlacesTheLightOfADefinedMeshWhereItIsUsed) {
   std::vector<double> heights;
   SceneVisitor visitor;
   visitor.mesh_light = [&](const MeshLight& light, const Placement& placement, const Block&) {
-    heights.push_back((Vec3d(light.mesh->positions[0]) * placement.to_world).z);
+    heights.push_back((Vec3d(light.mesh->geometry->positions[0]) * placement.to_world).z);
   };
   visit(scene, visitor);
   EXPECT_THAT(heights, ElementsAre(0, 5));

@@ -14,7 +14,7 @@ float rounded(float value, float steps) { return std::round(value * steps) / ste
 }  // namespace
 
 Mesh height_field(std::uint32_t side) {
-  Mesh mesh;
+  MeshDraft mesh;
   for (std::uint32_t i = 0; i < side * side; ++i) {
     const float x = static_cast<float>(i % side) / static_cast<float>(side);
     const float y = static_cast<float>(i / side) / static_cast<float>(side);
@@ -42,10 +42,12 @@ Scene scene_of_mesh(Mesh mesh) {
 }
 
 std::size_t bytes_of(const Mesh& mesh) {
-  const std::size_t vertices = mesh.positions.size();
-  const std::size_t values = (mesh.normals.empty() ? 0 : 1) + (mesh.colours.empty() ? 0 : 1);
-  return vertices * sizeof(Vec3f) * (1 + values) + (mesh.uvs.empty() ? 0 : vertices * sizeof(Vec2f)) +
-         (mesh.corners.size() + mesh.face_offsets.size() + mesh.surface_of_face.size()) *
+  const std::size_t vertices = mesh.geometry->positions.size();
+  const std::size_t values =
+      (mesh.geometry->normals.empty() ? 0 : 1) + (mesh.geometry->colours.empty() ? 0 : 1);
+  return vertices * sizeof(Vec3f) * (1 + values) +
+         (mesh.geometry->uvs.empty() ? 0 : vertices * sizeof(Vec2f)) +
+         (mesh.geometry->corners.size() + mesh.geometry->face_offsets.size() + mesh.surface_of_face.size()) *
              sizeof(std::uint32_t);
 }
 

@@ -25,7 +25,7 @@ std::vector<Placed> placed_in(const std::string& text) {
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
     const ResolvedSurface surface = resolve(mesh.surface(0), placement.scope);
     all.push_back({placement.instance_of == nullptr ? "" : placement.instance_of->name,
-                   Vec3d(mesh.positions[1]) * placement.to_world,
+                   Vec3d(mesh.geometry->positions[1]) * placement.to_world,
                    surface.brdf == nullptr ? "" : surface.brdf->keyword, surface.colour});
   };
   visit(scene_of(text), visitor);

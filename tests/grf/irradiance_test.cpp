@@ -20,13 +20,13 @@ TEST(Irradiance, BelongsToTheVerticesThatHaveSome) {
       "(0, 0, 0) irad (1, 2, 3) (1, 0, 0) begin list ray (0, 0, 2) irad (4, 5, 6) ray (0, 1, 0) irad (7, 8, "
       "9) end "
       "list (2, 0, 0) begin list end list (3, 0, 0)");
-  EXPECT_FALSE(mesh.irradiance.has(0));
-  EXPECT_EQ(mesh.irradiance[1], Irradiance(Colour(1, 2, 3)));
+  EXPECT_FALSE(mesh.irradiance->has(0));
+  EXPECT_EQ((*mesh.irradiance)[1], Irradiance(Colour(1, 2, 3)));
   const std::vector<DirectionalIrradiance> list = {{Vec3f(0, 0, 2), Colour(4, 5, 6)},
                                                    {Vec3f(0, 1, 0), Colour(7, 8, 9)}};
-  EXPECT_EQ(mesh.irradiance[2], Irradiance(list)) << "directions stay as they were written";
-  ASSERT_TRUE(mesh.irradiance.has(3)) << "an empty list is not nothing";
-  EXPECT_EQ(mesh.irradiance[3], Irradiance(std::vector<DirectionalIrradiance>()));
+  EXPECT_EQ((*mesh.irradiance)[2], Irradiance(list)) << "directions stay as they were written";
+  ASSERT_TRUE(mesh.irradiance->has(3)) << "an empty list is not nothing";
+  EXPECT_EQ((*mesh.irradiance)[3], Irradiance(std::vector<DirectionalIrradiance>()));
 }
 
 TEST(Irradiance, MakesMeshesDiffer) {

@@ -28,22 +28,23 @@ TEST(Vertices, KeepAbsentWhatIsAbsent) {
   const Mesh mesh =
       mesh_of(scene_of("begin mesh begin vertices (0, 0, 0) normal (0, 0, 2) (1, 0, 0) rgb (1, 0, 0) normal "
                        "(0, 1, 0) (2, 0, 0) (3, 0, 0) end vertices begin faces end faces end mesh"));
-  EXPECT_THAT(mesh.positions, ElementsAre(Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(2, 0, 0), Vec3f(3, 0, 0)));
-  EXPECT_FALSE(mesh.normals.has(0));
-  EXPECT_EQ(mesh.normals[1], Vec3f(0, 0, 2)) << "normals stay as they were written";
-  EXPECT_EQ(mesh.normals[2], Vec3f(0, 1, 0));
-  EXPECT_FALSE(mesh.normals.has(3));
-  EXPECT_FALSE(mesh.colours.has(1));
-  EXPECT_EQ(mesh.colours[2], Colour(1, 0, 0));
+  EXPECT_THAT(mesh.geometry->positions,
+              ElementsAre(Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(2, 0, 0), Vec3f(3, 0, 0)));
+  EXPECT_FALSE(mesh.geometry->normals.has(0));
+  EXPECT_EQ(mesh.geometry->normals[1], Vec3f(0, 0, 2)) << "normals stay as they were written";
+  EXPECT_EQ(mesh.geometry->normals[2], Vec3f(0, 1, 0));
+  EXPECT_FALSE(mesh.geometry->normals.has(3));
+  EXPECT_FALSE(mesh.geometry->colours.has(1));
+  EXPECT_EQ(mesh.geometry->colours[2], Colour(1, 0, 0));
 }
 
 TEST(Vertices, MayHaveTextureCoordinates) {
   const Mesh mesh =
       mesh_of(scene_of("begin mesh begin vertexs uv (0.5, -1) (0, 0, 0) rgb (1, 0, 0) uv (0, 2) "
                        "(1, 0, 0) (2, 0, 0) end vertexs begin faces end faces end mesh"));
-  EXPECT_EQ(mesh.uvs[0], Vec2f(0.5F, -1));
-  EXPECT_EQ(mesh.uvs[1], Vec2f(0, 2));
-  EXPECT_FALSE(mesh.uvs.has(2));
+  EXPECT_EQ(mesh.geometry->uvs[0], Vec2f(0.5F, -1));
+  EXPECT_EQ(mesh.geometry->uvs[1], Vec2f(0, 2));
+  EXPECT_FALSE(mesh.geometry->uvs.has(2));
 }
 
 TEST(Faces, MayHaveATextureFromAFileOrADefinition) {

@@ -165,7 +165,7 @@ Include SceneGenerator::include(int depth) {
 }
 
 Mesh SceneGenerator::mesh() {
-  Mesh mesh;
+  MeshDraft mesh;
   mesh.name = quotable();
   mesh.surfaces[0] = surface();
   const Surface& own = mesh.surfaces[0];
@@ -183,7 +183,7 @@ Mesh SceneGenerator::mesh() {
 }
 
 MeshLight SceneGenerator::mesh_light() {
-  Mesh mesh;
+  MeshDraft mesh;
   mesh.surfaces[0] = light_surface();
   if (mesh.surfaces[0].colour) mesh.comments.colour = comments();
   mesh.comments.vertices = comments();
@@ -191,10 +191,10 @@ MeshLight SceneGenerator::mesh_light() {
   mesh.comments.end = comment_lines();
   fill_vertices(mesh);
   if (!mesh.positions.empty()) fill_faces(mesh, &SceneGenerator::light_surface);
-  return {std::move(mesh)};
+  return {Mesh(std::move(mesh))};
 }
 
-void SceneGenerator::fill_vertices(Mesh& mesh) {
+void SceneGenerator::fill_vertices(MeshDraft& mesh) {
   const int count = number_up_to(5);
   for (int i = 0; i < count; ++i) {
     mesh.positions.push_back(colour());
@@ -214,7 +214,7 @@ Irradiance SceneGenerator::irradiance() {
   return list;
 }
 
-void SceneGenerator::fill_faces(Mesh& mesh, Surface (SceneGenerator::*make)()) {
+void SceneGenerator::fill_faces(MeshDraft& mesh, Surface (SceneGenerator::*make)()) {
   const int surfaces = number_up_to(3);
   for (int i = 0; i < surfaces; ++i) {
     mesh.surfaces.push_back(number_up_to(3) == 0 ? written_otherwise(mesh.surfaces.back()) : (this->*make)());

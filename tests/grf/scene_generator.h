@@ -32,9 +32,9 @@ class SceneGenerator {
   Params params();
   Mesh mesh();
   MeshLight mesh_light();
-  void fill_vertices(Mesh& mesh);
+  void fill_vertices(MeshDraft& mesh);
   Irradiance irradiance();
-  void fill_faces(Mesh& mesh, Surface (SceneGenerator::*make)());
+  void fill_faces(MeshDraft& mesh, Surface (SceneGenerator::*make)());
   Surface surface();
   Surface light_surface();
   template <class Body>

@@ -98,7 +98,8 @@ TEST(AreaVector, IsRightForPolygonsThatAreNotConvex) {
       "begin faces (0, 1, 2, 3, 4) (2, 3, 4, 0, 1) (3, 4, 0, 1, 2) end end");
   const Mesh& mesh = mesh_of(scene);
   for (std::size_t face = 0; face < 3; ++face) {
-    EXPECT_EQ(doubled_area_vector(mesh, face, Matrix44d()), Vec3d(0, 0, 20)) << "starting at another corner";
+    EXPECT_EQ(doubled_area_vector(*mesh.geometry, face, Matrix44d()), Vec3d(0, 0, 20))
+        << "starting at another corner";
   }
 }
 

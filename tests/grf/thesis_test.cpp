@@ -23,7 +23,7 @@ TEST(FirstExampleOfTheThesis, IsACubeOfOneBrdfAndColour) {
   SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const Block&) {
     ++meshes;
-    EXPECT_EQ(mesh.positions.size(), 8U);
+    EXPECT_EQ(mesh.geometry->positions.size(), 8U);
     ASSERT_EQ(mesh.face_count(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
       EXPECT_EQ(mesh.face(i).size(), 4U);

@@ -15,7 +15,7 @@ const std::string CubeVertices =
 /// The topology of a mesh with these vertices and faces.
 Topology topology(const std::string& vertices, const std::string& faces) {
   const Scene scene = scene_of("begin mesh " + vertices + "begin faces " + faces + " end faces end mesh\n");
-  return topology_of(*std::get<Shared<Mesh>>(scene.contents.blocks.front().content));
+  return topology_of(*std::get<Shared<Mesh>>(scene.contents.blocks.front().content)->geometry);
 }
 
 TEST(Topology, OfAClosedSurfaceIsSound) {
@@ -59,7 +59,7 @@ TEST(Topology, SeesNoHoleWhereVerticesAreAtOnePlace) {
 }
 
 TEST(Topology, OfNothingIsNothing) {
-  EXPECT_EQ(topology_of(Mesh()).boundary_loops, 0U);
+  EXPECT_EQ(topology_of(*Mesh().geometry).boundary_loops, 0U);
   const Topology point = topology(CubeVertices, "(0, 0, 0)");
   EXPECT_EQ(point.boundary_edges, 0U) << "edges without a length";
 }

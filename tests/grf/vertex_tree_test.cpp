@@ -9,7 +9,7 @@ namespace {
 
 Mesh cloud(std::size_t vertices, std::mt19937& random) {
   std::normal_distribution<float> number;
-  Mesh mesh;
+  MeshDraft mesh;
   for (std::size_t i = 0; i < vertices; ++i) {
     mesh.positions.emplace_back(number(random), 3 * number(random), number(random) - 5);
   }
@@ -29,11 +29,11 @@ TEST(VertexTree, BoundsTheTransformedVerticesThemselves) {
   std::mt19937 random(1);
   for (const std::size_t vertices : {1, 2, 15, 16, 17, 64, 65, 1000, 5000}) {
     const Mesh mesh = cloud(vertices, random);
-    const VertexTree tree(mesh);
+    const VertexTree tree(*mesh.geometry);
     for (int i = 0; i < 20; ++i) {
       const Matrix44d transform = random_transform(random);
       Box3d expected;
-      for (const Vec3f& position : mesh.positions) expected.extendBy(Vec3d(position) * transform);
+      for (const Vec3f& position : mesh.geometry->positions) expected.extendBy(Vec3d(position) * transform);
       const Box3d bounds = tree.bounds_under(transform);
       EXPECT_EQ(bounds.min, expected.min) << vertices;
       EXPECT_EQ(bounds.max, expected.max) << vertices;
@@ -46,7 +46,7 @@ TEST(VertexTree, FindsWhetherAVertexIsBeyondAPlane) {
   std::normal_distribution<double> number;
   for (const std::size_t vertices : {1, 16, 33, 4000}) {
     const Mesh mesh = cloud(vertices, random);
-    const VertexTree tree(mesh);
+    const VertexTree tree(*mesh.geometry);
     int found = 0;
     for (int i = 0; i < 200; ++i) {
       const Vec3d normal = Vec3d(number(random), number(random), number(random)).normalized();
@@ -59,7 +59,8 @@ TEST(VertexTree, FindsWhetherAVertexIsBeyondAPlane) {
         return beyond == 8 ? BoxTree::Overlap::All : BoxTree::Overlap::Some;
       };
       bool expected = false;
-      for (const Vec3f& position : mesh.positions) expected = expected || is_beyond(Vec3d(position));
+      for (const Vec3f& position : mesh.geometry->positions)
+        expected = expected || is_beyond(Vec3d(position));
       EXPECT_EQ(tree.any_in(overlap, is_beyond), expected) << vertices;
       found += expected ? 1 : 0;
     }
@@ -69,8 +70,8 @@ TEST(VertexTree, FindsWhetherAVertexIsBeyondAPlane) {
 }
 
 TEST(VertexTree, OfNothingIsEmpty) {
-  const Mesh mesh;
-  const VertexTree tree(mesh);
+  const Geometry nothing;
+  const VertexTree tree(nothing);
   EXPECT_TRUE(tree.bounds().isEmpty());
   EXPECT_TRUE(tree.bounds_under(Matrix44d()).isEmpty());
 }

@@ -114,7 +114,7 @@ Scene scene_with(Block block) {
 }
 
 TEST(Writing, MakesReadableFilesOfTextThatNoFileCanHold) {
-  Mesh mesh;
+  MeshDraft mesh;
   mesh.name = "a \"b\"\n“c”";
   mesh.comments.end = {std::string(" one\nend\r\0two", 13), "three\r\r"};
   EXPECT_EQ(written(scene_with({Shared<Mesh>(mesh), {{"x\ny"}, "\r"}, {}})),
@@ -130,7 +130,7 @@ TEST(Writing, MakesReadableFilesOfTextThatNoFileCanHold) {
 }
 
 TEST(Writing, KeepsCommentsOfAttributesThatAreGone) {
-  Mesh mesh;
+  MeshDraft mesh;
   mesh.comments.brdf.before = {" shiny"};
   EXPECT_THAT(written(scene_with({Shared<Mesh>(mesh), {}, {}})), HasSubstr("  // shiny\n  begin vertexs\n"));
 }
@@ -305,16 +305,23 @@ std::vector<Scene> infinite_scenes() {
     change(scenes.back().contents.blocks[0]);
   };
   const auto mesh_in = [](Block& block) -> Mesh& { return std::get<Shared<Mesh>>(block.content).edit(); };
+  const auto add_mesh = [&](const auto& change_of_draft) {
+    add(triangle(), [&](Block& block) {
+      MeshDraft mesh(mesh_in(block));
+      change_of_draft(mesh);
+      mesh_in(block) = Mesh(std::move(mesh));
+    });
+  };
   const auto definition_in = [](Block& block) -> Definition::Body& {
     return std::get<DefinitionScope>(block.content).definitions.back().body;
   };
-  add(triangle(), [&](Block& block) { mesh_in(block).positions[0].y = infinity; });
-  add(triangle(), [&](Block& block) { mesh_in(block).positions[0].y = std::nanf(""); });
-  add(triangle(), [&](Block& block) { mesh_in(block).normals.set(1, Vec3f(infinity)); });
-  add(triangle(), [&](Block& block) { mesh_in(block).uvs.set(1, Vec2f(0, infinity)); });
-  add(triangle(), [&](Block& block) { mesh_in(block).irradiance.set(1, Colour(infinity)); });
-  add(triangle(), [&](Block& block) {
-    mesh_in(block).irradiance.set(1, std::vector<DirectionalIrradiance>{{Vec3f(infinity), Colour(1)}});
+  add_mesh([&](MeshDraft& mesh) { mesh.positions[0].y = infinity; });
+  add_mesh([&](MeshDraft& mesh) { mesh.positions[0].y = std::nanf(""); });
+  add_mesh([&](MeshDraft& mesh) { mesh.normals.set(1, Vec3f(infinity)); });
+  add_mesh([&](MeshDraft& mesh) { mesh.uvs.set(1, Vec2f(0, infinity)); });
+  add_mesh([&](MeshDraft& mesh) { mesh.irradiance.set(1, Colour(infinity)); });
+  add_mesh([&](MeshDraft& mesh) {
+    mesh.irradiance.set(1, std::vector<DirectionalIrradiance>{{Vec3f(infinity), Colour(1)}});
   });
   add(triangle("rgb (1, 1, 1)"), [&](Block& block) { mesh_in(block).surfaces[0].colour = Colour(infinity); });
   add(triangle(), [&](Block& block) { mesh_in(block).surfaces[0].emission = Colour(infinity); });

@@ -34,7 +34,7 @@ end mesh)";
 /// Waves of so many squares a side, two triangles each, under a light.
 inline grf::Scene waves(std::uint32_t side) {
   grf::Scene scene = scene_of_text("light begin rgb (5, 5, 5) (-1,3,-1) (2,0,0) (0,0,2) end");
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   for (std::uint32_t y = 0; y <= side; ++y) {
     for (std::uint32_t x = 0; x <= side; ++x) {
       const float s = 4 * static_cast<float>(x) / static_cast<float>(side) - 2;
@@ -50,7 +50,7 @@ inline grf::Scene waves(std::uint32_t side) {
       mesh.add_face(std::vector{corner, above + 1, above}, 0);
     }
   }
-  scene.contents.blocks.emplace_back().content = grf::Shared(std::move(mesh));
+  scene.contents.blocks.emplace_back().content = grf::Shared<grf::Mesh>(std::move(mesh));
   return scene;
 }
 

@@ -153,7 +153,10 @@ void edit_surface(PreviewRequest& request, float amount) {
 }
 void edit_view(PreviewRequest& request, float amount) { request.options.viewer->x += amount; }
 void edit_shape(PreviewRequest& request, float amount) {
-  test::first_mesh(request.scene).edit().positions[0].y += amount;
+  grf::Mesh& mesh = test::first_mesh(request.scene).edit();
+  grf::Geometry geometry = *mesh.geometry;
+  geometry.positions[0].y += amount;
+  mesh.geometry = std::move(geometry);
 }
 
 TEST(Preview, ShowsAnEditWithinATenthOfASecond) {

@@ -49,7 +49,9 @@ TEST_F(PreviewSceneTest, KeepsWhatCastsRaysWhereSurfacesAloneChange) {
   ASSERT_TRUE(prepare(request)) << diagnostics_.to_text();
   EXPECT_EQ(scene_.compilations(), 2);
   EXPECT_TRUE(scene_.compiled().caster().shares(before));
-  mesh.positions[0].y = 0.25F;
+  grf::Geometry geometry = *mesh.geometry;
+  geometry.positions[0].y = 0.25F;
+  mesh.geometry = std::move(geometry);
   request.scene = grf::Scene(request.scene);
   ASSERT_TRUE(prepare(request)) << diagnostics_.to_text();
   EXPECT_FALSE(scene_.compiled().caster().shares(before));

@@ -64,9 +64,9 @@ TEST(BakedScene, HoldsTheLightOfMeshesUnderTransformsInTransforms) {
         const double expected = 3 * test::irradiance_of_polygon(places[i], V3d(1, 0, 0), corners);
         grf::Colour value(0);
         if (directions == 0) {
-          value = std::get<grf::Colour>(mesh.irradiance[i]);
+          value = std::get<grf::Colour>((*mesh.irradiance)[i]);
         } else {
-          const auto& list = std::get<std::vector<grf::DirectionalIrradiance>>(mesh.irradiance[i]);
+          const auto& list = std::get<std::vector<grf::DirectionalIrradiance>>((*mesh.irradiance)[i]);
           ASSERT_EQ(list.size(), 1U);
           value = list[0].irradiance;
           EXPECT_LT((list[0].direction - Vec3f(0, 0, 1)).length(), 1e-5F) << "as the mesh has its front";

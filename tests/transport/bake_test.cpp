@@ -454,7 +454,7 @@ TEST(BakedScene, KeepsPlacesOfAUsedMeshApart) {
   grf::visit(again, visitor);
   ASSERT_EQ(meshes.size(), 2U);
   const auto value = [&](std::size_t mesh) {
-    return std::get<std::vector<grf::DirectionalIrradiance>>(meshes[mesh]->irradiance[0]).at(0);
+    return std::get<std::vector<grf::DirectionalIrradiance>>((*meshes[mesh]->irradiance)[0]).at(0);
   };
   EXPECT_GT(value(0).irradiance.x, 0.4);
   EXPECT_EQ(value(1).irradiance.x, 0);

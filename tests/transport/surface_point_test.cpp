@@ -181,7 +181,7 @@ TEST(Irradiance, IsInterpolatedWhereAllCornersHaveItAndItWasAskedFor) {
 
 TEST(Memory, IsLessThanTheLimitForEachTriangle) {
   constexpr std::uint32_t Side = 708;  // a million triangles
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   for (std::uint32_t i = 0; i < Side * Side; ++i) {
     mesh.normals.set(i, Vec3f(0, 0, 1));
     mesh.positions.emplace_back(static_cast<float>(i % Side), static_cast<float>(i / Side), 0.0F);

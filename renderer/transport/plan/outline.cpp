@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "grf/text_file.h"
-#include "grf/triangulation.h"
 #include "grf/write.h"
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/plan/convex_solid.h"
@@ -51,40 +50,33 @@ bool differs(const Vec3f& normal, const Vec3d& geometric) {
 }
 
 bool is_smooth(const Mesh& mesh, std::span<const std::uint32_t> corners) {
-  if (mesh.normals.empty()) return false;
+  if (mesh.geometry->normals.empty()) return false;
   const auto has = [&](std::uint32_t corner) {
-    return mesh.normals.has(corner) && mesh.normals[corner] != Vec3f(0);
+    return mesh.geometry->normals.has(corner) && mesh.geometry->normals[corner] != Vec3f(0);
   };
   if (!std::all_of(corners.begin(), corners.end(), has)) return false;
-  const auto at = [&](std::size_t i) { return Vec3d(mesh.positions[corners[i]]); };
+  const auto at = [&](std::size_t i) { return Vec3d(mesh.geometry->positions[corners[i]]); };
   const Vec3d normal = unit_normal(at(0), at(1), at(2));
   return std::any_of(corners.begin(), corners.end(),
-                     [&](std::uint32_t corner) { return differs(mesh.normals[corner], normal); });
+                     [&](std::uint32_t corner) { return differs(mesh.geometry->normals[corner], normal); });
 }
 
 MeshFacts facts_of(const Mesh& mesh) {
   MeshFacts facts;
   facts.faces.resize(mesh.surfaces.size());
   facts.is_smooth.resize(mesh.surfaces.size());
-  std::vector<Vec3f> positions;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const grf::Triangulation& triangles = mesh.geometry.triangulation();
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t surface = mesh.surface_of_face[face];
     ++facts.faces[surface];
-    if (mesh.normals.empty() || facts.is_smooth[surface]) continue;
+    if (mesh.geometry->normals.empty() || facts.is_smooth[surface]) continue;
     // Of more than three corners, some may lack a normal and others bend: any triangle of them counts.
-    const auto corners = mesh.face(face);
-    positions.clear();
-    triangles.clear();
-    for (const std::uint32_t corner : corners) positions.push_back(mesh.positions[corner]);
-    grf::triangulate(positions, triangles);
-    for (const auto& triangle : triangles) {
-      const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
-      if (is_smooth(mesh, of_mesh)) facts.is_smooth[surface] = true;
+    for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
+      if (is_smooth(mesh, triangles[i])) facts.is_smooth[surface] = true;
     }
   }
-  for (std::size_t i = 0; i < mesh.positions.size() && !facts.has_colours; ++i) {
-    facts.has_colours = mesh.colours.has(i) && mesh.colours[i] != grf::Colour(1);
+  for (std::size_t i = 0; i < mesh.geometry->positions.size() && !facts.has_colours; ++i) {
+    facts.has_colours = mesh.geometry->colours.has(i) && mesh.geometry->colours[i] != grf::Colour(1);
   }
   return facts;
 }
@@ -172,7 +164,7 @@ OutlineSurface OutlineBuilder::described(const Mesh& mesh, const grf::ResolvedSu
   if (is_light || (resolved.brdf == nullptr && resolved.emission)) return surface;
   describe_brdf(resolved, surface);
   surface.has_colours = facts(mesh).has_colours;
-  surface.has_irradiance = !mesh.irradiance.empty();
+  surface.has_irradiance = !mesh.irradiance->empty();
   if (resolved.texture != nullptr) {
     const auto& file = resolved.texture->location.file;
     surface.texture = file ? grf::path_beside(file->path, resolved.texture->file) : resolved.texture->file;
@@ -213,7 +205,7 @@ void OutlineBuilder::add(const Mesh& mesh, const Placement& placement, bool is_l
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
     if (facts(mesh).faces[i] > 0) surfaces[i] = surface_of(mesh, i, placement.scope, is_light);
   }
-  outline_.triangles += triangle_count(mesh);
+  outline_.triangles += mesh.geometry->triangle_count();
   const Matrix44d map = to_scene(placement);
   if (survey_.is_instanced(mesh)) {
     const Box3d box = transformed(survey_.box_of(mesh), map);
@@ -228,11 +220,11 @@ void OutlineBuilder::add(const Mesh& mesh, const Placement& placement, bool is_l
   std::vector<Vec3d> positions;
   for (std::size_t i = 0; i < used.count(); ++i) {
     // As rays see them: rounded.
-    positions.emplace_back(Vec3f(Vec3d(mesh.positions[used[i]]) * map));
+    positions.emplace_back(Vec3f(Vec3d(mesh.geometry->positions[used[i]]) * map));
     bounds_.extendBy(positions.back());
   }
   if (!has_room()) return;
-  if (triangle_count(mesh) > MostTrianglesOfMesh) return add_boxes(mesh, surfaces, positions);
+  if (mesh.geometry->triangle_count() > MostTrianglesOfMesh) return add_boxes(mesh, surfaces, positions);
   add_triangles(mesh, surfaces, positions, mirrors(placement.to_world));
 }
 
@@ -240,16 +232,10 @@ void OutlineBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint
                                    const std::vector<Vec3d>& positions, bool turns) {
   const std::size_t first_part = outline_.parts.size();
   const UsedVertices& used = survey_.vertices_of(mesh);
-  std::vector<Vec3f> corners_of_face;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const grf::Triangulation& triangles = mesh.geometry.triangulation();
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const auto corners = mesh.face(face);
-    corners_of_face.clear();
-    triangles.clear();
-    for (const std::uint32_t corner : corners) corners_of_face.push_back(mesh.positions[corner]);
-    grf::triangulate(corners_of_face, triangles);
-    for (const auto& triangle : triangles) {
-      const std::array of_mesh = {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]};
+    for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
+      const std::array<std::uint32_t, 3> of_mesh = triangles[i];
       const auto point = [&](std::size_t k) { return positions[used.number_of(of_mesh[k])]; };
       std::array points = {point(0), point(1), point(2)};
       if (turns) std::swap(points[1], points[2]);

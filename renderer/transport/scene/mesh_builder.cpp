@@ -4,8 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "grf/triangulation.h"
-
 namespace transport {
 namespace {
 
@@ -25,16 +23,14 @@ Colour sum_of(const grf::Irradiance& irradiance) {
 
 bool mirrors(const Matrix44d& map) { return map.determinant() < 0; }
 
-std::size_t triangle_count(const grf::Mesh& mesh) { return mesh.corners.size() - 2 * mesh.face_count(); }
-
 void MeshSize::add(const grf::Mesh& mesh, const UsedVertices& used, bool needs_uvs,
                    const EffectSet& effects) {
   vertices += used.count();
-  triangles += triangle_count(mesh);
-  has_normals |= effects.has(Effect::InterpolatedNormals) && !mesh.normals.empty();
-  has_colours |= effects.has(Effect::VertexColours) && !mesh.colours.empty();
-  has_uvs |= needs_uvs && !mesh.uvs.empty();
-  has_irradiance |= effects.has(Effect::Irradiance) && !mesh.irradiance.empty();
+  triangles += mesh.geometry->triangle_count();
+  has_normals |= effects.has(Effect::InterpolatedNormals) && !mesh.geometry->normals.empty();
+  has_colours |= effects.has(Effect::VertexColours) && !mesh.geometry->colours.empty();
+  has_uvs |= needs_uvs && !mesh.geometry->uvs.empty();
+  has_irradiance |= effects.has(Effect::Irradiance) && !mesh.irradiance->empty();
 }
 
 MeshBuilder::MeshBuilder(const MeshSize& size) : size_(size) {
@@ -52,11 +48,14 @@ void MeshBuilder::add(const grf::Mesh& mesh, const UsedVertices& used, const Mat
   const auto first_vertex = static_cast<std::uint32_t>(mesh_.positions.size());
   add_vertices(mesh, used, map);
   const bool turns = mirrors(map);
+  const grf::Triangulation& triangles = mesh.geometry.triangulation();
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t surface = mesh.surface_of_face[face];
     const bool emits = !reflectance::is_black(surfaces[surface].emission);
-    add_face(mesh, used, face, first_vertex, turns);
-    for (const std::array<std::uint32_t, 3>& corners : face_triangles_) {
+    for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
+      std::array<std::uint32_t, 3> corners = triangles[i];
+      if (turns) std::swap(corners[1], corners[2]);
+      for (std::uint32_t& corner : corners) corner = first_vertex + used.number_of(corner);
       Triangle triangle;
       triangle.corners = corners;
       triangle.surface = (first_surface + surface) & 0x7fffffffU;
@@ -67,14 +66,16 @@ void MeshBuilder::add(const grf::Mesh& mesh, const UsedVertices& used, const Mat
 }
 
 void MeshBuilder::add_vertices(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map) {
+  const grf::Geometry& geometry = *mesh.geometry;
+  const grf::VertexIrradiance& irradiance = *mesh.irradiance;
   for (std::size_t number = 0; number < used.count(); ++number) {
     const std::uint32_t i = used[number];
-    mesh_.positions.emplace_back(grf::Vec3d(mesh.positions[i]) * map);
-    if (size_.has_colours) mesh_.colours.push_back(mesh.colours.has(i) ? mesh.colours[i] : Colour(1));
-    if (size_.has_uvs) mesh_.uvs.push_back(mesh.uvs.has(i) ? mesh.uvs[i] : Vec2f(0));
+    mesh_.positions.emplace_back(grf::Vec3d(geometry.positions[i]) * map);
+    if (size_.has_colours) mesh_.colours.push_back(geometry.colours.has(i) ? geometry.colours[i] : Colour(1));
+    if (size_.has_uvs) mesh_.uvs.push_back(geometry.uvs.has(i) ? geometry.uvs[i] : Vec2f(0));
     if (size_.has_irradiance) {
-      mesh_.irradiance.push_back(mesh.irradiance.has(i) ? sum_of(mesh.irradiance[i])
-                                                        : Colour(std::numeric_limits<float>::quiet_NaN()));
+      mesh_.irradiance.push_back(irradiance.has(i) ? sum_of(irradiance[i])
+                                                   : Colour(std::numeric_limits<float>::quiet_NaN()));
     }
   }
   if (size_.has_normals) add_normals(mesh, used, map);
@@ -83,24 +84,12 @@ void MeshBuilder::add_vertices(const grf::Mesh& mesh, const UsedVertices& used, 
 // Normals follow the inverse transpose.
 void MeshBuilder::add_normals(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map) {
   const Matrix44d normal_map = map.inverse().transposed();
+  const auto& normals = mesh.geometry->normals;
   for (std::size_t number = 0; number < used.count(); ++number) {
     const std::uint32_t i = used[number];
     grf::Vec3d normal(0);
-    if (mesh.normals.has(i)) normal_map.multDirMatrix(grf::Vec3d(mesh.normals[i]), normal);
+    if (normals.has(i)) normal_map.multDirMatrix(grf::Vec3d(normals[i]), normal);
     mesh_.normals.emplace_back(normal.normalized());
-  }
-}
-
-void MeshBuilder::add_face(const grf::Mesh& mesh, const UsedVertices& used, std::size_t face,
-                           std::uint32_t first_vertex, bool turns) {
-  const auto corners = mesh.face(face);
-  face_positions_.clear();
-  face_triangles_.clear();
-  for (const std::uint32_t corner : corners) face_positions_.push_back(mesh.positions[corner]);
-  grf::triangulate(face_positions_, face_triangles_);
-  for (std::array<std::uint32_t, 3>& triangle : face_triangles_) {
-    if (turns) std::swap(triangle[1], triangle[2]);
-    for (std::uint32_t& corner : triangle) corner = first_vertex + used.number_of(corners[corner]);
   }
 }
 

@@ -15,7 +15,6 @@
 namespace transport {
 
 bool mirrors(const grf::Matrix44d& map);
-std::size_t triangle_count(const grf::Mesh& mesh);
 
 /// How much a mesh of triangles will hold, and which optional values of vertices.
 struct MeshSize {
@@ -49,8 +48,6 @@ class MeshBuilder {
  private:
   void add_vertices(const grf::Mesh& mesh, const UsedVertices& used, const grf::Matrix44d& map);
   void add_normals(const grf::Mesh& mesh, const UsedVertices& used, const grf::Matrix44d& map);
-  void add_face(const grf::Mesh& mesh, const UsedVertices& used, std::size_t face, std::uint32_t first_vertex,
-                bool turns);
   bool is_flat(const std::array<std::uint32_t, 3>& corners) const;
   void add_triangle(const Triangle& triangle, bool emits);
 
@@ -58,8 +55,6 @@ class MeshBuilder {
   TriangleMesh mesh_;
   std::uint32_t emitting_triangles_ = 0;
   std::uint32_t last_emitting_triangle_ = 0;
-  std::vector<Vec3f> face_positions_;
-  std::vector<std::array<std::uint32_t, 3>> face_triangles_;
 };
 
 }  // namespace transport

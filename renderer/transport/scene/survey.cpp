@@ -50,7 +50,8 @@ Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
     const auto [entry, is_new] = places.try_emplace(&mesh);
     if (is_new) {
       const UsedVertices& used = used_vertices.emplace(&mesh, mesh).first->second;
-      for (std::size_t i = 0; i < used.count(); ++i) entry->second.box.extendBy(mesh.positions[used[i]]);
+      for (std::size_t i = 0; i < used.count(); ++i)
+        entry->second.box.extendBy(mesh.geometry->positions[used[i]]);
     }
     ++entry->second.count;
     bounds.extendBy(transformed(entry->second.box, placement.to_world));
@@ -74,7 +75,7 @@ Survey::Survey(const grf::Scene& scene, std::size_t most_copied_triangles) {
   grf::visit(scene, visitor);
   origin = origin_of(bounds);
   for (const auto& [mesh, place] : places) {
-    const std::size_t count = triangle_count(*mesh);
+    const std::size_t count = mesh->geometry->triangle_count();
     const bool is_worth_it =
         place.count > 1 && count > FewTriangles && count * place.count > most_copied_triangles;
     if (is_worth_it) instanced.emplace(mesh, place.box);

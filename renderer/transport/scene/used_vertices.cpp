@@ -2,9 +2,9 @@
 
 namespace transport {
 
-UsedVertices::UsedVertices(const grf::Mesh& mesh) : count_(mesh.positions.size()) {
-  std::vector<bool> is_used(mesh.positions.size());
-  for (const std::uint32_t corner : mesh.corners) is_used[corner] = true;
+UsedVertices::UsedVertices(const grf::Mesh& mesh) : count_(mesh.geometry->positions.size()) {
+  std::vector<bool> is_used(mesh.geometry->positions.size());
+  for (const std::uint32_t corner : mesh.geometry->corners) is_used[corner] = true;
   const auto used = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
   if (used == count_) return;
   count_ = used;

@@ -56,7 +56,7 @@ Cost least(const Cost& a, const Cost& b) {
 }
 
 void make_file(const std::string& path) {
-  grf::Mesh mesh = grf::height_field(Side);
+  grf::MeshDraft mesh(grf::height_field(Side));
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
     mesh.uvs.set(i, grf::Vec2f(mesh.positions[i].x, mesh.positions[i].y) / 7.0F);
   }

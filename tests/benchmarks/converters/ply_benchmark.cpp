@@ -22,7 +22,7 @@ constexpr std::uint32_t Side = 708;
 
 /// The file, without normals; with face colours, which are floats and so beyond OpenMesh, if asked for.
 std::string make_file(const test::TemporaryFolder& folder, bool with_colours) {
-  grf::Mesh mesh = grf::height_field(Side);
+  grf::MeshDraft mesh(grf::height_field(Side));
   mesh.normals = {};
   if (with_colours) mesh.surfaces.front().colour = grf::Colour(0.123F);
   std::string path = folder.path("mesh.ply");

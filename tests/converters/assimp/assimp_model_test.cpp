@@ -103,13 +103,14 @@ Figures figures_of_reference(const ReferenceModel& model) {
 std::set<Position> positions_of(const grf::Scene& scene) {
   std::set<Position> positions;
   for (const grf::Mesh& mesh : meshes_of(scene)) {
-    for (const std::uint32_t corner : mesh.corners) positions.insert(position_of(mesh.positions[corner]));
+    for (const std::uint32_t corner : mesh.geometry->corners)
+      positions.insert(position_of(mesh.geometry->positions[corner]));
   }
   for (const grf::Definition& definition : definitions_of(scene)) {
     const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
     if (mesh == nullptr) continue;
-    for (const std::uint32_t corner : (*mesh)->corners) {
-      positions.insert(position_of((*mesh)->positions[corner]));
+    for (const std::uint32_t corner : (*mesh)->geometry->corners) {
+      positions.insert(position_of((*mesh)->geometry->positions[corner]));
     }
   }
   return positions;

@@ -41,9 +41,9 @@ TEST(AssimpScene, KeepsPolygonsNamesAndMaterials) {
   EXPECT_EQ(mesh.name, "Square");
   ASSERT_EQ(mesh.face_count(), 1U);
   EXPECT_EQ(mesh.face(0).size(), 4U);
-  EXPECT_EQ(mesh.positions.size(), 4U);
-  EXPECT_TRUE(mesh.normals.empty());
-  EXPECT_TRUE(mesh.uvs.empty());
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
+  EXPECT_TRUE(mesh.geometry->normals.empty());
+  EXPECT_TRUE(mesh.geometry->uvs.empty());
   const auto definitions = definitions_of(*reading.scene);
   ASSERT_EQ(definitions.size(), 1U);
   EXPECT_EQ(definitions[0].name, "Red$20$paint");
@@ -156,7 +156,7 @@ TEST(AssimpScene, TexturesStandInThePlaceOfTheDiffuseColour) {
   ASSERT_TRUE(mesh.surface(0).texture.has_value());
   EXPECT_EQ(std::get<grf::Texture>(*mesh.surface(0).texture).file, "images/red brick.png");
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene).at(0)), "diffuse kd=1");
-  EXPECT_EQ(mesh.uvs[mesh.face(0)[2]], grf::Vec2f(1, 1));
+  EXPECT_EQ(mesh.geometry->uvs[mesh.face(0)[2]], grf::Vec2f(1, 1));
   EXPECT_TRUE(reading.files.empty());
 }
 
@@ -267,9 +267,9 @@ TEST_F(BrokenScene, NumbersThatAreNoneAreErrorsOrLost) {
   const auto import = make();
   ASSERT_TRUE(import.has_value());
   const grf::Mesh mesh = meshes_of(import->scene).at(0);
-  EXPECT_FALSE(mesh.normals.has(0));
-  EXPECT_TRUE(mesh.normals.has(1));
-  EXPECT_FALSE(mesh.normals.has(2));
+  EXPECT_FALSE(mesh.geometry->normals.has(0));
+  EXPECT_TRUE(mesh.geometry->normals.has(1));
+  EXPECT_FALSE(mesh.geometry->normals.has(2));
   EXPECT_THAT(diagnostics_.to_text(), HasSubstr("1 vertex lost its normal: it has no direction"));
   scene_.mMeshes[0]->mVertices[2].z = INFINITY;
   EXPECT_FALSE(make().has_value());

@@ -102,7 +102,8 @@ EnclosedVolume volume_of_scene(const grf::Scene& scene) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
       std::vector<grf::Vec3d> corners;
       for (const std::uint32_t vertex : mesh.face(i)) {
-        placement.to_world.multVecMatrix(grf::Vec3d(mesh.positions[vertex]), corners.emplace_back());
+        placement.to_world.multVecMatrix(grf::Vec3d(mesh.geometry->positions[vertex]),
+                                         corners.emplace_back());
       }
       volume.add(corners, placement.to_world.determinant() < 0);
     }

@@ -27,8 +27,8 @@ TEST(Stl, BinaryFilesHaveSharedVerticesAndNoMaterial) {
   const auto meshes = meshes_of(*reading.scene);
   ASSERT_EQ(meshes.size(), 1U);
   EXPECT_EQ(meshes[0].face_count(), 2U);
-  EXPECT_EQ(meshes[0].positions.size(), 4U);
-  EXPECT_TRUE(meshes[0].normals.empty());
+  EXPECT_EQ(meshes[0].geometry->positions.size(), 4U);
+  EXPECT_TRUE(meshes[0].geometry->normals.empty());
   EXPECT_FALSE(meshes[0].surface(0).brdf.has_value());
   EXPECT_TRUE(definitions_of(*reading.scene).empty());
   EXPECT_EQ(reading.diagnostics.warning_count(), 0U) << reading.text();
@@ -46,9 +46,9 @@ TEST(Stl, FacetsWithoutAColourGetNone) {
   const Reading reading = read_bytes("a.stl", binary_stl(2, facets));
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
-  ASSERT_TRUE(mesh.colours.has(mesh.face(0)[0]));
-  EXPECT_EQ(mesh.colours[mesh.face(0)[0]], grf::Colour(1, 0, 0));
-  EXPECT_FALSE(mesh.colours.has(mesh.face(1)[0]));
+  ASSERT_TRUE(mesh.geometry->colours.has(mesh.face(0)[0]));
+  EXPECT_EQ(mesh.geometry->colours[mesh.face(0)[0]], grf::Colour(1, 0, 0));
+  EXPECT_FALSE(mesh.geometry->colours.has(mesh.face(1)[0]));
 }
 
 TEST(Stl, FilesThatWereCutOffAreErrors) {

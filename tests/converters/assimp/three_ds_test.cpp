@@ -27,7 +27,8 @@ Reading read_object(const ThreeDsParts& parts, const std::string& materials = ""
 
 std::size_t normals_of(const grf::Mesh& mesh) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) count += mesh.normals.has(i) ? 1 : 0;
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i)
+    count += mesh.geometry->normals.has(i) ? 1 : 0;
   return count;
 }
 
@@ -36,8 +37,8 @@ TEST(ThreeDs, KeepsAxesNamesAndSharedVertices) {
   const grf::Mesh mesh = only_mesh(reading);
   EXPECT_EQ(mesh.name, "fold");
   EXPECT_EQ(mesh.face_count(), 2U);
-  ASSERT_EQ(mesh.positions.size(), 4U);
-  EXPECT_EQ(mesh.positions[2], grf::Vec3f(0, 0, 1)) << "not turned to y up";
+  ASSERT_EQ(mesh.geometry->positions.size(), 4U);
+  EXPECT_EQ(mesh.geometry->positions[2], grf::Vec3f(0, 0, 1)) << "not turned to y up";
   EXPECT_EQ(normals_of(mesh), 0U) << "the file has no smoothing groups";
   EXPECT_FALSE(mesh.surface(0).brdf.has_value()) << "the file has no materials";
   EXPECT_TRUE(definitions_of(*reading.scene).empty());
@@ -48,27 +49,27 @@ TEST(ThreeDs, KeepsAxesNamesAndSharedVertices) {
 TEST(ThreeDs, FacesOfOneSmoothingGroupAreSmoothWhereTheyMeet) {
   for (const unsigned second : {1U, 5U, 0x80000001U}) {
     const grf::Mesh mesh = only_mesh(read_object({Fold, FoldFaces, {1, second}, {}, {}}));
-    ASSERT_EQ(mesh.positions.size(), 4U);
+    ASSERT_EQ(mesh.geometry->positions.size(), 4U);
     ASSERT_EQ(normals_of(mesh), 4U);
     // Both faces have as large an angle at the origin, and at the other end of the fold.
     const float diagonal = std::sqrt(0.5F);
-    EXPECT_LT((mesh.normals[mesh.face(0)[0]] - grf::Vec3f(-diagonal, -diagonal, 0)).length(), 1e-6);
-    EXPECT_LT((mesh.normals[mesh.face(0)[2]] - grf::Vec3f(-diagonal, -diagonal, 0)).length(), 1e-6);
-    EXPECT_LT((mesh.normals[mesh.face(0)[1]] - grf::Vec3f(0, -1, 0)).length(), 1e-6);
+    EXPECT_LT((mesh.geometry->normals[mesh.face(0)[0]] - grf::Vec3f(-diagonal, -diagonal, 0)).length(), 1e-6);
+    EXPECT_LT((mesh.geometry->normals[mesh.face(0)[2]] - grf::Vec3f(-diagonal, -diagonal, 0)).length(), 1e-6);
+    EXPECT_LT((mesh.geometry->normals[mesh.face(0)[1]] - grf::Vec3f(0, -1, 0)).length(), 1e-6);
   }
 }
 
 TEST(ThreeDs, FacesOfDifferentSmoothingGroupsAreNotSmoothWhereTheyMeet) {
   const grf::Mesh mesh = only_mesh(read_object({Fold, FoldFaces, {1, 2}, {}, {}}));
-  EXPECT_EQ(mesh.positions.size(), 6U);
-  EXPECT_LT((mesh.normals[mesh.face(0)[0]] - grf::Vec3f(0, -1, 0)).length(), 1e-6);
-  EXPECT_LT((mesh.normals[mesh.face(1)[0]] - grf::Vec3f(-1, 0, 0)).length(), 1e-6);
+  EXPECT_EQ(mesh.geometry->positions.size(), 6U);
+  EXPECT_LT((mesh.geometry->normals[mesh.face(0)[0]] - grf::Vec3f(0, -1, 0)).length(), 1e-6);
+  EXPECT_LT((mesh.geometry->normals[mesh.face(1)[0]] - grf::Vec3f(-1, 0, 0)).length(), 1e-6);
 }
 
 TEST(ThreeDs, AFaceWithoutASmoothingGroupIsFlat) {
   const grf::Mesh mesh = only_mesh(read_object({Fold, FoldFaces, {0, 1}, {}, {}}));
-  for (const std::uint32_t vertex : mesh.face(0)) EXPECT_FALSE(mesh.normals.has(vertex));
-  EXPECT_LT((mesh.normals[mesh.face(1)[0]] - grf::Vec3f(-1, 0, 0)).length(), 1e-6)
+  for (const std::uint32_t vertex : mesh.face(0)) EXPECT_FALSE(mesh.geometry->normals.has(vertex));
+  EXPECT_LT((mesh.geometry->normals[mesh.face(1)[0]] - grf::Vec3f(-1, 0, 0)).length(), 1e-6)
       << "the flat face is not smoothed into it";
 }
 
@@ -76,7 +77,7 @@ TEST(ThreeDs, TwoVerticesAtOnePlaceAreSmoothTogether) {
   std::vector<float> positions = Fold;
   positions.insert(positions.end(), {0, 0, 0, 0, 0, 1});
   const grf::Mesh mesh = only_mesh(read_object({positions, {{0, 2, 1}, {4, 5, 3}}, {1, 1}, {}, {}}));
-  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
   EXPECT_EQ(normals_of(mesh), 4U);
 }
 
@@ -85,7 +86,7 @@ TEST(ThreeDs, SmoothingHoldsAcrossMaterialsOfOneObject) {
       material("a", colour_chunk(0xA020, 1, 0, 0)) + material("b", colour_chunk(0xA020, 0, 1, 0));
   const grf::Mesh mesh =
       only_mesh(read_object({Fold, FoldFaces, {1, 1}, {{"b", {0}}, {"A", {1}}}, {}}, materials));
-  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
   EXPECT_EQ(mesh.face_count(), 2U);
   EXPECT_EQ(material_of(mesh, 0), "a") << "names are the same whatever their case";
   EXPECT_EQ(material_of(mesh, 1), "b");
@@ -121,9 +122,9 @@ TEST(ThreeDs, ATextureStandsInThePlaceOfTheDiffuseColour) {
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene).at(0)), "diffuse kd=1");
   EXPECT_EQ(std::get<grf::Texture>(*mesh.surface(0).texture).file, "WALL.JPG");
   // The image is repeated about its centre, twice along u and four times along v.
-  ASSERT_TRUE(mesh.uvs.has(mesh.face(0)[0]));
-  const grf::Vec2f corner = mesh.uvs[mesh.face(0)[0]];
-  const grf::Vec2f centre = mesh.uvs[mesh.face(0)[2]];
+  ASSERT_TRUE(mesh.geometry->uvs.has(mesh.face(0)[0]));
+  const grf::Vec2f corner = mesh.geometry->uvs[mesh.face(0)[0]];
+  const grf::Vec2f centre = mesh.geometry->uvs[mesh.face(0)[2]];
   EXPECT_EQ(centre, grf::Vec2f(0.5F, 0.5F));
   EXPECT_EQ(corner, grf::Vec2f(-0.5F, -1.5F));
 }
@@ -134,7 +135,7 @@ TEST(ThreeDs, TilesAnImageAlongUAndAlongVApart) {
     const grf::Mesh mesh =
         only_mesh(read_object({Fold, FoldFaces, {}, {{"brick", {0, 1}}}, {0, 0.25F, 0.5F, 0.5F, 1, 1, 0, 1}},
                               material("brick", map)));
-    return mesh.uvs[mesh.face(0)[0]];
+    return mesh.geometry->uvs[mesh.face(0)[0]];
   };
   EXPECT_EQ(corner_of(""), grf::Vec2f(0, 0.25F));
   EXPECT_EQ(corner_of(chunk(UScale, floats({3}))), grf::Vec2f(-1, 0.25F));

@@ -70,7 +70,7 @@ ModelCount count_of(const grf::Scene& scene) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
       std::vector<grf::Vec3d> corners;
       for (const std::uint32_t corner : mesh.face(i)) {
-        const grf::Vec3f& local = mesh.positions[corner];
+        const grf::Vec3f& local = mesh.geometry->positions[corner];
         grf::Vec3d moved;
         to_world.multVecMatrix(grf::Vec3d(local), moved);
         corners.push_back(moved);

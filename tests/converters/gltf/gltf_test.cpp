@@ -17,16 +17,16 @@ using testing::HasSubstr;
 
 const std::vector<float> Square = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 
-std::vector<std::uint32_t> corners_of(const grf::Mesh& mesh) { return mesh.corners; }
+std::vector<std::uint32_t> corners_of(const grf::Mesh& mesh) { return mesh.geometry->corners; }
 
 /// All positions of faces in the world, in order.
 std::vector<grf::Vec3d> world_corners(const grf::Scene& scene) {
   std::vector<grf::Vec3d> corners;
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
-    for (const std::uint32_t corner : mesh.corners) {
+    for (const std::uint32_t corner : mesh.geometry->corners) {
       grf::Vec3d moved;
-      placement.to_world.multVecMatrix(grf::Vec3d(mesh.positions[corner]), moved);
+      placement.to_world.multVecMatrix(grf::Vec3d(mesh.geometry->positions[corner]), moved);
       corners.push_back(moved);
     }
   };
@@ -56,9 +56,9 @@ TEST(Gltf, TrianglesStripsAndFansAreFaces) {
 
 TEST(Gltf, FacesWithoutIndicesTakeVerticesInOrder) {
   const grf::Mesh mesh = only_mesh(GltfMaker::triangle().read());
-  EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(mesh.positions[1], grf::Vec3f(1, 0, 0));
-  EXPECT_TRUE(mesh.normals.empty());
+  EXPECT_EQ(mesh.geometry->corners, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(mesh.geometry->positions[1], grf::Vec3f(1, 0, 0));
+  EXPECT_TRUE(mesh.geometry->normals.empty());
 }
 
 TEST(Gltf, PointsAndLinesAreCountedAsLost) {
@@ -78,8 +78,8 @@ TEST(Gltf, VerticesThatNoFaceUsesAreLeftOut) {
   const int positions = maker.floats(Square, "VEC3");
   maker.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", maker.indices({1, 2, 3})}});
   const grf::Mesh mesh = only_mesh(maker.read());
-  EXPECT_EQ(mesh.positions.size(), 3U);
-  EXPECT_EQ(mesh.positions[0], grf::Vec3f(1, 0, 0));
+  EXPECT_EQ(mesh.geometry->positions.size(), 3U);
+  EXPECT_EQ(mesh.geometry->positions[0], grf::Vec3f(1, 0, 0));
 }
 
 TEST(Gltf, PrimitivesShareTheVerticesThatTheyBothName) {
@@ -89,8 +89,8 @@ TEST(Gltf, PrimitivesShareTheVerticesThatTheyBothName) {
   maker.json["meshes"][0]["primitives"].push_back(
       {{"attributes", {{"POSITION", positions}}}, {"indices", maker.indices({0, 2, 3})}});
   const grf::Mesh mesh = only_mesh(maker.read());
-  EXPECT_EQ(mesh.positions.size(), 4U);
-  EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
+  EXPECT_EQ(mesh.geometry->corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
 TEST(Gltf, StridesAndOffsetsAreKept) {
@@ -99,7 +99,7 @@ TEST(Gltf, StridesAndOffsetsAreKept) {
   maker.json["bufferViews"][0]["byteStride"] = 20;
   maker.json["accessors"][0].update({{"byteOffset", 8}, {"count", 3}, {"type", "VEC3"}});
   maker.add_mesh({{"attributes", {{"POSITION", interleaved}}}});
-  EXPECT_EQ(only_mesh(maker.read()).positions[2], grf::Vec3f(0, 1, 0));
+  EXPECT_EQ(only_mesh(maker.read()).geometry->positions[2], grf::Vec3f(0, 1, 0));
 }
 
 TEST(Gltf, SparseValuesStandInForSome) {
@@ -109,9 +109,9 @@ TEST(Gltf, SparseValuesStandInForSome) {
   maker.json["accessors"][0]["sparse"] = {{"count", 1},
                                           {"indices", {{"bufferView", places}, {"componentType", 5121}}},
                                           {"values", {{"bufferView", values}}}};
-  EXPECT_EQ(only_mesh(maker.read()).positions[2], grf::Vec3f(5, 6, 7));
+  EXPECT_EQ(only_mesh(maker.read()).geometry->positions[2], grf::Vec3f(5, 6, 7));
   maker.json["accessors"][0].erase("bufferView");  // the others are 0
-  EXPECT_EQ(only_mesh(maker.read()).positions[1], grf::Vec3f(0, 0, 0));
+  EXPECT_EQ(only_mesh(maker.read()).geometry->positions[1], grf::Vec3f(0, 0, 0));
 }
 
 TEST(Gltf, IntegersAreNumbersAndNormalisedOnesAreShares) {
@@ -124,17 +124,17 @@ TEST(Gltf, IntegersAreNumbersAndNormalisedOnesAreShares) {
   maker.add_mesh({{"attributes", {{"POSITION", positions}, {"COLOR_0", colours}, {"NORMAL", normals}}}});
   maker.json["extensionsRequired"] = {"KHR_mesh_quantization"};
   const grf::Mesh mesh = only_mesh(maker.read());
-  EXPECT_EQ(mesh.positions[2], grf::Vec3f(0, -3, 0));
-  EXPECT_EQ(mesh.colours[0], grf::Colour(1, 0, 0.2F));
-  EXPECT_EQ(mesh.normals[0], grf::Vec3f(0, 0, -1));
+  EXPECT_EQ(mesh.geometry->positions[2], grf::Vec3f(0, -3, 0));
+  EXPECT_EQ(mesh.geometry->colours[0], grf::Colour(1, 0, 0.2F));
+  EXPECT_EQ(mesh.geometry->normals[0], grf::Vec3f(0, 0, -1));
 }
 
 TEST(Gltf, TextureCoordinatesPointUp) {
   GltfMaker maker = GltfMaker::triangle();
   maker.attributes()["TEXCOORD_0"] = maker.floats({0, 0, 1, 0, 0.25F, 0.75F}, "VEC2");
   const grf::Mesh mesh = only_mesh(maker.read());
-  EXPECT_EQ(mesh.uvs[0], grf::Vec2f(0, 1));
-  EXPECT_EQ(mesh.uvs[2], grf::Vec2f(0.25F, 0.25F));
+  EXPECT_EQ(mesh.geometry->uvs[0], grf::Vec2f(0, 1));
+  EXPECT_EQ(mesh.geometry->uvs[2], grf::Vec2f(0.25F, 0.25F));
 }
 
 TEST(Gltf, TextureTransformsAreApplied) {
@@ -153,8 +153,8 @@ TEST(Gltf, TextureTransformsAreApplied) {
   const grf::Mesh mesh = only_mesh(reading);
   // The matrix of the extension: (x, y) -> offset + (cos sx x + sin sy y, cos sy y - sin sx x).
   const auto expect_uv = [&](std::size_t vertex, float u, float v) {
-    EXPECT_NEAR(mesh.uvs[vertex].x, u, 1e-6);
-    EXPECT_NEAR(mesh.uvs[vertex].y, 1 - v, 1e-6);
+    EXPECT_NEAR(mesh.geometry->uvs[vertex].x, u, 1e-6);
+    EXPECT_NEAR(mesh.geometry->uvs[vertex].y, 1 - v, 1e-6);
   };
   expect_uv(0, 0.5F, 0.25F);
   expect_uv(1, 0.5F, -1.75F);
@@ -166,11 +166,11 @@ TEST(Gltf, MorphTargetsStandAtTheirWeights) {
   GltfMaker maker = GltfMaker::triangle();
   const int target = maker.floats({0, 0, 1, 0, 0, 2, 0, 0, 4}, "VEC3");
   maker.primitive()["targets"] = {{{"POSITION", target}}};
-  EXPECT_EQ(only_mesh(maker.read()).positions[2], grf::Vec3f(0, 1, 0));
+  EXPECT_EQ(only_mesh(maker.read()).geometry->positions[2], grf::Vec3f(0, 1, 0));
   maker.json["meshes"][0]["weights"] = {0.5};
-  EXPECT_EQ(only_mesh(maker.read()).positions[2], grf::Vec3f(0, 1, 2));
+  EXPECT_EQ(only_mesh(maker.read()).geometry->positions[2], grf::Vec3f(0, 1, 2));
   maker.json["nodes"][0]["weights"] = {0.25};
-  EXPECT_EQ(only_mesh(maker.read()).positions[2], grf::Vec3f(0, 1, 1));
+  EXPECT_EQ(only_mesh(maker.read()).geometry->positions[2], grf::Vec3f(0, 1, 1));
 }
 
 TEST(Gltf, MorphTargetsThatLeadToInfinityAreAnError) {
@@ -268,9 +268,9 @@ std::vector<grf::Vec3d> normals_of(const GltfMaker& maker) {
   const Reading reading = maker.read();
   const grf::Mesh mesh = only_mesh(reading);
   std::vector<grf::Vec3d> normals;
-  for (const std::uint32_t corner : mesh.corners) {
-    EXPECT_TRUE(mesh.normals.has(corner));
-    normals.push_back(grf::Vec3d(mesh.normals[corner]).normalized());
+  for (const std::uint32_t corner : mesh.geometry->corners) {
+    EXPECT_TRUE(mesh.geometry->normals.has(corner));
+    normals.push_back(grf::Vec3d(mesh.geometry->normals[corner]).normalized());
   }
   return normals;
 }
@@ -357,9 +357,9 @@ TEST(Gltf, NormalsWithoutADirectionAreLost) {
   maker.attributes()["NORMAL"] = maker.floats({0, 0, 1, 0, 0, 0, nan, 0, 1}, "VEC3");
   const Reading reading = maker.read();
   const grf::Mesh mesh = only_mesh(reading);
-  EXPECT_TRUE(mesh.normals.has(0));
-  EXPECT_FALSE(mesh.normals.has(1));
-  EXPECT_FALSE(mesh.normals.has(2));
+  EXPECT_TRUE(mesh.geometry->normals.has(0));
+  EXPECT_FALSE(mesh.geometry->normals.has(1));
+  EXPECT_FALSE(mesh.geometry->normals.has(2));
   EXPECT_THAT(reading.text(), HasSubstr("2 vertices lost their normal: it has no direction"));
 }
 

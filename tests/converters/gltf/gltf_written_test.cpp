@@ -219,10 +219,10 @@ TEST(GltfWritten, OurReaderSeesTheSameWithoutExtras) {
       face.material = tent_text(mesh.surface(i), definitions);
       for (const std::uint32_t vertex : mesh.face(i)) {
         TentCorner& corner = face.corners.emplace_back();
-        placement.to_world.multVecMatrix(grf::Vec3d(mesh.positions[vertex]), corner.position);
-        of_normals.multDirMatrix(grf::Vec3d(mesh.normals[vertex]), corner.normal);
+        placement.to_world.multVecMatrix(grf::Vec3d(mesh.geometry->positions[vertex]), corner.position);
+        of_normals.multDirMatrix(grf::Vec3d(mesh.geometry->normals[vertex]), corner.normal);
         corner.normal.normalize();
-        corner.uv = grf::Vec2d(mesh.uvs[vertex]);
+        corner.uv = grf::Vec2d(mesh.geometry->uvs[vertex]);
       }
     }
   };

@@ -56,7 +56,8 @@ TEST(MeshOperations, AreDoneInTheirOrder) {
   apply(operations, scene, {}, diagnostics);
   const grf::Mesh mesh = meshes_of(scene).front();
   EXPECT_LT(mesh.face_count(), 20U) << "what was torn could not be decimated";
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) EXPECT_EQ(mesh.normals[i], grf::Vec3f(0, 0, 1));
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i)
+    EXPECT_EQ(mesh.geometry->normals[i], grf::Vec3f(0, 0, 1));
   EXPECT_THAT(diagnostics.to_text(), HasSubstr("303 vertices were welded\n"));
   EXPECT_THAT(diagnostics.to_text(), HasSubstr(" of 128 triangles are left"));
 }
@@ -101,11 +102,11 @@ TEST(MeshOperations, LeaveASceneAsItIsWhereThereAreNone) {
 }
 
 TEST(Triangulated, KeepsSurfacesWithTheirFaces) {
-  grf::Mesh mesh = cube();
+  grf::MeshDraft mesh(cube());
   mesh.surfaces.emplace_back();
   mesh.surface_of_face[1] = 1;
   const grf::Mesh triangles = triangulated(mesh);
-  EXPECT_EQ(triangles.positions, mesh.positions);
+  EXPECT_EQ(triangles.geometry->positions, mesh.positions);
   EXPECT_THAT(triangles.surface_of_face, ElementsAre(0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0));
 }
 

@@ -13,7 +13,7 @@ namespace convert {
 /// A sheet of n x n unit squares in the plane z = 0, two triangles each, without normals. Triangles whose
 /// square begins left of x = n / 2 have the first of two surfaces if there are to be two.
 inline grf::Mesh sheet(std::uint32_t n, bool has_two_surfaces = false) {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   for (std::uint32_t y = 0; y <= n; ++y) {
     for (std::uint32_t x = 0; x <= n; ++x) mesh.positions.emplace_back(float(x), float(y), 0.0F);
   }
@@ -34,7 +34,7 @@ inline grf::Mesh sheet(std::uint32_t n, bool has_two_surfaces = false) {
 
 /// A cube of six squares that share eight vertices.
 inline grf::Mesh cube() {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   for (std::uint32_t i = 0; i < 8; ++i) {
     mesh.positions.emplace_back(float(i & 1U), float(i >> 1U & 1U), float(i >> 2U));
   }
@@ -46,11 +46,11 @@ inline grf::Mesh cube() {
 
 /// The mesh with vertices of its own for each face.
 inline grf::Mesh torn(const grf::Mesh& mesh) {
-  grf::Mesh apart;
+  grf::MeshDraft apart;
   apart.surfaces = mesh.surfaces;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     std::vector<std::uint32_t> corners;
-    for (const std::uint32_t corner : mesh.face(face)) corners.push_back(copy_vertex(mesh, corner, apart));
+    for (const std::uint32_t corner : mesh.face(face)) corners.push_back(apart.copy_vertex(mesh, corner));
     apart.add_face(corners, mesh.surface_of_face[face]);
   }
   return apart;

@@ -40,7 +40,8 @@ std::vector<ReferenceFace> reference_faces(const grf::Scene& scene) {
   for (const grf::Mesh& mesh : meshes_of(scene)) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
       ReferenceFace face;
-      for (const std::uint32_t vertex : mesh.face(i)) face.corners.emplace_back(mesh.positions[vertex]);
+      for (const std::uint32_t vertex : mesh.face(i))
+        face.corners.emplace_back(mesh.geometry->positions[vertex]);
       face.material = grf::from_identifier(material_of(mesh, i));
       faces.push_back(face);
     }

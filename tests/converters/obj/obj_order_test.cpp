@@ -73,7 +73,7 @@ std::vector<OrderedFace> placed_faces(const grf::Scene& scene) {
   std::vector<OrderedFace> faces;
   for (const grf::Mesh& mesh : meshes_of(scene)) {
     for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-      faces.push_back({mesh.name, material_of(mesh, i), mesh.positions[mesh.face(i)[0]].x});
+      faces.push_back({mesh.name, material_of(mesh, i), mesh.geometry->positions[mesh.face(i)[0]].x});
     }
   }
   return faces;

@@ -61,8 +61,8 @@ std::vector<PlacedFace> faces_of(const grf::Scene& scene) {
       face.mesh = mesh.name;
       face.material = grf::from_identifier(material_of(mesh, i));
       for (const std::uint32_t v : mesh.face(i)) {
-        face.corners.push_back(
-            {mesh.positions[v], value_at(mesh.normals, v), value_at(mesh.uvs, v), value_at(mesh.colours, v)});
+        face.corners.push_back({mesh.geometry->positions[v], value_at(mesh.geometry->normals, v),
+                                value_at(mesh.geometry->uvs, v), value_at(mesh.geometry->colours, v)});
       }
     }
   }
@@ -99,7 +99,7 @@ float some_float() { return *any_float(); }
 
 /// A mesh of polygons, of which some vertices are alike, with faces of some materials.
 grf::Mesh some_mesh(const std::string& name) {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   mesh.name = name;
   const auto vertices = *rc::gen::inRange<std::uint32_t>(3, 12);
   const bool has_normals = *rc::gen::arbitrary<bool>();
@@ -114,7 +114,7 @@ grf::Mesh some_mesh(const std::string& name) {
     if (has_colours)
       mesh.colours.set(i, {std::abs(some_float()), std::abs(some_float()), std::abs(some_float())});
   }
-  grf::SurfaceIndex surfaces(mesh);
+  grf::SurfaceIndex surfaces(mesh.surfaces);
   const auto faces = *rc::gen::inRange(1, 6);
   for (int i = 0; i < faces; ++i) {
     grf::Surface surface;

@@ -26,14 +26,14 @@ grf::Mesh mesh_of(const std::string& obj) {
 
 grf::Vec3f normal_of(const grf::Mesh& mesh, std::size_t face, std::size_t corner) {
   const std::uint32_t vertex = mesh.face(face)[corner];
-  return mesh.normals.has(vertex) ? mesh.normals[vertex] : grf::Vec3f(0);
+  return mesh.geometry->normals.has(vertex) ? mesh.geometry->normals[vertex] : grf::Vec3f(0);
 }
 
 void expect_near(const grf::Vec3f& a, const grf::Vec3f& b) { EXPECT_LT((a - b).length(), 1e-6F) << a << b; }
 
 TEST(SmoothingGroups, GiveTheFacesOfOneGroupOneNormal) {
   const grf::Mesh mesh = mesh_of(Roof + "s 1\nf 1 2 3 4\nf 2 5 6 3\n");
-  EXPECT_EQ(mesh.positions.size(), 6U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 6U);
   const float half = std::sqrt(0.5F);
   expect_near(normal_of(mesh, 0, 0), {0, 0, 1});
   expect_near(normal_of(mesh, 0, 1), {half, 0, half});
@@ -43,7 +43,7 @@ TEST(SmoothingGroups, GiveTheFacesOfOneGroupOneNormal) {
 
 TEST(SmoothingGroups, KeepFacesOfOtherGroupsApart) {
   const grf::Mesh mesh = mesh_of(Roof + "s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n");
-  EXPECT_EQ(mesh.positions.size(), 8U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 8U);
   expect_near(normal_of(mesh, 0, 1), {0, 0, 1});
   expect_near(normal_of(mesh, 1, 0), {1, 0, 0});
 }
@@ -51,9 +51,9 @@ TEST(SmoothingGroups, KeepFacesOfOtherGroupsApart) {
 TEST(SmoothingGroups, MayBeOff) {
   for (const char* off : {"s off", "s 0", "s"}) {
     const grf::Mesh mesh = mesh_of(Roof + "s 1\nf 1 2 3 4\n" + off + "\nf 2 5 6 3\n");
-    EXPECT_EQ(mesh.positions.size(), 8U);
+    EXPECT_EQ(mesh.geometry->positions.size(), 8U);
     expect_near(normal_of(mesh, 0, 1), {0, 0, 1});
-    EXPECT_FALSE(mesh.normals.has(mesh.face(1)[0])) << "it is flat";
+    EXPECT_FALSE(mesh.geometry->normals.has(mesh.face(1)[0])) << "it is flat";
   }
 }
 
@@ -73,7 +73,7 @@ TEST(SmoothingGroups, LeaveNormalsAsTheyAre) {
 
 TEST(SmoothingGroups, WithoutAreaGiveNoNormal) {
   const grf::Mesh mesh = mesh_of("v 0 0 0\nv 1 0 0\nv 2 0 0\ns 1\nf 1 2 3\n");
-  EXPECT_TRUE(mesh.normals.empty());
+  EXPECT_TRUE(mesh.geometry->normals.empty());
 }
 
 TEST(SmoothNormals, DoNotDependOnHowAPolygonIsCut) {

@@ -55,7 +55,7 @@ TEST(Obj, KeepsPolygonsAndTheOrderOfFaces) {
   EXPECT_THAT(corners_of(mesh, 0), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(corners_of(mesh, 1), ElementsAre(3, 2, 4));
   EXPECT_THAT(corners_of(mesh, 2), ElementsAre(3, 2, 1, 4, 0));
-  EXPECT_EQ(mesh.positions[0], grf::Vec3f(0, 1, 0));
+  EXPECT_EQ(mesh.geometry->positions[0], grf::Vec3f(0, 1, 0));
 }
 
 TEST(Obj, KeepsFacesThatAreDegenerate) {
@@ -66,62 +66,66 @@ TEST(Obj, KeepsFacesThatAreDegenerate) {
 
 TEST(Obj, SharesVerticesWhoseNormalsAreEqual) {
   const std::string normals = "vn 0 0 1\nvn 0 1 0\n";
-  EXPECT_EQ(mesh_of_text(SquareVertices + normals + "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n").positions.size(),
+  EXPECT_EQ(mesh_of_text(SquareVertices + normals + "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n")
+                .geometry->positions.size(),
             4U);
-  EXPECT_EQ(mesh_of_text(SquareVertices + normals + "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n").positions.size(),
+  EXPECT_EQ(mesh_of_text(SquareVertices + normals + "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n")
+                .geometry->positions.size(),
             6U);
 }
 
 TEST(Obj, SharesNoVerticesThatAreOnlyNear) {
   const grf::Mesh mesh = mesh_of_text("v 0 0 0\nv 1e-9 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\nf 2 3 4\n");
-  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
 }
 
 TEST(Obj, KeepsNormalsWhereThereAreSome) {
   const grf::Mesh mesh = mesh_of_text(SquareVertices + "vn 0 0 2\nf 1//1 2//1 3//1\nf 1 3 4\n");
-  ASSERT_EQ(mesh.positions.size(), 6U);
-  EXPECT_EQ(mesh.normals[0], grf::Vec3f(0, 0, 2));
-  EXPECT_FALSE(mesh.normals.has(3));
+  ASSERT_EQ(mesh.geometry->positions.size(), 6U);
+  EXPECT_EQ(mesh.geometry->normals[0], grf::Vec3f(0, 0, 2));
+  EXPECT_FALSE(mesh.geometry->normals.has(3));
 }
 
 TEST(Obj, KeepsVertexColours) {
   const grf::Mesh mesh = mesh_of_text("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.5\nf 1 2 3\n");
-  ASSERT_EQ(mesh.positions.size(), 3U);
-  EXPECT_EQ(mesh.colours[2], grf::Colour(0, 0, 0.5F));
+  ASSERT_EQ(mesh.geometry->positions.size(), 3U);
+  EXPECT_EQ(mesh.geometry->colours[2], grf::Colour(0, 0, 0.5F));
 }
 
 TEST(Obj, KeepsColoursThatOnlySomeVerticesHave) {
   const std::string obj = "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
   EXPECT_THAT(warnings_of(obj), IsEmpty());
   const grf::Mesh mesh = mesh_of_text(obj);
-  ASSERT_EQ(mesh.positions.size(), 3U);
-  EXPECT_EQ(mesh.colours[0], grf::Colour(1, 0, 0));
-  EXPECT_FALSE(mesh.colours.has(1));
-  EXPECT_EQ(mesh.colours[2], grf::Colour(0, 0, 1));
+  ASSERT_EQ(mesh.geometry->positions.size(), 3U);
+  EXPECT_EQ(mesh.geometry->colours[0], grf::Colour(1, 0, 0));
+  EXPECT_FALSE(mesh.geometry->colours.has(1));
+  EXPECT_EQ(mesh.geometry->colours[2], grf::Colour(0, 0, 1));
 }
 
 TEST(Obj, KeepsTextureCoordinates) {
   const grf::Mesh mesh = mesh_of_text(SquareVertices + "vt 0.25 -3\nvt 0.5\nvt 0.75 1 0\nvn 0 0 1\n" +
                                       "f 1/1 2/2 3/3\nf 1/1/1 3/3/1 4/2/1\nf 1 2 3\n");
-  ASSERT_EQ(mesh.positions.size(), 9U);
-  EXPECT_EQ(mesh.uvs[0], grf::Vec2f(0.25F, -3));
-  EXPECT_EQ(mesh.uvs[1], grf::Vec2f(0.5F, 0));
-  EXPECT_EQ(mesh.uvs[4], grf::Vec2f(0.75F, 1));
-  EXPECT_EQ(mesh.normals[4], grf::Vec3f(0, 0, 1));
-  EXPECT_FALSE(mesh.uvs.has(6));
+  ASSERT_EQ(mesh.geometry->positions.size(), 9U);
+  EXPECT_EQ(mesh.geometry->uvs[0], grf::Vec2f(0.25F, -3));
+  EXPECT_EQ(mesh.geometry->uvs[1], grf::Vec2f(0.5F, 0));
+  EXPECT_EQ(mesh.geometry->uvs[4], grf::Vec2f(0.75F, 1));
+  EXPECT_EQ(mesh.geometry->normals[4], grf::Vec3f(0, 0, 1));
+  EXPECT_FALSE(mesh.geometry->uvs.has(6));
 }
 
 TEST(Obj, SplitsVerticesWhoseTextureCoordinatesDiffer) {
   const std::string uvs = "vt 0 0\nvt 1 0\nvt 0 0\n";
-  EXPECT_EQ(mesh_of_text(SquareVertices + uvs + "f 1/1 2/1 3/1\nf 1/2 3/2 4/2\n").positions.size(), 6U);
-  EXPECT_EQ(mesh_of_text(SquareVertices + uvs + "f 1/1 2/1 3/1\nf 1/3 3/3 4/3\n").positions.size(), 4U);
+  EXPECT_EQ(mesh_of_text(SquareVertices + uvs + "f 1/1 2/1 3/1\nf 1/2 3/2 4/2\n").geometry->positions.size(),
+            6U);
+  EXPECT_EQ(mesh_of_text(SquareVertices + uvs + "f 1/1 2/1 3/1\nf 1/3 3/3 4/3\n").geometry->positions.size(),
+            4U);
 }
 
 TEST(Obj, MixedCornersBeforeTheirElementsAreKept) {
   const grf::Mesh mesh = mesh_of_text("f 1/2 2/1 3/2\nvn 0 0 1\n" + SquareVertices + "vt 0.5 0.5\nvt 1 1\n");
-  EXPECT_TRUE(mesh.normals.empty());
-  EXPECT_EQ(mesh.uvs[0], grf::Vec2f(1, 1));
-  EXPECT_EQ(mesh.uvs[1], grf::Vec2f(0.5F, 0.5F));
+  EXPECT_TRUE(mesh.geometry->normals.empty());
+  EXPECT_EQ(mesh.geometry->uvs[0], grf::Vec2f(1, 1));
+  EXPECT_EQ(mesh.geometry->uvs[1], grf::Vec2f(0.5F, 0.5F));
 }
 
 TEST(Obj, ReadsTheNearestFloat) {
@@ -131,25 +135,26 @@ TEST(Obj, ReadsTheNearestFloat) {
         "3.4028234663852886e38", "1e-45", "7.0064923216240854e-46",
         "0.000000000000000000000000000000000000011754943508222875", "-123456.789e-3"}) {
     const grf::Mesh mesh = mesh_of_text(fmt::format("v {0} 0 0\nv 0 {0} 1\nv 0 0 {0}\nf 1 2 3\n", digits));
-    EXPECT_EQ(mesh.positions[0].x, std::strtof(digits, nullptr)) << digits;
-    EXPECT_EQ(mesh.positions[1].y, std::strtof(digits, nullptr)) << digits;
+    EXPECT_EQ(mesh.geometry->positions[0].x, std::strtof(digits, nullptr)) << digits;
+    EXPECT_EQ(mesh.geometry->positions[1].y, std::strtof(digits, nullptr)) << digits;
   }
 }
 
 TEST(Obj, KeepsTheSignOfAZeroAndSharesItsVertexAllTheSame) {
   const grf::Mesh mesh = mesh_of_text("v -0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nf 1 2 3\nf 4 3 2\n");
-  EXPECT_EQ(mesh.positions.size(), 3U);
-  EXPECT_TRUE(std::signbit(mesh.positions[0].x));
+  EXPECT_EQ(mesh.geometry->positions.size(), 3U);
+  EXPECT_TRUE(std::signbit(mesh.geometry->positions[0].x));
 }
 
 TEST(Obj, DividesByTheWeightOfAVertex) {
-  EXPECT_EQ(mesh_of_text("v 2 4 6 2\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").positions[0], grf::Vec3f(1, 2, 3));
+  EXPECT_EQ(mesh_of_text("v 2 4 6 2\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").geometry->positions[0],
+            grf::Vec3f(1, 2, 3));
 }
 
 TEST(Obj, CountsNegativeIndicesFromTheLastVertex) {
   const grf::Mesh mesh = mesh_of_text(SquareVertices + "f -4 -3 -2\nv 5 5 5\nf -1 -2 1\n");
-  EXPECT_EQ(mesh.positions[mesh.face(0)[0]], grf::Vec3f(0, 0, 0));
-  EXPECT_EQ(mesh.positions[mesh.face(1)[0]], grf::Vec3f(5, 5, 5));
+  EXPECT_EQ(mesh.geometry->positions[mesh.face(0)[0]], grf::Vec3f(0, 0, 0));
+  EXPECT_EQ(mesh.geometry->positions[mesh.face(1)[0]], grf::Vec3f(5, 5, 5));
 }
 
 TEST(Obj, FacesMayStandBeforeTheirVertices) {
@@ -167,7 +172,7 @@ TEST(Obj, ObjectsAndGroupsBecomeMeshesWithTheirNames) {
   EXPECT_EQ(meshes[2].name, "group a b");
   EXPECT_EQ(meshes[2].face_count(), 2U);
   EXPECT_EQ(meshes[3].name, "First \"object\"");
-  EXPECT_EQ(meshes[3].positions.size(), 3U);
+  EXPECT_EQ(meshes[3].geometry->positions.size(), 3U);
 }
 
 TEST(Obj, NamesOfMeshesComeBackFromGrfText) {
@@ -186,7 +191,7 @@ TEST(Obj, UnderstandsTheWaysToWriteAStatement) {
       "3//\n";
   const grf::Mesh mesh = mesh_of_text(obj);
   EXPECT_EQ(mesh.face_count(), 2U);
-  EXPECT_EQ(mesh.positions.size(), 3U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 3U);
   std::string old_macintosh = SquareVertices + "f 1 2 3 4\n";
   std::replace(old_macintosh.begin(), old_macintosh.end(), '\n', '\r');
   EXPECT_EQ(mesh_of_text(old_macintosh).face_count(), 1U);
@@ -292,7 +297,7 @@ TEST(Obj, HasMoreThanAMillionCorners) {
   for (const std::size_t face : {std::size_t(0), Faces / 2, Faces - 5'000, Faces - 1}) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = 3 * face + k;
-      EXPECT_EQ(mesh.positions[mesh.face(face)[k]],
+      EXPECT_EQ(mesh.geometry->positions[mesh.face(face)[k]],
                 grf::Vec3f(static_cast<float>(i % 1000), static_cast<float>(i / 1000), i % 2 == 0 ? 0 : 1))
           << face << " " << k;
     }

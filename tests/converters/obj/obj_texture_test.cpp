@@ -40,7 +40,7 @@ TEST(ObjTextures, AreNamedFromTheFolderOfTheModel) {
     EXPECT_THAT(reading.text(), IsEmpty());
     const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
     EXPECT_EQ(file_of(mesh), "materials/images/a b#c.png") << name;
-    EXPECT_EQ(mesh.uvs[2], grf::Vec2f(1, 1));
+    EXPECT_EQ(mesh.geometry->uvs[2], grf::Vec2f(1, 1));
   }
 }
 
@@ -84,8 +84,8 @@ TEST(ObjTextures, AreLookedUpAtScaleAndOffset) {
   ASSERT_TRUE(reading.scene.has_value());
   EXPECT_THAT(reading.text(), IsEmpty());
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
-  EXPECT_EQ(mesh.uvs[0], grf::Vec2f(0.25F, 0));
-  EXPECT_EQ(mesh.uvs[2], grf::Vec2f(2.25F, 3));
+  EXPECT_EQ(mesh.geometry->uvs[0], grf::Vec2f(0.25F, 0));
+  EXPECT_EQ(mesh.geometry->uvs[2], grf::Vec2f(2.25F, 3));
 }
 
 TEST(ObjTextures, OfOneMaterialMoveTheCoordinatesOfItsFacesAlone) {
@@ -97,8 +97,8 @@ TEST(ObjTextures, OfOneMaterialMoveTheCoordinatesOfItsFacesAlone) {
                                             "usemtl n\nf 1/1 2/2 3/3\nusemtl m\nf 1/1 2/2 3/3\n"));
   ASSERT_TRUE(reading.scene.has_value());
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
-  EXPECT_EQ(mesh.positions.size(), 7U);
-  EXPECT_EQ(mesh.uvs[mesh.face(1)[0]], grf::Vec2f(5, 0));
+  EXPECT_EQ(mesh.geometry->positions.size(), 7U);
+  EXPECT_EQ(mesh.geometry->uvs[mesh.face(1)[0]], grf::Vec2f(5, 0));
   EXPECT_EQ(mesh.face(2)[0], mesh.face(0)[0]);
 }
 

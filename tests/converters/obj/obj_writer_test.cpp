@@ -86,7 +86,7 @@ TEST(ObjWriter, AppliesTransformsAndKeepsFrontsOfMirroredMeshes) {
       "(1,0,0) normal (0,0,1) (1,1,0) end vertexs begin faces (0,1,2) end faces end mesh end");
   EXPECT_THAT(out.obj, HasSubstr("v 0 0 0\nv -2 0 0\nv -2 1 0\n"));
   EXPECT_THAT(out.obj, HasSubstr("f 1//1 3//1 2//1\n"));
-  EXPECT_EQ(meshes_of(*out.read_again())[0].normals[0], grf::Vec3f(0, 0, 1));
+  EXPECT_EQ(meshes_of(*out.read_again())[0].geometry->normals[0], grf::Vec3f(0, 0, 1));
 }
 
 TEST(ObjWriter, AppliesInstances) {
@@ -206,7 +206,7 @@ TEST(ObjWriter, WritesLightsAsFacesThatEmit) {
   EXPECT_EQ(meshes[0].surface(0).emission, grf::Colour(3, 2, 1));
   EXPECT_EQ(meshes[1].surface(0).emission, grf::Colour(7, 7, 7));
   EXPECT_FALSE(meshes[0].surface(0).brdf.has_value());
-  EXPECT_EQ(meshes[0].positions[2], grf::Vec3f(1, 1, 0));
+  EXPECT_EQ(meshes[0].geometry->positions[2], grf::Vec3f(1, 1, 0));
 }
 
 TEST(ObjWriter, SaysInOneLineAKindWhatIsLost) {
@@ -224,7 +224,7 @@ TEST(ObjWriter, SaysInOneLineAKindWhatIsLost) {
 
 TEST(ObjWriter, NamesAreReadBackWhateverTheyHave) {
   for (const std::string name : {"a \\ b # c", "ends with \\", "\u00E6 \u4E00", "# x", "usemtl"}) {
-    grf::Mesh mesh;
+    grf::MeshDraft mesh;
     mesh.name = name;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.add_face(std::vector<std::uint32_t>{0, 1, 2}, 0);

@@ -21,8 +21,8 @@ TEST(Off, KeepsPolygonsAndSharedVertices) {
   const grf::Mesh mesh = mesh_of(reading);
   EXPECT_EQ(mesh.face_count(), 3U);
   EXPECT_EQ(mesh.face(0).size(), 4U);
-  EXPECT_EQ(mesh.positions.size(), 5U);
-  EXPECT_EQ(mesh.positions[mesh.face(1)[2]], grf::Vec3f(0.5F, 0.5F, 1));
+  EXPECT_EQ(mesh.geometry->positions.size(), 5U);
+  EXPECT_EQ(mesh.geometry->positions[mesh.face(1)[2]], grf::Vec3f(0.5F, 0.5F, 1));
   EXPECT_FALSE(mesh.surface(0).brdf.has_value());
   EXPECT_EQ(reading.diagnostics.warning_count(), 0U) << reading.text();
 }
@@ -44,16 +44,16 @@ TEST(Off, VerticesHaveWhatTheNameAnnounces) {
                                             "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 255 0.5 0\n"
                                             "1 0 0 0 0 1 0 255 0 255 1 0\n0 1 0 0 0 1 0 0 255 255 0 1\n"
                                             "3 0 1 2\n"));
-  ASSERT_EQ(mesh.positions.size(), 3U);
-  EXPECT_EQ(mesh.normals[0], grf::Vec3f(0, 0, 1));
-  EXPECT_EQ(mesh.colours[1], grf::Colour(0, 1, 0)) << "of 255 parts";
-  EXPECT_EQ(mesh.uvs[0], grf::Vec2f(0.5F, 0));
+  ASSERT_EQ(mesh.geometry->positions.size(), 3U);
+  EXPECT_EQ(mesh.geometry->normals[0], grf::Vec3f(0, 0, 1));
+  EXPECT_EQ(mesh.geometry->colours[1], grf::Colour(0, 1, 0)) << "of 255 parts";
+  EXPECT_EQ(mesh.geometry->uvs[0], grf::Vec2f(0.5F, 0));
 }
 
 TEST(Off, HomogeneousVerticesAreDivided) {
   const grf::Mesh mesh = mesh_of(read_bytes("a.off", "4OFF\n3 1 0\n0 0 0 1\n2 0 0 2\n0 4 0 4\n3 0 1 2\n"));
-  EXPECT_EQ(mesh.positions[1], grf::Vec3f(1, 0, 0));
-  EXPECT_EQ(mesh.positions[2], grf::Vec3f(0, 1, 0));
+  EXPECT_EQ(mesh.geometry->positions[1], grf::Vec3f(1, 0, 0));
+  EXPECT_EQ(mesh.geometry->positions[2], grf::Vec3f(0, 1, 0));
   EXPECT_THAT(read_bytes("a.off", "4OFF\n3 1 0\n0 0 0 0\n").text(), HasSubstr(":3:1: error: the vertex is"));
 }
 

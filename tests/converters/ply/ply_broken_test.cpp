@@ -107,9 +107,10 @@ TEST(BrokenPly, TheHeaderMayEndInAnotherLineEndThanItsOtherLines) {
         EXPECT_EQ(reading.text(), "");
         const auto meshes = meshes_of(*reading.scene);
         ASSERT_EQ(meshes.size(), 1U);
-        EXPECT_THAT(meshes[0].positions, testing::ElementsAre(grf::Vec3f(first_value, 0, 0),
-                                                              grf::Vec3f(1, 0, 0), grf::Vec3f(0, 1, 0)));
-        EXPECT_THAT(meshes[0].corners, testing::ElementsAre(0, 1, 2));
+        EXPECT_THAT(
+            meshes[0].geometry->positions,
+            testing::ElementsAre(grf::Vec3f(first_value, 0, 0), grf::Vec3f(1, 0, 0), grf::Vec3f(0, 1, 0)));
+        EXPECT_THAT(meshes[0].geometry->corners, testing::ElementsAre(0, 1, 2));
       }
     }
   }

@@ -41,7 +41,7 @@ TEST_P(PlyModel, IsReadAsTheSecondReaderReadsItOrNotAtAll) {
   const std::vector<grf::Mesh> meshes = meshes_of(*reading.scene);
   ASSERT_EQ(meshes.size(), 1U);
   const grf::Mesh& mesh = meshes.front();
-  EXPECT_EQ(mesh.positions, expected.positions) << "bit for bit, in the order of the file";
+  EXPECT_EQ(mesh.geometry->positions, expected.positions) << "bit for bit, in the order of the file";
   ASSERT_EQ(mesh.face_count(), expected.faces.size());
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const auto face = mesh.face(i);
@@ -65,10 +65,10 @@ TEST(PlyModels, KeepWhatElseTheyHave) {
   EXPECT_THAT(wuson.text(),
               HasSubstr("Wuson.ply:3:1: warning: found 'Created', expected a word of PLY headers"));
   const grf::Mesh mesh = meshes_of(*wuson.scene).front();
-  EXPECT_TRUE(mesh.normals.has(0));
-  EXPECT_TRUE(mesh.uvs.has(0));
+  EXPECT_TRUE(mesh.geometry->normals.has(0));
+  EXPECT_TRUE(mesh.geometry->uvs.has(0));
   const Reading colours = read_path(AssimpModels + "PLY/float-color.ply");
-  EXPECT_TRUE(meshes_of(*colours.scene).front().colours.has(2));
+  EXPECT_TRUE(meshes_of(*colours.scene).front().geometry->colours.has(2));
 }
 
 }  // namespace

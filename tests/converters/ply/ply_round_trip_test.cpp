@@ -64,7 +64,7 @@ std::vector<grf::Surface> any_surfaces(const Attributes& attributes,
 }
 
 grf::Mesh any_mesh(const Attributes& attributes, const std::vector<std::string>& materials) {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   const int vertices = 3 + up_to(9);
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices); ++i) {
     mesh.positions.push_back(any_vector());
@@ -112,17 +112,20 @@ Colour colour_of(const grf::Surface& surface) {
 /// The same faces, and the same values bit for bit. What is absent where others have it may be there as what
 /// it stands for.
 void assert_same(const grf::Mesh& mesh, const grf::Mesh& expected) {
-  RC_ASSERT(mesh.corners == expected.corners);
-  RC_ASSERT(mesh.face_offsets == expected.face_offsets);
-  RC_ASSERT(mesh.positions.size() == expected.positions.size());
-  RC_ASSERT(mesh.normals == expected.normals);
-  RC_ASSERT(mesh.uvs.empty() == expected.uvs.empty());
-  RC_ASSERT(mesh.colours.empty() == expected.colours.empty());
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    RC_ASSERT(same_bits(mesh.positions[i], expected.positions[i]));
-    if (mesh.uvs.has(i)) RC_ASSERT(same_bits(mesh.uvs[i], expected.uvs.has(i) ? expected.uvs[i] : Vec2f(0)));
-    if (mesh.colours.has(i))
-      RC_ASSERT(mesh.colours[i] == (expected.colours.has(i) ? expected.colours[i] : Colour(1)));
+  RC_ASSERT(mesh.geometry->corners == expected.geometry->corners);
+  RC_ASSERT(mesh.geometry->face_offsets == expected.geometry->face_offsets);
+  RC_ASSERT(mesh.geometry->positions.size() == expected.geometry->positions.size());
+  RC_ASSERT(mesh.geometry->normals == expected.geometry->normals);
+  RC_ASSERT(mesh.geometry->uvs.empty() == expected.geometry->uvs.empty());
+  RC_ASSERT(mesh.geometry->colours.empty() == expected.geometry->colours.empty());
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+    RC_ASSERT(same_bits(mesh.geometry->positions[i], expected.geometry->positions[i]));
+    if (mesh.geometry->uvs.has(i))
+      RC_ASSERT(same_bits(mesh.geometry->uvs[i],
+                          expected.geometry->uvs.has(i) ? expected.geometry->uvs[i] : Vec2f(0)));
+    if (mesh.geometry->colours.has(i))
+      RC_ASSERT(mesh.geometry->colours[i] ==
+                (expected.geometry->colours.has(i) ? expected.geometry->colours[i] : Colour(1)));
   }
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     RC_ASSERT(colour_of(mesh.surface(i)) == colour_of(expected.surface(i)));
@@ -174,21 +177,21 @@ std::vector<Column> vertex_columns(const grf::Mesh& mesh) {
   std::vector<Vec3f> normals;
   std::vector<Vec3f> uvs;
   std::vector<Vec3f> colours;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    normals.push_back(mesh.normals.has(i) ? mesh.normals[i] : Vec3f(0));
-    const Vec2f uv = mesh.uvs.has(i) ? mesh.uvs[i] : Vec2f(0);
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+    normals.push_back(mesh.geometry->normals.has(i) ? mesh.geometry->normals[i] : Vec3f(0));
+    const Vec2f uv = mesh.geometry->uvs.has(i) ? mesh.geometry->uvs[i] : Vec2f(0);
     uvs.emplace_back(uv.x, uv.y, 0.0F);
-    colours.push_back(mesh.colours.has(i) ? mesh.colours[i] : Colour(1));
+    colours.push_back(mesh.geometry->colours.has(i) ? mesh.geometry->colours[i] : Colour(1));
   }
   std::vector<Column> columns;
-  add_columns(columns, {"x", "y", "z"}, coin(), mesh.positions);
-  if (!mesh.normals.empty()) add_columns(columns, {"nx", "ny", "nz"}, coin(), normals);
-  if (!mesh.uvs.empty())
+  add_columns(columns, {"x", "y", "z"}, coin(), mesh.geometry->positions);
+  if (!mesh.geometry->normals.empty()) add_columns(columns, {"nx", "ny", "nz"}, coin(), normals);
+  if (!mesh.geometry->uvs.empty())
     add_columns(
         columns,
         coin() ? std::vector<std::string>{"u", "v"} : std::vector<std::string>{"texture_u", "texture_v"},
         coin(), uvs);
-  if (!mesh.colours.empty()) add_columns(columns, {"red", "green", "blue"}, coin(), colours);
+  if (!mesh.geometry->colours.empty()) add_columns(columns, {"red", "green", "blue"}, coin(), colours);
   return coin() ? shuffled(columns) : columns;
 }
 
@@ -210,7 +213,7 @@ std::string any_file_of(const grf::Mesh& mesh, bool has_face_colours) {
   const std::vector<Column> columns = vertex_columns(mesh);
   const std::string count = coin() ? "uchar" : integer();
   const std::string index = coin() ? "int" : integer();
-  file.line(fmt::format("element vertex {}", mesh.positions.size()));
+  file.line(fmt::format("element vertex {}", mesh.geometry->positions.size()));
   for (const Column& column : columns) {
     file.line(fmt::format("property {} {}", column.is_double ? "double" : "float", column.name));
   }
@@ -219,7 +222,7 @@ std::string any_file_of(const grf::Mesh& mesh, bool has_face_colours) {
   if (has_face_colours)
     file.line("property float red").line("property float green").line("property float blue");
   file.line("end_header");
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
     for (const Column& column : columns) {
       if (column.is_double) {
         file.put(static_cast<double>(column.values[i]));
@@ -256,7 +259,7 @@ RC_GTEST_PROP(PlyRoundTrip, AFileOfAnyLayoutIsReadAndComesBack, ()) {
 /// A file that both readings can read.
 std::string plain_file_of(const grf::Mesh& mesh, bool has_colours) {
   PlyBytes file(*rc::gen::element<std::string>("ascii", "binary_little_endian", "binary_big_endian"));
-  file.line(fmt::format("element vertex {}", mesh.positions.size())).line("property float x");
+  file.line(fmt::format("element vertex {}", mesh.geometry->positions.size())).line("property float x");
   file.line("property float y").line("property float z").line("property ushort passed_over");
   const auto colour_lines = [&] {
     file.line("property uchar red").line("property uchar green").line("property uchar blue");
@@ -268,7 +271,7 @@ std::string plain_file_of(const grf::Mesh& mesh, bool has_colours) {
   const auto put_colour = [&] {
     for (int i = 0; has_colours && i < 3; ++i) file.put(static_cast<std::uint8_t>(up_to(255)));
   };
-  for (const Vec3f& p : mesh.positions) {
+  for (const Vec3f& p : mesh.geometry->positions) {
     file.put(p.x).put(p.y).put(p.z).put(static_cast<std::uint16_t>(up_to(65535)));
     put_colour();
     file.end();
@@ -300,8 +303,9 @@ RC_GTEST_PROP(PlyRoundTrip, OpenMeshReadsAsOurOwnReadingDoes, ()) {
   const grf::Scene scene = by_openmesh.take({}, diagnostics);
   const grf::Scene expected = by_ourselves.take({}, diagnostics);
   RC_ASSERT(scene == expected);
-  for (std::size_t i = 0; i < meshes_of(scene).front().positions.size(); ++i) {
-    RC_ASSERT(same_bits(meshes_of(scene).front().positions[i], meshes_of(expected).front().positions[i]));
+  for (std::size_t i = 0; i < meshes_of(scene).front().geometry->positions.size(); ++i) {
+    RC_ASSERT(same_bits(meshes_of(scene).front().geometry->positions[i],
+                        meshes_of(expected).front().geometry->positions[i]));
   }
 }
 
@@ -320,7 +324,7 @@ RC_GTEST_PROP(PlyRoundTrip, AssimpReadsWhatIsWritten, ()) {
   RC_ASSERT(scene->mNumMeshes == 1U);
   const aiMesh& read = *scene->mMeshes[0];
   RC_ASSERT(read.mNumFaces == mesh.face_count());
-  RC_ASSERT(read.mNumVertices == mesh.positions.size());
+  RC_ASSERT(read.mNumVertices == mesh.geometry->positions.size());
   for (unsigned i = 0; i < read.mNumFaces; ++i) {
     const auto face = mesh.face(i);
     RC_ASSERT(std::equal(face.begin(), face.end(), read.mFaces[i].mIndices,

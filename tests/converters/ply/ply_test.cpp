@@ -46,11 +46,12 @@ std::vector<std::uint32_t> face_of(const grf::Mesh& mesh, std::size_t face) {
 TEST(Ply, ReadsASquare) {
   const grf::Mesh mesh = mesh_of(Begin + Vertices + "element face 2\n" + Face + "end_header\n" + Square +
                                  "4 0 1 2 3\n3 2 1 0\n");
-  EXPECT_THAT(mesh.positions, ElementsAre(Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)));
+  EXPECT_THAT(mesh.geometry->positions,
+              ElementsAre(Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)));
   ASSERT_EQ(mesh.face_count(), 2U);
   EXPECT_THAT(face_of(mesh, 0), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(face_of(mesh, 1), ElementsAre(2, 1, 0));
-  EXPECT_TRUE(mesh.normals.empty() && mesh.colours.empty() && mesh.uvs.empty());
+  EXPECT_TRUE(mesh.geometry->normals.empty() && mesh.geometry->colours.empty() && mesh.geometry->uvs.empty());
 }
 
 TEST(Ply, KeepsFacesThatNoHalfEdgeMeshCouldHave) {
@@ -95,11 +96,11 @@ TEST_P(PlyEncodings, ReadAnyOrderAndType) {
   const Reading reading = read_ply_bytes(odd_file(GetParam()));
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   const grf::Mesh mesh = meshes_of(*reading.scene).front();
-  EXPECT_THAT(mesh.positions,
+  EXPECT_THAT(mesh.geometry->positions,
               ElementsAre(Vec3f(0, 0.125F, 0), Vec3f(-1, 0.125F, 0.5F), Vec3f(-2, 0.125F, 1)));
-  EXPECT_EQ(mesh.normals[1], Vec3f(0, 0.25F, 1));
-  EXPECT_EQ(mesh.uvs[2], Vec2f(0.25F, 0.75F));
-  EXPECT_EQ(mesh.colours[2], Colour(0.4F, 0, 1));
+  EXPECT_EQ(mesh.geometry->normals[1], Vec3f(0, 0.25F, 1));
+  EXPECT_EQ(mesh.geometry->uvs[2], Vec2f(0.25F, 0.75F));
+  EXPECT_EQ(mesh.geometry->colours[2], Colour(0.4F, 0, 1));
   EXPECT_THAT(face_of(mesh, 0), ElementsAre(2, 1, 0));
   EXPECT_EQ(std::get<Colour>(*mesh.surface(0).colour), Colour(0.1F, 2.5F, 1));
   EXPECT_THAT(reading.text(),
@@ -141,7 +142,7 @@ TEST_P(PlyEncodings, ReadFacesThatStandBeforeTheirVertices) {
   EXPECT_EQ(reading.text(), "");
   const grf::Mesh mesh = meshes_of(*reading.scene).front();
   EXPECT_THAT(face_of(mesh, 0), ElementsAre(0, 2, 1));
-  EXPECT_EQ(mesh.uvs[2], Vec2f(2, 3));
+  EXPECT_EQ(mesh.geometry->uvs[2], Vec2f(2, 3));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlyEncodings,
@@ -153,10 +154,10 @@ TEST(Ply, GivesFacesTheirOwnTextureCoordinates) {
       Begin + "comment TextureFile wood.png\ncomment TextureFile my stone.png\n" + Vertices +
       "element face 3\n" + Face + "property list uchar float texcoord\nproperty int texnumber\nend_header\n" +
       Square + "3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 6 .5 0 1 1 0 1 1\n3 0 2 3 6 .5 0 1 1 0 1 -1\n");
-  ASSERT_EQ(mesh.positions.size(), 5U) << "vertex 0 has two uvs";
-  EXPECT_EQ(mesh.positions[4], mesh.positions[0]);
-  EXPECT_EQ(mesh.uvs[0], Vec2f(0, 0));
-  EXPECT_EQ(mesh.uvs[4], Vec2f(0.5F, 0));
+  ASSERT_EQ(mesh.geometry->positions.size(), 5U) << "vertex 0 has two uvs";
+  EXPECT_EQ(mesh.geometry->positions[4], mesh.geometry->positions[0]);
+  EXPECT_EQ(mesh.geometry->uvs[0], Vec2f(0, 0));
+  EXPECT_EQ(mesh.geometry->uvs[4], Vec2f(0.5F, 0));
   EXPECT_THAT(face_of(mesh, 0), ElementsAre(0, 1, 2));
   EXPECT_THAT(face_of(mesh, 1), ElementsAre(4, 2, 3));
   EXPECT_THAT(face_of(mesh, 2), ElementsAre(4, 2, 3));
@@ -222,11 +223,11 @@ TEST(Ply, CountsWhatItRoundsOrLeavesOut) {
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   const grf::Mesh mesh = meshes_of(*reading.scene).front();
   EXPECT_EQ(mesh.face_count(), 1U);
-  EXPECT_EQ(mesh.positions.size(), 4U) << "one without a face too";
-  EXPECT_EQ(mesh.positions[0].x, 0.1F);
-  EXPECT_FALSE(mesh.normals.has(0)) << "no number";
-  EXPECT_FALSE(mesh.normals.has(2)) << "no length";
-  EXPECT_EQ(mesh.colours[1], Colour(0, 0, 0));
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U) << "one without a face too";
+  EXPECT_EQ(mesh.geometry->positions[0].x, 0.1F);
+  EXPECT_FALSE(mesh.geometry->normals.has(0)) << "no number";
+  EXPECT_FALSE(mesh.geometry->normals.has(2)) << "no length";
+  EXPECT_EQ(mesh.geometry->colours[1], Colour(0, 0, 0));
   EXPECT_THAT(reading.text(), HasSubstr("note: 2 positions were rounded to the numbers of GRF"));
   EXPECT_THAT(reading.text(), HasSubstr("1 vertex lost its normal: it has no direction"));
   EXPECT_THAT(reading.text(), HasSubstr("1 face was left out: three corners or more were expected"));

@@ -39,7 +39,7 @@ std::vector<Colour> face_colours(const grf::Mesh& mesh) {
 }
 std::vector<Colour> corner_colours(const grf::Mesh& mesh, std::size_t face) {
   std::vector<Colour> colours;
-  for (const std::uint32_t vertex : mesh.face(face)) colours.push_back(mesh.colours[vertex]);
+  for (const std::uint32_t vertex : mesh.face(face)) colours.push_back(mesh.geometry->colours[vertex]);
   return colours;
 }
 
@@ -51,7 +51,8 @@ std::vector<Vec3f> centres_of(const Reading& reading) {
   grf::SceneVisitor visitor;
   visitor.mesh = [&centres](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
     grf::Box3d box;
-    for (const Vec3f& position : mesh.positions) box.extendBy(grf::Vec3d(position) * placement.to_world);
+    for (const Vec3f& position : mesh.geometry->positions)
+      box.extendBy(grf::Vec3d(position) * placement.to_world);
     const grf::Vec3d centre = box.center();
     centres.emplace_back(
         Vec3f(grf::Vec3d(std::round(centre.x * 1e4), std::round(centre.y * 1e4), std::round(centre.z * 1e4)) /
@@ -65,7 +66,7 @@ std::vector<Vec3f> centres_of(const Reading& reading) {
 TEST(Vrml1, ReadsFacesOfTheStateBeforeThem) {
   const grf::Mesh mesh = mesh1("DEF it Separator { " + Points + Faces + "} }");
   EXPECT_EQ(mesh.name, "it");
-  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 4U);
   EXPECT_THAT(mesh.face(1), ElementsAre(0, 2, 3));
   EXPECT_THAT(read_vrml1(Faces + "}").text(), HasSubstr("the index 0 is of no coordinate: there are 0"));
 }
@@ -160,7 +161,7 @@ TEST(Vrml1Solids, HaveTheirSizesAndParts) {
   EXPECT_EQ(mesh1("Cylinder { parts ALL }").face_count(), 34U);
   EXPECT_EQ(mesh1("Cone { parts (SIDES) bottomRadius 2 }").face_count(), 32U);
   EXPECT_EQ(mesh1("Cone { }").face_count(), 33U);
-  EXPECT_NEAR(mesh1("Sphere { radius 3 }").positions[0].y, -3, 1e-6);
+  EXPECT_NEAR(mesh1("Sphere { radius 3 }").geometry->positions[0].y, -3, 1e-6);
   EXPECT_THAT(read_vrml1("Cube { width 0 }").text(), HasSubstr("is 0, expected more than 0"));
 }
 
@@ -223,7 +224,7 @@ TEST(Vrml1Materials, OfCorners) {
   EXPECT_THAT(corner_colours(in_order, 1), ElementsAre(Colour(1), Colour(0), X));
   const grf::Mesh by_coordinate = mesh1(Points + Colours + binding("PER_VERTEX_INDEXED") + Faces + "}");
   EXPECT_THAT(corner_colours(by_coordinate, 1), ElementsAre(X, Z, Colour(1)));
-  EXPECT_EQ(by_coordinate.positions.size(), 4U);
+  EXPECT_EQ(by_coordinate.geometry->positions.size(), 4U);
   const grf::Mesh by_index = mesh1(Points + Colours + binding("PER_VERTEX_INDEXED") + Faces +
                                    "materialIndex [ 1, 1, 1, -1, 0, 3, 2, -1 ] }");
   EXPECT_THAT(corner_colours(by_index, 1), ElementsAre(X, Colour(1), Z));
@@ -252,7 +253,7 @@ TEST(Vrml1Normals, AreBound) {
 TEST(Vrml1Normals, AreMadeByTheCreaseAngleWhereThereAreTooFew) {
   EXPECT_THAT(normals_of(mesh1(Points + "Normal { vector [ 1 0 0 ] }" + Faces + "}"), 0),
               ElementsAre(Z, Z, Z));
-  EXPECT_TRUE(mesh1(Points + "ShapeHints { creaseAngle 0 }" + Faces + "}").normals.empty());
+  EXPECT_TRUE(mesh1(Points + "ShapeHints { creaseAngle 0 }" + Faces + "}").geometry->normals.empty());
   EXPECT_THAT(normals_of(mesh1(Points + "ShapeHints { vertexOrdering CLOCKWISE }" + Faces + "}"), 0),
               ElementsAre(-Z, -Z, -Z));
   EXPECT_THAT(
@@ -267,15 +268,15 @@ TEST(Vrml1Textures, HaveCoordinatesAndATransform) {
                             "TextureCoordinate2 { point [ 0 0, 1 0, 1 1, 0 1 ] }";
   const Reading reading = read_vrml1(begin + Faces + "}");
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
-  EXPECT_EQ(meshes_of(*reading.scene)[0].uvs[2], Vec2f(1, 1));
+  EXPECT_EQ(meshes_of(*reading.scene)[0].geometry->uvs[2], Vec2f(1, 1));
   EXPECT_THAT(reading.text(), HasSubstr("1 texture is repeated"));
   const grf::Mesh indexed = mesh1(begin + Faces + "textureCoordIndex [ 0, 3, 2, -1, 1, 1, 1 ] }");
-  EXPECT_EQ(indexed.uvs[indexed.face(1)[0]], Vec2f(1, 0));
+  EXPECT_EQ(indexed.geometry->uvs[indexed.face(1)[0]], Vec2f(1, 0));
   const grf::Mesh moved =
       mesh1(begin + "Texture2Transform { center 1 0 scaleFactor 2 2 translation 0 5 }" + Faces + "}");
-  EXPECT_EQ(moved.uvs[0], Vec2f(-1, 5)) << "scaled about the center, then moved";
+  EXPECT_EQ(moved.geometry->uvs[0], Vec2f(-1, 5)) << "scaled about the center, then moved";
   const grf::Mesh made = mesh1(Points + "Texture2 { filename \"a.png\" }" + Faces + "}");
-  EXPECT_EQ(made.uvs[2], Vec2f(1, 1));
+  EXPECT_EQ(made.geometry->uvs[2], Vec2f(1, 1));
   const Reading pixels = read_vrml1("Texture2 { image 1 2 1 0xFF 0x00 } Cube {}");
   EXPECT_THAT(pixels.text(), HasSubstr("1 image of a Texture2 was left out"));
 }

@@ -28,12 +28,12 @@ std::string error_of_geometry(std::string_view geometry) {
 
 std::vector<Colour> colours_of(const grf::Mesh& mesh, std::size_t face) {
   std::vector<Colour> colours;
-  for (const std::uint32_t vertex : mesh.face(face)) colours.push_back(mesh.colours[vertex]);
+  for (const std::uint32_t vertex : mesh.face(face)) colours.push_back(mesh.geometry->colours[vertex]);
   return colours;
 }
 std::vector<Vec2f> uvs_of(const grf::Mesh& mesh, std::size_t face) {
   std::vector<Vec2f> uvs;
-  for (const std::uint32_t vertex : mesh.face(face)) uvs.push_back(mesh.uvs[vertex]);
+  for (const std::uint32_t vertex : mesh.face(face)) uvs.push_back(mesh.geometry->uvs[vertex]);
   return uvs;
 }
 Colour face_colour(const grf::Mesh& mesh, std::size_t face) {
@@ -44,11 +44,11 @@ TEST(VrmlFaceSet, SharesVerticesAndKeepsPolygons) {
   const grf::Mesh mesh = mesh_of_geometry(
       "IndexedFaceSet { coord Coordinate { point [ 0 0 0 2 0 0 2 2 0 1 0.5 0 0 2 0 ] } convex FALSE"
       " coordIndex [ 0 1 2 3 4 -1 4 3 2 ] }");
-  EXPECT_EQ(mesh.positions.size(), 5U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 5U);
   ASSERT_EQ(mesh.face_count(), 2U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(mesh.face(1), ElementsAre(4, 3, 2));
-  EXPECT_TRUE(mesh.normals.empty()) << "faces are flat by default";
+  EXPECT_TRUE(mesh.geometry->normals.empty()) << "faces are flat by default";
 }
 
 TEST(VrmlFaceSet, ThatIsClockwiseIsTurned) {
@@ -98,7 +98,7 @@ TEST(VrmlFaceSet, BindsNormals) {
   EXPECT_THAT(normals_of(by_face, 1), ElementsAre(Y, Y, Y));
   const grf::Mesh by_index = mesh_of_geometry(square(normals + "normalPerVertex FALSE normalIndex [ 2 2 ]"));
   EXPECT_THAT(normals_of(by_index, 1), ElementsAre(Z, Z, Z));
-  EXPECT_EQ(by_index.positions.size(), 4U);
+  EXPECT_EQ(by_index.geometry->positions.size(), 4U);
   EXPECT_THAT(normals_of(mesh_of_geometry(square(normals + "ccw FALSE")), 0), ElementsAre(X, Z, Y))
       << "they stay as they are given";
 }
@@ -110,7 +110,7 @@ TEST(VrmlFaceSet, BindsColours) {
   EXPECT_THAT(colours_of(indexed, 1), ElementsAre(X, X, Y));
   const grf::Mesh by_face = mesh_of_geometry(square(colours + "colorPerVertex FALSE"));
   EXPECT_EQ(face_colour(by_face, 1), Y);
-  EXPECT_TRUE(by_face.colours.empty());
+  EXPECT_TRUE(by_face.geometry->colours.empty());
   EXPECT_EQ(face_colour(mesh_of_geometry(square(colours + "colorPerVertex FALSE colorIndex [ 3 2 ]")), 1), Z);
   const Reading clamped = read_vrml97(shape(square("color Color { color [ 2 0 0, 0 -1 0, 0 0 1, 1 1 1 ] }")));
   EXPECT_THAT(clamped.text(), HasSubstr("2 colours of vertices or faces were clamped"));
@@ -128,7 +128,7 @@ TEST(VrmlFaceSet, EmptyListsAreNone) {
   const grf::Mesh mesh = mesh_of_geometry(
       square("normal Normal { vector [ ] } normalIndex [ ] color Color { color [ ] } texCoord "
              "TextureCoordinate { }"));
-  EXPECT_TRUE(mesh.normals.empty() && mesh.colours.empty() && mesh.uvs.empty());
+  EXPECT_TRUE(mesh.geometry->normals.empty() && mesh.geometry->colours.empty() && mesh.geometry->uvs.empty());
 }
 
 TEST(VrmlFaceSet, TooFewValuesAreErrors) {
@@ -158,14 +158,14 @@ std::string bent(double degrees, std::string_view fields) {
 
 TEST(VrmlCreaseAngle, SmoothsAcrossEdgesOfLess) {
   const grf::Mesh smooth = mesh_of_geometry(bent(60, "creaseAngle 1.1"));
-  EXPECT_EQ(smooth.positions.size(), 6U);
+  EXPECT_EQ(smooth.geometry->positions.size(), 6U);
   const auto normals = normals_of(smooth, 0);
   EXPECT_EQ(normals[0], Z);
   EXPECT_LT((normals[1] - Vec3f(-0.5F, 0, std::sqrt(0.75F))).length(), 1e-6);
   EXPECT_EQ(normals_of(smooth, 1)[0], normals[1]);
   const grf::Mesh creased = mesh_of_geometry(bent(60, "creaseAngle 1.0"));
-  EXPECT_TRUE(creased.normals.empty());
-  EXPECT_EQ(creased.positions.size(), 6U);
+  EXPECT_TRUE(creased.geometry->normals.empty());
+  EXPECT_EQ(creased.geometry->positions.size(), 6U);
   EXPECT_LT((normals_of(mesh_of_geometry(bent(60, "creaseAngle 1.1 ccw FALSE")), 0)[3] + normals[1]).length(),
             1e-6);
 }
@@ -184,8 +184,8 @@ TEST(VrmlCreaseAngle, WeighsFacesByTheirAngle) {
 }
 
 TEST(VrmlCreaseAngle, OfHalfATurnSmoothsEverything) {
-  EXPECT_FALSE(mesh_of_geometry(bent(179.9, "creaseAngle 3.1416")).normals.empty());
-  EXPECT_TRUE(mesh_of_geometry(bent(179.9, "creaseAngle 3")).normals.empty());
+  EXPECT_FALSE(mesh_of_geometry(bent(179.9, "creaseAngle 3.1416")).geometry->normals.empty());
+  EXPECT_TRUE(mesh_of_geometry(bent(179.9, "creaseAngle 3")).geometry->normals.empty());
 }
 
 TEST(VrmlCreaseAngle, FacesWithoutAreaGetNoNormals) {
@@ -212,18 +212,18 @@ TEST(VrmlSolids, AreClosedAndLookOutside) {
     EXPECT_LE(volume_of(mesh), solid.volume * 1.000001);
     const Reading reading = read_vrml97(shape(solid.text));
     EXPECT_EQ(grf::summarize(*reading.scene).boundary_edges, 0U) << solid.text;
-    EXPECT_TRUE(mesh.uvs.empty());
+    EXPECT_TRUE(mesh.geometry->uvs.empty());
   }
-  EXPECT_EQ(mesh_of_geometry("Box {}").positions.size(), 8U);
-  EXPECT_EQ(mesh_of_geometry("Sphere {}").positions.size(), 2U + 15 * 32);
+  EXPECT_EQ(mesh_of_geometry("Box {}").geometry->positions.size(), 8U);
+  EXPECT_EQ(mesh_of_geometry("Sphere {}").geometry->positions.size(), 2U + 15 * 32);
   EXPECT_THAT(read_vrml97(shape("Cone {}") + shape("Sphere {}")).text(),
               HasSubstr("2 curved solids became polygons: they have 32 sides around"));
 }
 
 TEST(VrmlSolids, HaveNormalsOfTheirTrueShape) {
   const grf::Mesh sphere = mesh_of_geometry("Sphere { radius 2 }");
-  for (std::size_t i = 0; i < sphere.positions.size(); ++i) {
-    EXPECT_LT((sphere.normals[i] * 2.0F - sphere.positions[i]).length(), 1e-5);
+  for (std::size_t i = 0; i < sphere.geometry->positions.size(); ++i) {
+    EXPECT_LT((sphere.geometry->normals[i] * 2.0F - sphere.geometry->positions[i]).length(), 1e-5);
   }
 }
 
@@ -276,11 +276,11 @@ TEST(VrmlSolids, WrapTexturesFromTheBack) {
   const grf::Mesh sphere = mesh97(shape("Sphere { radius 1 }", texture));
   for (const grf::Mesh& mesh : {cylinder, sphere}) {
     bool has_front = false;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      const bool is_front =
-          (mesh.positions[i] - Z).length() < 1e-6 || (mesh.positions[i] - Z - Y).length() < 1e-6;
-      if (!is_front || mesh.uvs[i].y == 0) continue;  // not of a cap
-      has_front = has_front || std::abs(mesh.uvs[i].x - 0.5F) < 1e-6F;
+    for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+      const bool is_front = (mesh.geometry->positions[i] - Z).length() < 1e-6 ||
+                            (mesh.geometry->positions[i] - Z - Y).length() < 1e-6;
+      if (!is_front || mesh.geometry->uvs[i].y == 0) continue;  // not of a cap
+      has_front = has_front || std::abs(mesh.geometry->uvs[i].x - 0.5F) < 1e-6F;
     }
     EXPECT_TRUE(has_front);
   }
@@ -295,12 +295,12 @@ const std::string Grid =
 TEST(VrmlElevationGrid, LooksUp) {
   const grf::Mesh mesh = mesh_of_geometry(Grid + "}");
   ASSERT_EQ(mesh.face_count(), 2U);
-  EXPECT_EQ(mesh.positions.size(), 6U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 6U);
   EXPECT_THAT(corners_of(mesh, 0),
               ElementsAre(Vec3f(0, 0, 0), Vec3f(0, 0, 3), Vec3f(2, 1, 3), Vec3f(2, 1, 0)));
   EXPECT_THAT(corners_of(mesh_of_geometry(Grid + "ccw FALSE }"), 0),
               ElementsAre(Vec3f(0, 0, 0), Vec3f(2, 1, 0), Vec3f(2, 1, 3), Vec3f(0, 0, 3)));
-  EXPECT_FALSE(mesh_of_geometry(Grid + "creaseAngle 0.1 }").normals.empty()) << "it is plane";
+  EXPECT_FALSE(mesh_of_geometry(Grid + "creaseAngle 0.1 }").geometry->normals.empty()) << "it is plane";
 }
 
 TEST(VrmlElevationGrid, HasWhatBelongsToVerticesAndFaces) {
@@ -332,11 +332,11 @@ TEST(VrmlElevationGrid, MustHaveAHeightForEachVertex) {
 TEST(VrmlExtrusion, IsABoxByDefault) {
   const grf::Mesh mesh = mesh_of_geometry("Extrusion {}");
   EXPECT_EQ(mesh.face_count(), 6U);
-  EXPECT_EQ(mesh.positions.size(), 8U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 8U);
   EXPECT_NEAR(volume_of(mesh), 4, 1e-6);
   EXPECT_NEAR(volume_of(mesh_of_geometry("Extrusion { ccw FALSE }")), -4, 1e-6);
   EXPECT_EQ(mesh_of_geometry("Extrusion { beginCap FALSE endCap FALSE }").face_count(), 4U);
-  EXPECT_FALSE(mesh_of_geometry("Extrusion { creaseAngle 2 }").normals.empty());
+  EXPECT_FALSE(mesh_of_geometry("Extrusion { creaseAngle 2 }").geometry->normals.empty());
 }
 
 TEST(VrmlExtrusion, FollowsItsSpine) {
@@ -351,7 +351,7 @@ TEST(VrmlExtrusion, FollowsItsSpine) {
       mesh_of_geometry("Extrusion { spine [ 0 0 0 0 9 0 9 9 0 ] crossSection [ 1 1 1 -1 -1 -1 -1 1 1 1 ] }");
   EXPECT_EQ(bend.face_count(), 10U);
   const auto on_line = [](const Vec3f& p) { return std::abs(p.x + p.y - 9) < 1e-5; };
-  EXPECT_EQ(std::count_if(bend.positions.begin(), bend.positions.end(), on_line), 4);
+  EXPECT_EQ(std::count_if(bend.geometry->positions.begin(), bend.geometry->positions.end(), on_line), 4);
   EXPECT_GT(volume_of(bend), 0);
 }
 
@@ -373,11 +373,12 @@ TEST(VrmlExtrusion, AlongASpineLikeAnSDoesNotTurnOver) {
       const auto is_there = [&](const Vec3f& p) {
         return (grf::Vec3d(p) - grf::Vec3d(outline[i].x, outline[i].y, z)).length() < 1e-6;
       };
-      EXPECT_EQ(std::count_if(mesh.positions.begin(), mesh.positions.end(), is_there), 1) << i << ' ' << z;
+      EXPECT_EQ(std::count_if(mesh.geometry->positions.begin(), mesh.geometry->positions.end(), is_there), 1)
+          << i << ' ' << z;
     }
   }
   EXPECT_NEAR(volume_of(mesh), 2 * area, 1e-5);
-  EXPECT_EQ(mesh.positions.size(), 16U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 16U);
   EXPECT_EQ(mesh.face_count(), 14U);
 }
 
@@ -391,7 +392,7 @@ TEST(VrmlExtrusion, ThatIsClosedIsARing) {
   const Reading reading = read_vrml97(shape(text));
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   const grf::Mesh mesh = meshes_of(*reading.scene)[0];
-  EXPECT_EQ(mesh.positions.size(), 32U * 4);
+  EXPECT_EQ(mesh.geometry->positions.size(), 32U * 4);
   EXPECT_EQ(grf::summarize(*reading.scene).boundary_edges, 0U);
   EXPECT_NEAR(volume_of(mesh), 2 * std::numbers::pi * 5 * 4, 3);
 }

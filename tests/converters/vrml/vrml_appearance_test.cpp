@@ -82,7 +82,7 @@ TEST(VrmlMaterial, IsWhiteBehindColoursAndImages) {
             "lewis n=6.4 ks=0.1 kd=0.9");
   const Reading both = read_vrml97(shape(square(colours), red + "texture ImageTexture { url \"a.png\" }"));
   EXPECT_THAT(both.text(), HasSubstr("2 faces lost their colours: its texture takes their place"));
-  EXPECT_TRUE(meshes_of(*both.scene)[0].colours.empty());
+  EXPECT_TRUE(meshes_of(*both.scene)[0].geometry->colours.empty());
 }
 
 TEST(VrmlTexture, IsTheFirstThatIsThere) {
@@ -119,10 +119,10 @@ TEST(VrmlTexture, WithoutCoordinatesLiesOnTheLongestSides) {
   const std::string texture = "texture ImageTexture { url \"a.png\" }";
   const grf::Mesh mesh = mesh97(shape(
       "IndexedFaceSet { coord Coordinate { point [ 1 0 1 1 0 5 1 2 5 ] } coordIndex [ 0 1 2 ] }", texture));
-  EXPECT_EQ(mesh.uvs[0], grf::Vec2f(0, 0));
-  EXPECT_EQ(mesh.uvs[1], grf::Vec2f(1, 0));
-  EXPECT_EQ(mesh.uvs[2], grf::Vec2f(1, 0.5F));
-  EXPECT_TRUE(mesh97(shape(square())).uvs.empty());
+  EXPECT_EQ(mesh.geometry->uvs[0], grf::Vec2f(0, 0));
+  EXPECT_EQ(mesh.geometry->uvs[1], grf::Vec2f(1, 0));
+  EXPECT_EQ(mesh.geometry->uvs[2], grf::Vec2f(1, 0.5F));
+  EXPECT_TRUE(mesh97(shape(square())).geometry->uvs.empty());
 }
 
 TEST(VrmlTexture, IsMovedByItsTransform) {
@@ -131,7 +131,7 @@ TEST(VrmlTexture, IsMovedByItsTransform) {
         mesh97(shape(square("texCoord TextureCoordinate { point [ 1 0 0 0 0 0 0 0 ] }"),
                      "texture ImageTexture { url \"a.png\" } textureTransform TextureTransform { " +
                          std::string(transform) + "}"));
-    return mesh.uvs[0];
+    return mesh.geometry->uvs[0];
   };
   const auto near = [](const grf::Vec2f& a, float x, float y) {
     return (a - grf::Vec2f(x, y)).length() < 1e-6F;

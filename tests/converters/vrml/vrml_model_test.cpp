@@ -81,7 +81,7 @@ void expect_counts(const std::string& name, std::size_t mesh_count) {
   for (std::size_t i = 0; i < mesh_count; ++i) {
     const Counts expected = counts_of_mesh(points[i], indices[i]);
     std::set<std::tuple<float, float, float>> positions;
-    for (const grf::Vec3f& p : meshes[i].positions) positions.emplace(p.x, p.y, p.z);
+    for (const grf::Vec3f& p : meshes[i].geometry->positions) positions.emplace(p.x, p.y, p.z);
     EXPECT_EQ(meshes[i].face_count(), expected.faces);
     EXPECT_EQ(positions, expected.positions);
     EXPECT_NEAR(area_of(meshes[i]), expected.area, 1e-5 * expected.area);
@@ -105,7 +105,7 @@ TEST(VrmlModels, TheModelOf3dsMaxIsRead) {
               HasSubstr("PositionInterpolator nodes were passed over: GRF scenes stand still"));
   EXPECT_THAT(reading.text(), HasSubstr("ROUTEs were passed over"));
   for (const grf::Mesh& mesh : meshes_of(*reading.scene)) {
-    EXPECT_FALSE(mesh.normals.empty());
+    EXPECT_FALSE(mesh.geometry->normals.empty());
     EXPECT_FALSE(material_of(mesh, 0).empty());
     EXPECT_THAT(mesh.name, HasSubstr("-FACES"));
   }

@@ -77,10 +77,10 @@ void expect_same(const Written& written, const Reading& reading) {
     const auto face = mesh.face(i);
     RC_ASSERT(face.size() == written.faces[i].size());
     for (std::size_t k = 0; k < face.size(); ++k) {
-      RC_ASSERT(mesh.positions[face[k]] == written.points[written.faces[i][k]]);
-      RC_ASSERT(mesh.normals[face[k]] == written.normals[written.normal_indices[i][k]]);
-      RC_ASSERT(mesh.uvs[face[k]] == written.uvs[written.uv_indices[i][k]]);
-      RC_ASSERT(mesh.colours[face[k]] == written.colours[written.colour_indices[i][k]]);
+      RC_ASSERT(mesh.geometry->positions[face[k]] == written.points[written.faces[i][k]]);
+      RC_ASSERT(mesh.geometry->normals[face[k]] == written.normals[written.normal_indices[i][k]]);
+      RC_ASSERT(mesh.geometry->uvs[face[k]] == written.uvs[written.uv_indices[i][k]]);
+      RC_ASSERT(mesh.geometry->colours[face[k]] == written.colours[written.colour_indices[i][k]]);
     }
   }
 }

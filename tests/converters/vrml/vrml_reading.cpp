@@ -31,14 +31,14 @@ std::string square(std::string_view fields) {
 
 std::vector<grf::Vec3f> corners_of(const grf::Mesh& mesh, std::size_t face) {
   std::vector<grf::Vec3f> corners;
-  for (const std::uint32_t vertex : mesh.face(face)) corners.push_back(mesh.positions[vertex]);
+  for (const std::uint32_t vertex : mesh.face(face)) corners.push_back(mesh.geometry->positions[vertex]);
   return corners;
 }
 
 std::vector<grf::Vec3f> normals_of(const grf::Mesh& mesh, std::size_t face) {
   std::vector<grf::Vec3f> normals;
   for (const std::uint32_t vertex : mesh.face(face)) {
-    normals.push_back(mesh.normals.has(vertex) ? mesh.normals[vertex] : grf::Vec3f(0));
+    normals.push_back(mesh.geometry->normals.has(vertex) ? mesh.geometry->normals[vertex] : grf::Vec3f(0));
   }
   return normals;
 }
@@ -46,7 +46,7 @@ std::vector<grf::Vec3f> normals_of(const grf::Mesh& mesh, std::size_t face) {
 double area_of(const grf::Mesh& mesh) {
   double area = 0;
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    area += grf::doubled_area_vector(mesh, i, grf::Matrix44d()).length() / 2;
+    area += grf::doubled_area_vector(*mesh.geometry, i, grf::Matrix44d()).length() / 2;
   }
   return area;
 }

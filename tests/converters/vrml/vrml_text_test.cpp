@@ -106,7 +106,7 @@ TEST(VrmlText, SeparatesWordsByCommasAndCommentsToo) {
       "coordIndex[0,1,2]}}");
   EXPECT_THAT(corners_of(mesh, 0),
               ElementsAre(grf::Vec3f(0, 0, 0), grf::Vec3f(1, 0, 0), grf::Vec3f(0, 0, 1)));
-  EXPECT_FALSE(std::signbit(mesh.positions[0].z));
+  EXPECT_FALSE(std::signbit(mesh.geometry->positions[0].z));
 }
 
 TEST(VrmlText, TakesNamesAsExportersWriteThem) {
@@ -144,7 +144,7 @@ TEST(VrmlText, UseMeansTheLastNodeOfTheName) {
       "} ] }"
       "Shape { geometry IndexedFaceSet { coord USE a coordIndex [ 0 1 2 ] } } Group { children DEF a Group "
       "{} }");
-  EXPECT_EQ(mesh.positions.size(), 3U);
+  EXPECT_EQ(mesh.geometry->positions.size(), 3U);
   EXPECT_THAT(error_of(read_vrml97("USE a\nDEF a Group {}")),
               HasSubstr("model.wrl:2:5: error: 'a' is used, but not defined before"));
   EXPECT_THAT(error_of(read_vrml97("DEF a Group { children USE a }")),

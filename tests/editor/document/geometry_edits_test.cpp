@@ -55,7 +55,7 @@ class GeometryEdits : public testing::Test {
   }
   const grf::Mesh& corner() const { return *document_.objects().meshes[1].mesh; }
   const grf::Vec3f& position(std::size_t face, std::size_t corner_number) const {
-    return corner().positions[corner().face(face)[corner_number]];
+    return corner().geometry->positions[corner().face(face)[corner_number]];
   }
 
   Document document_;
@@ -68,7 +68,7 @@ TEST_F(GeometryEdits, FlipSomeFacesAndLeaveTheOthers) {
   EXPECT_EQ(position(0, 1), grf::Vec3f(1, 0, 0));
   EXPECT_EQ(position(1, 0), grf::Vec3f(1, 0, 0));
   EXPECT_EQ(position(1, 1), grf::Vec3f(1, 0, 1));
-  EXPECT_EQ(corner().positions.size(), 6U);
+  EXPECT_EQ(corner().geometry->positions.size(), 6U);
   EXPECT_TRUE(document_.selection().has({1, 1}));
   EXPECT_EQ(document_.selection().count(), 1U);
   EXPECT_EQ(std::get<grf::BrdfModel>(*corner().surface(1).brdf).keyword, "diffuse");
@@ -78,20 +78,20 @@ TEST_F(GeometryEdits, SmoothNormalsAreOfTheFacesThatAreMeant) {
   select({{1, 0}});
   take(with_smooth_normals(selected(), 0.1, diagnostics_));
   for (const std::uint32_t vertex : corner().face(0))
-    EXPECT_EQ(corner().normals[vertex], grf::Vec3f(0, 0, 1));
-  for (const std::uint32_t vertex : corner().face(1)) EXPECT_FALSE(corner().normals.has(vertex));
+    EXPECT_EQ(corner().geometry->normals[vertex], grf::Vec3f(0, 0, 1));
+  for (const std::uint32_t vertex : corner().face(1)) EXPECT_FALSE(corner().geometry->normals.has(vertex));
   take(flipped(selected(), diagnostics_));
-  EXPECT_EQ(corner().normals[corner().face(0)[0]], grf::Vec3f(0, 0, -1));
+  EXPECT_EQ(corner().geometry->normals[corner().face(0)[0]], grf::Vec3f(0, 0, -1));
   take(with_flat_faces(selected(), diagnostics_));
-  EXPECT_TRUE(corner().normals.empty());
-  EXPECT_EQ(corner().positions.size(), 6U);
+  EXPECT_TRUE(corner().geometry->normals.empty());
+  EXPECT_EQ(corner().geometry->positions.size(), 6U);
 }
 
 TEST_F(GeometryEdits, SmoothNormalsGoOverSmallAngles) {
   select({{1, 0}, {1, 1}});
   take(with_smooth_normals(selected(), std::numbers::pi, diagnostics_));
-  EXPECT_EQ(corner().positions.size(), 6U);
-  EXPECT_GT(corner().normals[corner().face(0)[0]].y, 0.5F);
+  EXPECT_EQ(corner().geometry->positions.size(), 6U);
+  EXPECT_GT(corner().geometry->normals[corner().face(0)[0]].y, 0.5F);
   EXPECT_TRUE(common_vertices(document_.objects(), document_.selection()).have_normals);
 }
 
@@ -99,7 +99,7 @@ TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
   select({{1, 0}});
   take(with_vertex_colours(selected(), grf::Colour(1, 0, 0), diagnostics_));
   take(with_irradiance(selected(), grf::Colour(3), diagnostics_));
-  EXPECT_EQ(corner().positions.size(), 8U);  // the edge is split
+  EXPECT_EQ(corner().geometry->positions.size(), 8U);  // the edge is split
   CommonVertices common = common_vertices(document_.objects(), document_.selection());
   EXPECT_EQ(common.colour, grf::Colour(1, 0, 0));
   EXPECT_EQ(common.irradiance, grf::Colour(3));
@@ -109,7 +109,7 @@ TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
   EXPECT_TRUE(common.are_irradiances_mixed);
   take(with_vertex_colours(selected(), std::nullopt, diagnostics_));
   take(with_irradiance(selected(), std::nullopt, diagnostics_));
-  EXPECT_TRUE(corner().colours.empty());
+  EXPECT_TRUE(corner().geometry->colours.empty());
   common = common_vertices(document_.objects(), document_.selection());
   EXPECT_FALSE(common.colour || common.are_colours_mixed || common.irradiance);
 }
@@ -120,7 +120,7 @@ TEST_F(GeometryEdits, DeleteFacesAndMeshesWithoutAny) {
   ASSERT_EQ(document_.objects().meshes.size(), 1U);
   EXPECT_EQ(document_.objects().instances.size(), 1U);
   EXPECT_EQ(document_.objects().faces, 1U);
-  EXPECT_EQ(document_.objects().meshes[0].mesh->positions.size(), 4U);
+  EXPECT_EQ(document_.objects().meshes[0].mesh->geometry->positions.size(), 4U);
   EXPECT_TRUE(document_.selection().empty());
   document_.undo_stack().undo();
   EXPECT_EQ(document_.scene(), scene_of(SceneOfSquares));

@@ -215,16 +215,17 @@ TEST_F(SurfacePanels, GiveColoursAndWhatVerticesHave) {
   EXPECT_EQ(std::get<grf::Colour>(*sides().surface(0).colour), grf::Colour(0.5F));
   type(find<NumberBox>("Irradiance, red"), "3");
   type(find<NumberBox>("Vertex colour, red"), "0.25");
-  EXPECT_EQ(sides().colours[sides().face(0)[0]], grf::Colour(0.25F));
-  EXPECT_EQ(std::get<grf::Colour>(sides().irradiance[sides().face(0)[0]]), grf::Colour(3));
+  EXPECT_EQ(sides().geometry->colours[sides().face(0)[0]], grf::Colour(0.25F));
+  EXPECT_EQ(std::get<grf::Colour>((*sides().irradiance)[sides().face(0)[0]]), grf::Colour(3));
   click("Smooth normals");
-  EXPECT_TRUE(sides().normals.has(sides().face(0)[0]));
+  EXPECT_TRUE(sides().geometry->normals.has(sides().face(0)[0]));
   click("Flip the faces");
-  EXPECT_EQ(sides().normals[sides().face(0)[0]], grf::Vec3f(0, 0, -1));
+  EXPECT_EQ(sides().geometry->normals[sides().face(0)[0]], grf::Vec3f(0, 0, -1));
   click("Flat faces");
   click("Clear the irradiance");
   click("Clear the vertex colours");
-  EXPECT_TRUE(sides().normals.empty() && sides().colours.empty() && sides().irradiance.empty());
+  EXPECT_TRUE(sides().geometry->normals.empty() && sides().geometry->colours.empty() &&
+              sides().irradiance->empty());
   while (document_.undo_stack().canUndo()) document_.undo_stack().undo();
   EXPECT_EQ(document_.scene(), scene_of(PanelScene));
 }

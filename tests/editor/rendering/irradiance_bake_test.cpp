@@ -47,7 +47,7 @@ class IrradianceBakeTest : public testing::Test {
     return QTest::qWaitFor([this] { return !bake_.is_running(); }, test::Minute);
   }
   float irradiance(std::size_t vertex) {
-    return std::get<grf::Colour>(test::first_mesh(*scene_)->irradiance[vertex]).x;
+    return std::get<grf::Colour>((*test::first_mesh(*scene_)->irradiance)[vertex]).x;
   }
 
   test::TemporaryFolder folder_;
@@ -84,7 +84,9 @@ TEST_F(IrradianceBakeTest, NamesFilesAsTheSceneDoes) {
   grf::Scene scene = corner_;
   grf::Mesh& mesh = test::first_mesh(scene).edit();
   mesh.surfaces[0].texture = grf::Texture{"maps/paper.pfm", {}};
-  mesh.uvs.set(0, grf::Vec2f(0.5F));
+  grf::Geometry geometry = *mesh.geometry;
+  geometry.uvs.set(0, grf::Vec2f(0.5F));
+  mesh.geometry = std::move(geometry);
   mesh.surfaces.push_back(mesh.surfaces[0]);
   mesh.surfaces[1].texture = grf::Texture{absolute, {}};
   mesh.surface_of_face[1] = 1;
@@ -111,7 +113,7 @@ TEST_F(IrradianceBakeTest, HeedsTheOptions) {
   ASSERT_TRUE(ends());
   EXPECT_LE(*result_.summary.estimated_error, 0.01F);
   EXPECT_GT(result_.summary.samples, 2 * rough);
-  const grf::Irradiance& directions = test::first_mesh(*scene_)->irradiance[0];
+  const grf::Irradiance& directions = (*test::first_mesh(*scene_)->irradiance)[0];
   EXPECT_EQ(std::get<std::vector<grf::DirectionalIrradiance>>(directions).size(), 3U);
 }
 

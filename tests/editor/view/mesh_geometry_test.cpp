@@ -58,7 +58,7 @@ TEST(MeshGeometry, RaysMeetTheNearestTriangle) {
 }
 
 TEST(MeshGeometry, KnowsFacesOfTrianglesAndEdgesOfPolygons) {
-  grf::Mesh mesh;
+  grf::MeshDraft mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
   mesh.add_face(std::array{0U, 1U, 2U, 3U}, 0);
   mesh.add_face(std::array{1U, 4U, 2U}, 0);
@@ -73,7 +73,7 @@ TEST(MeshGeometry, KnowsFacesOfTrianglesAndEdgesOfPolygons) {
 
 TEST(MeshGeometry, IsTheSameForOtherSurfacesAlone) {
   const grf::Mesh mesh = grf::height_field(4);
-  grf::Mesh other = mesh;
+  grf::MeshDraft other(mesh);
   other.surfaces.front().colour = grf::Colour(0.5F);
   other.name = "another";
   EXPECT_TRUE(has_same_geometry(mesh, other));

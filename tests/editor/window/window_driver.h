@@ -47,7 +47,7 @@ inline QPoint place_of(const editor::SceneView& view, editor::FaceId face) {
   grf::Vec3d centre(0);
   const auto corners = mesh.face(face.face);
   for (const auto corner : corners)
-    centre += grf::Vec3d(mesh.positions[corner]) / static_cast<double>(corners.size());
+    centre += grf::Vec3d(mesh.geometry->positions[corner]) / static_cast<double>(corners.size());
   for (const editor::MeshInstance& instance : objects.instances) {
     if (instance.mesh != face.mesh) continue;
     const auto place =

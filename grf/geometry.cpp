@@ -1,0 +1,108 @@
+#include "grf/geometry.h"
+
+#include <mutex>
+#include <optional>
+
+#include "grf/topology.h"
+#include "grf/triangulation.h"
+
+namespace grf {
+
+/// A geometry and what was found of it.
+struct GeometryFacts : Geometry {
+  explicit GeometryFacts(Geometry geometry) : Geometry(std::move(geometry)) {}
+
+  mutable std::once_flag has_bounds, has_triangulation, has_topology, has_area;
+  mutable Box3f bounds;
+  mutable std::optional<Triangulation> triangulation;
+  mutable Topology topology;
+  mutable double area = 0;
+};
+
+void Geometry::add_face(std::span<const std::uint32_t> face_corners) {
+  corners.insert(corners.end(), face_corners.begin(), face_corners.end());
+  face_offsets.push_back(static_cast<std::uint32_t>(corners.size()));
+}
+
+void Geometry::free_spare_memory() {
+  const auto free = [](auto& values) {
+    if (has_spare_memory(values)) values.shrink_to_fit();
+  };
+  free(positions);
+  free(corners);
+  free(face_offsets);
+  normals.free_spare_memory();
+  colours.free_spare_memory();
+  uvs.free_spare_memory();
+}
+
+Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world) {
+  const auto corners = geometry.face(face);
+  const Vec3d origin = Vec3d(geometry.positions[corners[0]]) * to_world;
+  Vec3d sum(0);
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    const Vec3d a = Vec3d(geometry.positions[corners[k]]) * to_world - origin;
+    const Vec3d b = Vec3d(geometry.positions[corners[k + 1]]) * to_world - origin;
+    sum += a.cross(b);
+  }
+  return sum;
+}
+
+Triangulation::Triangulation(const Geometry& geometry) : geometry_(&geometry) {
+  bool has_polygons = false;
+  for (std::size_t i = 0; i < geometry.face_count() && !has_polygons; ++i) {
+    has_polygons = geometry.face(i).size() != 3;
+  }
+  if (!has_polygons) return;
+  triangles_.reserve(geometry.triangle_count());
+  std::vector<Vec3f> positions;
+  for (std::size_t i = 0; i < geometry.face_count(); ++i) {
+    const auto face = geometry.face(i);
+    positions.clear();
+    for (const std::uint32_t corner : face) positions.push_back(geometry.positions[corner]);
+    const std::size_t first = triangles_.size();
+    triangulate(positions, triangles_);
+    for (std::size_t k = first; k < triangles_.size(); ++k) {
+      for (std::uint32_t& corner : triangles_[k]) corner = face[corner];
+    }
+  }
+}
+
+SharedGeometry::SharedGeometry() : SharedGeometry(Geometry()) {}
+
+SharedGeometry::SharedGeometry(Geometry geometry)
+    : geometry_(std::make_shared<const GeometryFacts>(std::move(geometry))) {}
+
+const GeometryFacts& SharedGeometry::facts() const { return static_cast<const GeometryFacts&>(*geometry_); }
+
+const Box3f& SharedGeometry::bounds() const {
+  const GeometryFacts& known = facts();
+  std::call_once(known.has_bounds, [&known] {
+    for (const Vec3f& position : known.positions) known.bounds.extendBy(position);
+  });
+  return known.bounds;
+}
+
+const Triangulation& SharedGeometry::triangulation() const {
+  const GeometryFacts& known = facts();
+  std::call_once(known.has_triangulation, [&known] { known.triangulation.emplace(known); });
+  return *known.triangulation;
+}
+
+const Topology& SharedGeometry::topology() const {
+  const GeometryFacts& known = facts();
+  std::call_once(known.has_topology, [&known] { known.topology = topology_of(known); });
+  return known.topology;
+}
+
+double SharedGeometry::area() const {
+  const GeometryFacts& known = facts();
+  std::call_once(known.has_area, [&known] {
+    for (std::size_t i = 0; i < known.face_count(); ++i) {
+      known.area += doubled_area_vector(known, i, Matrix44d()).length() / 2;
+    }
+  });
+  return known.area;
+}
+
+}  // namespace grf

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "grf/math.h"
+
+namespace grf {
+
+struct Topology;
+struct GeometryFacts;
+
+/// Whether an array has so much in reserve that it is worth a copy to give it back.
+template <class T>
+bool has_spare_memory(const std::vector<T>& values) {
+  return values.capacity() - values.size() > values.size() / 16;
+}
+
+/// Values that some vertices of a mesh have: both arrays are empty while none has one, and else as long as
+/// the mesh has vertices.
+template <class T>
+class OptionalVertexValues {
+ public:
+  bool empty() const { return values_.empty(); }
+  bool has(std::size_t vertex) const { return vertex < present_.size() && present_[vertex]; }
+  /// The value of a vertex that has one.
+  const T& operator[](std::size_t vertex) const { return values_[vertex]; }
+
+  void set(std::size_t vertex, T value) {
+    if (vertex >= values_.size()) resize(vertex + 1);
+    values_[vertex] = std::move(value);
+    present_[vertex] = true;
+  }
+  void reserve(std::size_t vertices) {
+    values_.reserve(vertices);
+    present_.reserve(vertices);
+  }
+  void free_spare_memory() {
+    if (has_spare_memory(values_)) values_.shrink_to_fit();
+    present_.shrink_to_fit();
+  }
+
+  friend bool operator==(const OptionalVertexValues& a, const OptionalVertexValues& b) {
+    const std::size_t size = std::max(a.present_.size(), b.present_.size());
+    for (std::size_t i = 0; i < size; ++i) {
+      if (a.has(i) != b.has(i) || (a.has(i) && a[i] != b[i])) return false;
+    }
+    return true;
+  }
+
+ private:
+  void resize(std::size_t size) {
+    values_.resize(size);
+    present_.resize(size);
+  }
+
+  std::vector<T> values_;
+  std::vector<bool> present_;
+};
+
+/// The geometry of a mesh: polygons with shared vertices. A face's index is its place in the file. Faces
+/// without corners do not exist, and corners always index a vertex.
+struct Geometry {
+  std::vector<Vec3f> positions;
+  OptionalVertexValues<Vec3f> normals;  ///< as written, not necessarily of unit length
+  OptionalVertexValues<Colour> colours;
+  OptionalVertexValues<Vec2f> uvs;  ///< where a texture is looked up; (0,0) is the image's lower left corner
+
+  std::vector<std::uint32_t> corners;             ///< vertex indices of all faces, one after the other
+  std::vector<std::uint32_t> face_offsets = {0};  ///< where each face's corners begin, and one end
+
+  std::size_t face_count() const { return face_offsets.size() - 1; }
+  std::span<const std::uint32_t> face(std::size_t index) const {
+    return std::span(corners).subspan(face_offsets[index], face_offsets[index + 1] - face_offsets[index]);
+  }
+  /// Triangles that cover all faces.
+  std::size_t triangle_count() const { return corners.size() - 2 * face_count(); }
+
+  /// Three corners or more, each the index of a vertex, counter-clockwise seen from the front.
+  void add_face(std::span<const std::uint32_t> face_corners);
+
+  /// Gives back what the arrays have in reserve.
+  void free_spare_memory();
+
+  bool operator==(const Geometry&) const = default;
+};
+
+/// Twice the area of a face under a transform, as a vector along its normal (Newell's method), for any
+/// polygon.
+Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world);
+
+/// Triangles that cover the faces of a geometry, face by face.
+class Triangulation {
+ public:
+  /// The geometry must stay where it is.
+  explicit Triangulation(const Geometry& geometry);
+
+  std::size_t size() const { return geometry_->triangle_count(); }
+  /// Indices of vertices, counter-clockwise seen from the front.
+  std::array<std::uint32_t, 3> operator[](std::size_t triangle) const {
+    if (!triangles_.empty()) return triangles_[triangle];
+    const std::uint32_t* corner = geometry_->corners.data() + 3 * triangle;
+    return {corner[0], corner[1], corner[2]};
+  }
+  /// A face's triangles end where those of the next begin.
+  std::size_t first_of(std::size_t face) const { return geometry_->face_offsets[face] - 2 * face; }
+
+ private:
+  const Geometry* geometry_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;  ///< empty if all faces are triangles themselves
+};
+
+/// A geometry that no longer changes, shared by its copies. What follows from it is found when it is first
+/// asked for, and kept; threads may ask at once.
+class SharedGeometry {
+ public:
+  SharedGeometry();                   ///< without faces
+  SharedGeometry(Geometry geometry);  // NOLINT: a value is one of its kind
+
+  const Geometry& operator*() const { return *geometry_; }
+  const Geometry* operator->() const { return geometry_.get(); }
+
+  const Box3f& bounds() const;  ///< of all vertices
+  const Triangulation& triangulation() const;
+  const Topology& topology() const;
+  double area() const;  ///< of all faces, untransformed
+
+  /// Whether this is a copy of the other: the same without a comparison.
+  bool shares(const SharedGeometry& other) const { return geometry_ == other.geometry_; }
+  friend bool operator==(const SharedGeometry& a, const SharedGeometry& b) { return a.shares(b) || *a == *b; }
+
+ private:
+  const GeometryFacts& facts() const;
+
+  std::shared_ptr<const Geometry> geometry_;  ///< of what is a GeometryFacts
+};
+
+}  // namespace grf
