@@ -1,4 +1,5 @@
 // `bpt brdf sample`, and `bpt brdf plot --pdf`.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -209,6 +210,33 @@ TEST_F(BptBrdfPlotOfSampling, TellsAPerfectScheme) {
   const auto svg = picture({"diffuse kd=0.8", "--pdf", "diffuse", "--u", "1"});
   EXPECT_TRUE(says(svg, "albedo 0.8   \u00B7   weights: variance 0, largest 1, mean 1.000") ||
               says(svg, "largest 1, mean 1.000"));
+}
+
+// All weights are 1: the steps of the histogram have one, about the line at 1.
+TEST_F(BptBrdfPlotOfSampling, HasAHistogramOfWeights) {
+  const auto svg = picture({"diffuse kd=0.8", "--pdf", "diffuse", "--u", "1"});
+  int histograms = 0;
+  const auto lines = test::lines(svg);
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    if (lines[i].size() != 2 || lines[i][0].x != lines[i][1].x || lines[i + 1].size() < 4) continue;
+    ++histograms;
+    const auto& steps = lines[i + 1];
+    const auto is_higher = [](const plot::Point& a, const plot::Point& b) { return a.y < b.y; };
+    const double top = std::min_element(steps.begin(), steps.end(), is_higher)->y;
+    const double bottom = std::max_element(steps.begin(), steps.end(), is_higher)->y;
+    std::vector<double> at_top;
+    for (const plot::Point& point : steps) {
+      if (point.y == top) {
+        at_top.push_back(point.x);
+      } else {
+        EXPECT_EQ(point.y, bottom);
+      }
+    }
+    ASSERT_EQ(at_top.size(), 2U);
+    EXPECT_LT(top, bottom);
+    EXPECT_NEAR((at_top[0] + at_top[1]) / 2, lines[i][0].x, 0.02);
+  }
+  EXPECT_EQ(histograms, 1);
 }
 
 TEST_F(BptBrdfPlotOfSampling, HasPlaceForBrdfsOfOneDirectionAndOfNone) {

@@ -137,6 +137,11 @@ TEST(Scope, KnowsWhatCanBeSeen) {
   EXPECT_THAT(stack.scope().names(), ElementsAre());
 }
 
+TEST(Scope, OfNothingIsEmpty) {
+  EXPECT_TRUE(Scope().names().empty());
+  EXPECT_EQ(Scope().find("a"), nullptr);
+}
+
 TEST(Scope, OfADefinitionIsWhatStandsBeforeIt) {
   const Definition outer{"a", Colour(1, 0, 0), {}, {}};
   const Definition mesh{"m", Shared<Mesh>(), {}, {}};

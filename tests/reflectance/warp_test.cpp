@@ -32,6 +32,57 @@ TEST(Warp, NinetyTreesTakeNoMoreMemoryThanTheThesisOwn) {
   }
 }
 
+/// The relative variance of f cos / density at the view, by independent samples.
+double relative_variance(const Brdf& brdf, const WarpTrees& trees, const Vec3f& u) {
+  constexpr int Samples = 20000;
+  test::Pairs random(9);
+  double sum = 0;
+  double squares = 0;
+  for (int i = 0; i < Samples; ++i) {
+    const auto drawn = trees.sample(u, random.next_pair());
+    if (!drawn) continue;
+    const double weight =
+        double(reflectance::mean(evaluate(brdf, u, drawn->direction))) * drawn->direction.z / drawn->density;
+    sum += weight;
+    squares += weight * weight;
+  }
+  return squares * Samples / (sum * sum) - 1;
+}
+
+// Nine azimuths are of a quarter turn's eight gaps. In the midst of a gap the blend of its trees fits the
+// least.
+TEST(Warp, HasMoreAzimuthsWhereTheBlendOfTwoFitsBadlyBetweenThem) {
+  constexpr double Quarter = reflectance::Pi / 2;
+  int few_fit = 0;
+  int few_fail = 0;
+  for (const std::string text : {"ward sx=0.15 sy=0.4 ks=0.6 kd=0.3", "ward sx=0.3 sy=0.4 ks=0.6 kd=0.3",
+                                 "ward sx=0.05 sy=0.5 ks=0.9 kd=0", "ward sx=0.03 sy=0.2 ks=0.5 kd=0.1"}) {
+    const Brdf brdf = test::brdf_of(text);
+    const auto trees_at = [&](int azimuths) {
+      WarpTreesSettings settings;
+      settings.theta_count = 1;
+      settings.phi_count = azimuths;
+      return WarpTrees(brdf, settings);
+    };
+    const WarpTrees few = trees_at(9);
+    double variance = 0;
+    for (int gap = 0; gap < 8; ++gap) {
+      const Vec3f u = reflectance::direction_at(0.5F, static_cast<float>(Quarter * (gap + 0.5) / 8));
+      variance = std::max(variance, relative_variance(brdf, few, u));
+    }
+    const std::size_t bytes = trees_at(0).bytes();
+    if (variance < 0.04) {
+      ++few_fit;
+      EXPECT_EQ(bytes, few.bytes()) << text;
+    } else if (variance > 0.09) {
+      ++few_fail;
+      EXPECT_EQ(bytes, trees_at(16).bytes()) << text;
+    }
+  }
+  EXPECT_GE(few_fit, 1);
+  EXPECT_GE(few_fail, 1);
+}
+
 TEST(Warp, DensityHasNoSeamBetweenTrees) {
   for (const std::string text : {"phong n=100 ks=0.4 kd=0.6", "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3"}) {
     const Brdf brdf = test::brdf_of(text);

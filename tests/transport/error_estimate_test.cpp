@@ -1,10 +1,30 @@
 // A few seeds of what error_statistics_test does with many.
+#include <array>
+#include <bit>
+#include <cstddef>
+
 #include <gtest/gtest.h>
 
 #include "tests/transport/bright_scenes.h"
 #include "tests/transport/error_study.h"
 
 namespace {
+
+TEST(ErrorSums, AddUpAllThatPartsSay) {
+  using Numbers = std::array<double, sizeof(transport::ErrorSums) / sizeof(double)>;
+  Numbers a;
+  Numbers b;
+  Numbers both;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = static_cast<double>(1 + i);
+    b[i] = static_cast<double>(100 + 7 * i);
+    both[i] = a[i] + b[i];
+  }
+  auto sums = std::bit_cast<transport::ErrorSums>(a);
+  sums += std::bit_cast<transport::ErrorSums>(b);
+  EXPECT_EQ(std::bit_cast<Numbers>(sums), both);
+  EXPECT_EQ(std::bit_cast<Numbers>(sums - std::bit_cast<transport::ErrorSums>(a)), b);
+}
 
 // Of 96 renders, whose intervals miss 5 in the mean, 12 or more miss in one case of 300.
 TEST(ErrorEstimate, HoldsOnFourScenes) {

@@ -284,6 +284,15 @@ TEST(VrmlSolids, WrapTexturesFromTheBack) {
     }
     EXPECT_TRUE(has_front);
   }
+  // Counter-clockwise seen from above, and upwards (VRML97, 6.42). At a pole all directions meet.
+  for (std::size_t i = 0; i < sphere.geometry->positions.size(); ++i) {
+    const Vec3f& p = sphere.geometry->positions[i];
+    const Vec2f& uv = sphere.geometry->uvs[i];
+    EXPECT_NEAR(uv.y, 1 - std::acos(std::clamp(double(p.y), -1.0, 1.0)) / std::numbers::pi, 1e-3);
+    if (std::abs(p.y) > 0.999F) continue;
+    const double turns = std::atan2(-p.x, -p.z) / (2 * std::numbers::pi) - uv.x;
+    EXPECT_NEAR(turns, std::round(turns), 1e-5) << p;
+  }
   const grf::Mesh box = mesh97(shape("Box {}", texture));
   EXPECT_THAT(uvs_of(box, 0), ElementsAre(Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1), Vec2f(0, 1)));
   EXPECT_EQ(corners_of(box, 0)[2], Vec3f(1, 1, 1));
