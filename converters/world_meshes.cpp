@@ -118,7 +118,7 @@ WorldMesh::WorldMesh(const grf::Mesh& mesh, const grf::Matrix44d& to_world, bool
       is_light_(is_light),
       name_(mesh.name),
       surfaces_(mesh.surfaces.size()) {
-  for (const std::uint32_t surface : mesh.surface_of_face) ++surfaces_[surface].faces;
+  for (const std::uint32_t surface : *mesh.surface_of_face) ++surfaces_[surface].faces;
 }
 
 grf::Vec3f WorldMesh::position(std::size_t vertex) const {

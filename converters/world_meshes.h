@@ -62,7 +62,7 @@ class WorldMesh {
 
   /// One for each of the mesh's surfaces.
   const std::vector<WorldSurface>& surfaces() const { return surfaces_; }
-  const WorldSurface& surface(std::size_t face) const { return surfaces_[mesh_->surface_of_face[face]]; }
+  const WorldSurface& surface(std::size_t face) const { return surfaces_[(*mesh_->surface_of_face)[face]]; }
 
  private:
   friend class WorldMeshes;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -129,16 +128,15 @@ class LightCheck::Front {
   Vec3d normal_;
 };
 
-/// The vertices of all bodies, found by trees: they are built only where a light asks.
+/// The vertices of all bodies, found by trees: these are built only where a light asks.
 class LightCheck::World {
  public:
   explicit World(const std::vector<Body>& bodies) : bodies_(bodies) {
     std::vector<Box3d> boxes;
     for (const Body& body : bodies) {
-      const auto [known, is_new] = vertices_.try_emplace(body.mesh);
-      if (is_new) known->second = VertexTree(*body.mesh->geometry);
+      const Box3d own = body.mesh->geometry.vertices().bounds();
       Box3d& box = boxes.emplace_back();
-      for (const Vec3d& corner : corners_of(known->second.bounds(), body.to_world)) box.extendBy(corner);
+      for (const Vec3d& corner : corners_of(own, body.to_world)) box.extendBy(corner);
     }
     tree_ = BoxTree(boxes);
   }
@@ -150,13 +148,12 @@ class LightCheck::World {
 
  private:
   bool has_vertex_in(const Front& front, const Body& body) const {
-    return vertices_.at(body.mesh).any_in(
+    return body.mesh->geometry.vertices().any_in(
         [&](const Box3d& box) { return front.overlap(box, body.to_world); },
         [&](const Vec3d& vertex) { return front.has(vertex * body.to_world); });
   }
 
   const std::vector<Body>& bodies_;
-  std::map<const Mesh*, VertexTree> vertices_;
   BoxTree tree_;  ///< of the bodies' boxes
 };
 

@@ -5,18 +5,45 @@
 
 #include "grf/topology.h"
 #include "grf/triangulation.h"
+#include "grf/vertex_tree.h"
 
 namespace grf {
+
+namespace {
+
+/// A value that is found when it is first asked for, and kept; threads may ask at once.
+template <class Value>
+class Found {
+ public:
+  template <class Find>
+  const Value& or_find(const Find& find) const {
+    std::call_once(once_, [&] { value_.emplace(find()); });
+    return *value_;
+  }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::optional<Value> value_;
+};
+
+double area_of(const Geometry& geometry) {
+  double area = 0;
+  for (std::size_t i = 0; i < geometry.face_count(); ++i) {
+    area += doubled_area_vector(geometry, i, Matrix44d()).length() / 2;
+  }
+  return area;
+}
+
+}  // namespace
 
 /// A geometry and what was found of it.
 struct GeometryFacts : Geometry {
   explicit GeometryFacts(Geometry geometry) : Geometry(std::move(geometry)) {}
 
-  mutable std::once_flag has_bounds, has_triangulation, has_topology, has_area;
-  mutable Box3f bounds;
-  mutable std::optional<Triangulation> triangulation;
-  mutable Topology topology;
-  mutable double area = 0;
+  Found<VertexTree> vertices;
+  Found<Triangulation> triangulation;
+  Found<Topology> topology;
+  Found<double> area;
 };
 
 void Geometry::add_face(std::span<const std::uint32_t> face_corners) {
@@ -68,41 +95,30 @@ Triangulation::Triangulation(const Geometry& geometry) : geometry_(&geometry) {
   }
 }
 
-SharedGeometry::SharedGeometry() : SharedGeometry(Geometry()) {}
+SharedGeometry::SharedGeometry() {
+  static const SharedGeometry nothing = Geometry();
+  geometry_ = nothing.geometry_;
+}
 
 SharedGeometry::SharedGeometry(Geometry geometry)
     : geometry_(std::make_shared<const GeometryFacts>(std::move(geometry))) {}
 
 const GeometryFacts& SharedGeometry::facts() const { return static_cast<const GeometryFacts&>(*geometry_); }
 
-const Box3f& SharedGeometry::bounds() const {
-  const GeometryFacts& known = facts();
-  std::call_once(known.has_bounds, [&known] {
-    for (const Vec3f& position : known.positions) known.bounds.extendBy(position);
-  });
-  return known.bounds;
+const VertexTree& SharedGeometry::vertices() const {
+  return facts().vertices.or_find([this] { return VertexTree(facts()); });
 }
 
 const Triangulation& SharedGeometry::triangulation() const {
-  const GeometryFacts& known = facts();
-  std::call_once(known.has_triangulation, [&known] { known.triangulation.emplace(known); });
-  return *known.triangulation;
+  return facts().triangulation.or_find([this] { return Triangulation(facts()); });
 }
 
 const Topology& SharedGeometry::topology() const {
-  const GeometryFacts& known = facts();
-  std::call_once(known.has_topology, [&known] { known.topology = topology_of(known); });
-  return known.topology;
+  return facts().topology.or_find([this] { return topology_of(facts()); });
 }
 
 double SharedGeometry::area() const {
-  const GeometryFacts& known = facts();
-  std::call_once(known.has_area, [&known] {
-    for (std::size_t i = 0; i < known.face_count(); ++i) {
-      known.area += doubled_area_vector(known, i, Matrix44d()).length() / 2;
-    }
-  });
-  return known.area;
+  return facts().area.or_find([this] { return area_of(facts()); });
 }
 
 }  // namespace grf

@@ -15,6 +15,7 @@ namespace grf {
 
 struct Topology;
 struct GeometryFacts;
+class VertexTree;
 
 /// Whether an array has so much in reserve that it is worth a copy to give it back.
 template <class T>
@@ -126,7 +127,7 @@ class SharedGeometry {
   const Geometry& operator*() const { return *geometry_; }
   const Geometry* operator->() const { return geometry_.get(); }
 
-  const Box3f& bounds() const;  ///< of all vertices
+  const VertexTree& vertices() const;  ///< with the box around all of them
   const Triangulation& triangulation() const;
   const Topology& topology() const;
   double area() const;  ///< of all faces, untransformed

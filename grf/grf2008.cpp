@@ -214,9 +214,9 @@ class Downgrade {
   // The mesh's own surface is what its first face has, where that lacks something.
   static void own_of_first_face(Mesh& mesh) {
     if (mesh.face_count() == 0 || !needs_none(mesh.surfaces.front(), mesh.surface(0))) return;
-    const std::uint32_t first = mesh.surface_of_face.front();
+    const std::uint32_t first = mesh.surface_of_face->front();
     std::swap(mesh.surfaces.front(), mesh.surfaces[first]);
-    for (std::uint32_t& surface : mesh.surface_of_face) {
+    for (std::uint32_t& surface : mesh.surface_of_face.edit()) {
       if (surface == 0 || surface == first) surface = first - surface;
     }
   }
@@ -252,7 +252,7 @@ class Downgrade {
 
   MeshLight plain_light(Mesh mesh, const SourceLocation& location) {
     bool had_radiance = false;
-    for (const std::uint32_t surface : mesh.surface_of_face) {
+    for (const std::uint32_t surface : *mesh.surface_of_face) {
       const ResolvedSurface resolved = resolve(mesh.surfaces[surface], scope_.scope());
       had_radiance = had_radiance || resolved.colour != Colour(1);
     }
@@ -264,7 +264,7 @@ class Downgrade {
 
   static void make_plain(Mesh& light) {
     light.surfaces = {Surface()};
-    std::fill(light.surface_of_face.begin(), light.surface_of_face.end(), 0);
+    light.surface_of_face = std::vector<std::uint32_t>(light.face_count(), 0);
   }
 
   void warn_of_radiance(const SourceLocation& location) {

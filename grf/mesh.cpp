@@ -12,7 +12,7 @@ MeshDraft::MeshDraft(const Mesh& mesh)
       comments(mesh.comments),
       irradiance(*mesh.irradiance),
       surfaces(mesh.surfaces),
-      surface_of_face(mesh.surface_of_face) {}
+      surface_of_face(*mesh.surface_of_face) {}
 
 void MeshDraft::add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index) {
   Geometry::add_face(face_corners);
@@ -48,11 +48,12 @@ bool operator==(const Mesh& a, const Mesh& b) {
   const bool is_alike = a.name == b.name && a.comments == b.comments && a.geometry == b.geometry &&
                         a.irradiance == b.irradiance && a.surfaces.front() == b.surfaces.front();
   if (!is_alike) return false;
+  if (a.surface_of_face.shares(b.surface_of_face) && a.surfaces == b.surfaces) return true;
   std::uint32_t known_a = 0;
   std::uint32_t known_b = 0;  // the last pair found equal: faces come in runs
   for (std::size_t i = 0; i < a.face_count(); ++i) {
-    const std::uint32_t surface_a = a.surface_of_face[i];
-    const std::uint32_t surface_b = b.surface_of_face[i];
+    const std::uint32_t surface_a = (*a.surface_of_face)[i];
+    const std::uint32_t surface_b = (*b.surface_of_face)[i];
     if (surface_a == known_a && surface_b == known_b) continue;
     if (a.surfaces[surface_a] != b.surfaces[surface_b]) return false;
     known_a = surface_a;
@@ -63,7 +64,7 @@ bool operator==(const Mesh& a, const Mesh& b) {
 
 std::vector<bool> used_surfaces(const Mesh& mesh) {
   std::vector<bool> used(mesh.surfaces.size());
-  for (const std::uint32_t surface : mesh.surface_of_face) used[surface] = true;
+  for (const std::uint32_t surface : *mesh.surface_of_face) used[surface] = true;
   return used;
 }
 

@@ -61,7 +61,8 @@ struct MeshDraft : Geometry {
   void free_spare_memory();
 };
 
-/// A geometry and, beside it, what its faces are made of: giving them a BRDF copies no vertex.
+/// A geometry and, beside it, what its faces are made of: giving them a BRDF copies no vertex, and changing
+/// the BRDF that they have no face. Copies share all that is large.
 struct Mesh {
   std::string name;  ///< may be empty; not with both plain and typographic (“ ”) quotes
   MeshComments comments;
@@ -70,14 +71,14 @@ struct Mesh {
 
   /// The first surface is what the mesh says before its lists; faces with other attributes have others.
   std::vector<Surface> surfaces = {Surface()};
-  std::vector<std::uint32_t> surface_of_face;  ///< one for each face of the geometry
+  Shared<std::vector<std::uint32_t>> surface_of_face;  ///< one for each face of the geometry
 
   Mesh() = default;
   Mesh(MeshDraft draft);  // NOLINT: the same, when it is whole
 
-  std::size_t face_count() const { return surface_of_face.size(); }
+  std::size_t face_count() const { return surface_of_face->size(); }
   std::span<const std::uint32_t> face(std::size_t index) const { return geometry->face(index); }
-  const Surface& surface(std::size_t face_index) const { return surfaces[surface_of_face[face_index]]; }
+  const Surface& surface(std::size_t face_index) const { return surfaces[(*surface_of_face)[face_index]]; }
 
   /// Compares faces by what their surfaces are, not by the order in which the list has them.
   friend bool operator==(const Mesh& a, const Mesh& b);

@@ -10,7 +10,11 @@ namespace grf {
 template <class T>
 class Shared {
  public:
-  Shared() : value_(std::make_shared<T>()) {}
+  /// The default value, which is made once for all.
+  Shared() {
+    static const auto value = std::make_shared<T>();
+    value_ = value;
+  }
   Shared(T value) : value_(std::make_shared<T>(std::move(value))) {}  // NOLINT: a value is one of its kind
 
   const T& operator*() const { return *value_; }

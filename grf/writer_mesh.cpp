@@ -79,9 +79,9 @@ void Writer::put_faces(const Mesh& mesh) {
   ++indentation_;
   std::uint32_t current = 0;
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    if (mesh.surface_of_face[i] != current) {
+    if ((*mesh.surface_of_face)[i] != current) {
       put_changes(mesh.surfaces[current], mesh.surface(i));
-      current = mesh.surface_of_face[i];
+      current = (*mesh.surface_of_face)[i];
     }
     begin_line("");
     append(text_, mesh.face(i));

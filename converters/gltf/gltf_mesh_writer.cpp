@@ -187,7 +187,7 @@ class MeshWriter {
     std::vector<Part> parts;
     std::vector<std::vector<std::uint32_t>> corners;  // of triangles
     for (std::size_t i = 0; i < mesh_.face_count(); ++i) {
-      auto& material = materials[mesh_.surface_of_face[i]];
+      auto& material = materials[(*mesh_.surface_of_face)[i]];
       if (!material) material = material_of_(mesh_.surface(i));
       const Part part{*material, is_smooth(i)};
       const auto [known, is_new] = places.emplace(part, parts.size());
@@ -240,7 +240,7 @@ class MeshWriter {
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < used.size(); ++i) place[i] = used[i] ? next++ : 0;
     std::vector<std::uint32_t> surfaces(mesh_.face_count());
-    std::transform(mesh_.surface_of_face.begin(), mesh_.surface_of_face.end(), surfaces.begin(),
+    std::transform(mesh_.surface_of_face->begin(), mesh_.surface_of_face->end(), surfaces.begin(),
                    [&](std::uint32_t surface) { return place[surface]; });
     lists_.surfaces = document_.add(surfaces, Use::Data);
   }

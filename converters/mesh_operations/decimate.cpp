@@ -171,7 +171,7 @@ class Decimation {
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
       const auto corners = mesh.face(face);
       Triangle triangle;
-      triangle.surface = mesh.surface_of_face[face];
+      triangle.surface = (*mesh.surface_of_face)[face];
       for (std::size_t k = 0; k < 3; ++k) {
         Vertex& vertex = vertex_at[places[corners[k]]];
         if (!vertex.is_valid()) vertex = add_vertex(mesh.geometry->positions[corners[k]]);
@@ -208,7 +208,7 @@ class Decimation {
     for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
       const Face handle = handles_[face];
       if (!handle.is_valid()) {
-        rebuild.add_face(mesh_.face(face), mesh_.surface_of_face[face]);
+        rebuild.add_face(mesh_.face(face), (*mesh_.surface_of_face)[face]);
       } else if (!half_edges_.status(handle).deleted()) {
         const Triangle& triangle = triangles_[static_cast<std::size_t>(handle.idx())];
         rebuild.add_face(triangle.corners, triangle.surface);

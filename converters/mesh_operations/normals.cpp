@@ -89,7 +89,7 @@ grf::Mesh with_flat_faces(const grf::Mesh& mesh) {
   for (std::size_t face = 0; face < bare.face_count(); ++face) {
     corners.clear();
     for (const std::uint32_t corner : bare.face(face)) corners.push_back(alike[corner]);
-    rebuild.add_face(corners, bare.surface_of_face[face]);
+    rebuild.add_face(corners, (*bare.surface_of_face)[face]);
   }
   return rebuild.take();
 }
@@ -118,7 +118,7 @@ grf::Mesh with_smooth_normals(const grf::Mesh& mesh, double crease) {
       result.copy_vertex(bare, vertex);
       if (sums[set].length2() > 0) result.normals.set(next, grf::Vec3f(sums[set].normalized()));
     }
-    result.add_face(corners, bare.surface_of_face[face]);
+    result.add_face(corners, (*bare.surface_of_face)[face]);
   }
   result.free_spare_memory();
   return result;

@@ -63,7 +63,7 @@ std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh) {
 Rebuild::Rebuild(const grf::Mesh& source) : source_(source), mesh_(without_geometry(source)) {
   mesh_.corners.reserve(source.geometry->corners.size());
   mesh_.face_offsets.reserve(source.geometry->face_offsets.size());
-  mesh_.surface_of_face.reserve(source.surface_of_face.size());
+  mesh_.surface_of_face.reserve(source.face_count());
 }
 
 void Rebuild::add_face(std::span<const std::uint32_t> corners, std::uint32_t surface) {

@@ -112,7 +112,7 @@ Welded weld(const grf::Mesh& mesh, double distance) {
     if (corners.size() < 3 || (corners.size() > 3 && different_places(corners, places) < 3)) {
       ++welded.collapsed_faces;
     } else {
-      rebuild.add_face(corners, moved.surface_of_face[face]);
+      rebuild.add_face(corners, (*moved.surface_of_face)[face]);
     }
   }
   welded.mesh = rebuild.take();

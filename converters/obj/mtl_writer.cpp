@@ -100,7 +100,7 @@ bool MtlWriter::returns_to_plain(const WorldMeshes& meshes) {
     for (const WorldSurface& surface : mesh.surfaces()) {
       plain.push_back(key_of(surface, mesh.is_light()).is_plain());
     }
-    for (const std::uint32_t surface : mesh.mesh().surface_of_face) {
+    for (const std::uint32_t surface : *mesh.mesh().surface_of_face) {
       if (has_material && plain[surface]) return true;
       has_material = has_material || !plain[surface];
     }

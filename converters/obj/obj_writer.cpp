@@ -166,7 +166,7 @@ void ObjWriter::write_mesh(const WorldMesh& mesh, Output& output) {
     materials.push_back(materials_.name_of(surface, mesh.is_light()));
   }
   for (std::size_t i = 0; i < mesh.mesh().face_count(); ++i) {
-    const std::string* material = materials[mesh.mesh().surface_of_face[i]];
+    const std::string* material = materials[(*mesh.mesh().surface_of_face)[i]];
     if (material == nullptr && material_ != nullptr) material = materials_.name_of_none();
     if (material != material_) {
       output.line(on_a_line("usemtl", *material));

@@ -269,7 +269,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<bool> is_used(mesh.surfaces.size());
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      if (selection.has({i, face})) is_used[mesh.surface_of_face[face]] = true;
+      if (selection.has({i, face})) is_used[(*mesh.surface_of_face)[face]] = true;
     }
     for (std::size_t k = 0; k < is_used.size(); ++k) {
       if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness));
@@ -283,7 +283,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
       takes.push_back(wanted.contains(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness)));
     }
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      if (takes[mesh.surface_of_face[face]]) result.set({i, face});
+      if (takes[(*mesh.surface_of_face)[face]]) result.set({i, face});
     }
   }
   return result;

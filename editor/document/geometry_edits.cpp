@@ -46,7 +46,7 @@ grf::Mesh with_part(const grf::Mesh& mesh, const std::vector<bool>& faces, const
     } else {
       for (const std::uint32_t corner : mesh.face(face)) corners.push_back(first[corner]);
     }
-    rebuild.add_face(corners, mesh.surface_of_face[face]);
+    rebuild.add_face(corners, (*mesh.surface_of_face)[face]);
   }
   return rebuild.take();
 }
@@ -175,7 +175,7 @@ std::optional<grf::Scene> without_faces(const SelectedFaces& faces, grf::Diagnos
     }
     convert::Rebuild rebuild(*object.mesh);
     for (std::size_t face = 0; face < of_mesh.size(); ++face) {
-      if (!of_mesh[face]) rebuild.add_face(object.mesh->face(face), object.mesh->surface_of_face[face]);
+      if (!of_mesh[face]) rebuild.add_face(object.mesh->face(face), (*object.mesh->surface_of_face)[face]);
     }
     *grf::find_mesh(scene, object.path) = rebuild.take();
   }

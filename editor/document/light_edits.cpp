@@ -35,7 +35,7 @@ Emitter emitter_of(const MeshObject& mesh) {
   emitter.path = mesh.path;
   emitter.name = mesh.name;
   emitter.count = 0;
-  for (const std::uint32_t surface : mesh.mesh->surface_of_face) {
+  for (const std::uint32_t surface : *mesh.mesh->surface_of_face) {
     if (emission_of(mesh, surface)) ++emitter.count;
   }
   return emitter;
@@ -43,7 +43,7 @@ Emitter emitter_of(const MeshObject& mesh) {
 
 void add_place(const MeshObject& mesh, const grf::Matrix44d& to_world, Emitter& emitter) {
   for (std::size_t face = 0; face < mesh.mesh->face_count(); ++face) {
-    const auto radiance = emission_of(mesh, mesh.mesh->surface_of_face[face]);
+    const auto radiance = emission_of(mesh, (*mesh.mesh->surface_of_face)[face]);
     if (!radiance) continue;
     const double area = grf::doubled_area_vector(*mesh.mesh->geometry, face, to_world).length() / 2;
     emitter.area += area;

@@ -81,16 +81,7 @@ class Collector {
     const grf::Mesh& mesh = *objects_.meshes[index].mesh;
     objects_.instances.push_back({index, path_of(placement), placement.to_world});
     objects_.triangles += mesh.geometry->triangle_count();
-    const auto [known, is_first] = placed_.try_emplace(index);
-    if (is_first) {
-      for (const grf::Vec3f& position : mesh.geometry->positions) {
-        objects_.bounds.extendBy(grf::Vec3d(position) * placement.to_world);
-      }
-      return;
-    }
-    // A tree pays from the second place on.
-    if (!known->second) known->second.emplace(*mesh.geometry);
-    objects_.bounds.extendBy(known->second->bounds_under(placement.to_world));
+    objects_.bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
   }
 
   void add_light(const grf::AreaLight& light, const grf::Placement& placement) {
@@ -125,7 +116,6 @@ class Collector {
 
   const std::string& path_;
   SceneObjects objects_;
-  std::map<std::uint32_t, std::optional<grf::VertexTree>> placed_;  ///< meshes that stand somewhere
   // What was met last under these definitions, see add_definition.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes
   std::map<const grf::Definition*, std::string> file_of_;    // in which a texture is defined

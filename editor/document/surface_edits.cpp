@@ -1,7 +1,6 @@
 #include "editor/document/surface_edits.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "grf/mesh.h"
@@ -14,7 +13,7 @@ namespace {
 std::vector<bool> selected_surfaces(const grf::Mesh& mesh, const std::vector<bool>& faces) {
   std::vector<bool> has(mesh.surfaces.size());
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    if (faces[face]) has[mesh.surface_of_face[face]] = true;
+    if (faces[face]) has[(*mesh.surface_of_face)[face]] = true;
   }
   return has;
 }
@@ -44,40 +43,40 @@ grf::Surface seen_as_mesh(const Look& look) {
   return surface;
 }
 
-/// The surfaces of a mesh while some faces get others.
+/// A mesh of which some faces get other surfaces.
 class Reassignment {
  public:
-  Reassignment(const grf::Mesh& mesh, const SurfaceEdits& edits) : mesh_(mesh), edits_(edits) {
-    holder_.surfaces = mesh.surfaces;
-    after_.assign(mesh.surfaces.size(), None);
-  }
+  Reassignment(const grf::Mesh& mesh, const SurfaceEdits& edits)
+      : mesh_(mesh), edits_(edits), surfaces_(mesh.surfaces), surface_of_face_(*mesh.surface_of_face) {}
 
-  MeshSurfaces run(const std::vector<bool>& faces, const grf::ScenePath& path) {
-    grf::SurfaceIndex index(holder_.surfaces);
-    holder_.surface_of_face = mesh_.surface_of_face;
+  grf::Mesh run(const std::vector<bool>& faces) {
+    grf::SurfaceIndex index(surfaces_);
+    std::vector<std::optional<std::uint32_t>> after(surfaces_.size());
     for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (faces[face]) holder_.surface_of_face[face] = edited(mesh_.surface_of_face[face], index);
+      if (!faces[face]) continue;
+      std::uint32_t& surface = surface_of_face_[face];
+      auto& known = after[surface];
+      if (!known) known = edited(surface, index);
+      surface = *known;
     }
+    grf::Mesh result = mesh_;
     remove_unused();
-    return surfaces_of(holder_, path);
+    result.surfaces = std::move(surfaces_);
+    if (surface_of_face_ != *mesh_.surface_of_face) result.surface_of_face = std::move(surface_of_face_);
+    return result;
   }
 
  private:
-  static constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
-
-  std::uint32_t edited(std::uint32_t surface, grf::SurfaceIndex& index) {
-    std::uint32_t& after = after_[surface];
-    if (after == None) {
-      grf::Surface changed = mesh_.surfaces[surface];
-      edits_(changed).apply(changed);
-      after = index.index_of(changed);
-    }
-    return after;
+  std::uint32_t edited(std::uint32_t surface, grf::SurfaceIndex& index) const {
+    grf::Surface changed = mesh_.surfaces[surface];
+    edits_(changed).apply(changed);
+    return index.index_of(changed);
   }
 
   // The first surface is what the mesh says before its lists: where all faces have another, that becomes it.
   void remove_unused() {
-    const std::vector<bool> used = grf::used_surfaces(holder_);
+    std::vector<bool> used(surfaces_.size());
+    for (const std::uint32_t surface : surface_of_face_) used[surface] = true;
     std::vector<std::uint32_t> places(used.size(), 0);
     std::vector<grf::Surface> kept;
     const auto uses = std::count(used.begin(), used.end(), true);
@@ -85,16 +84,16 @@ class Reassignment {
       const bool is_own = i == 0 && uses != 1;
       if (!used[i] && !is_own) continue;
       places[i] = static_cast<std::uint32_t>(kept.size());
-      kept.push_back(holder_.surfaces[i]);
+      kept.push_back(std::move(surfaces_[i]));
     }
-    holder_.surfaces = std::move(kept);
-    for (std::uint32_t& surface : holder_.surface_of_face) surface = places[surface];
+    surfaces_ = std::move(kept);
+    for (std::uint32_t& surface : surface_of_face_) surface = places[surface];
   }
 
   const grf::Mesh& mesh_;
   const SurfaceEdits& edits_;
-  grf::Mesh holder_;
-  std::vector<std::uint32_t> after_;
+  std::vector<grf::Surface> surfaces_;
+  std::vector<std::uint32_t> surface_of_face_;
 };
 
 }  // namespace
@@ -164,7 +163,7 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
 
 MeshSurfaces surfaces_of(const grf::Mesh& mesh, grf::ScenePath path) {
   MeshSurfaces result = {std::move(path), mesh.surfaces, {}};
-  for (const std::uint32_t surface : mesh.surface_of_face) {
+  for (const std::uint32_t surface : *mesh.surface_of_face) {
     if (result.runs.empty() || result.runs.back().surface != surface) result.runs.push_back({surface, 0});
     ++result.runs.back().faces;
   }
@@ -173,7 +172,7 @@ MeshSurfaces surfaces_of(const grf::Mesh& mesh, grf::ScenePath path) {
 
 void put(const MeshSurfaces& surfaces, grf::Mesh& mesh) {
   mesh.surfaces = surfaces.surfaces;
-  auto face = mesh.surface_of_face.begin();
+  auto face = mesh.surface_of_face.edit().begin();
   for (const MeshSurfaces::Run& run : surfaces.runs) face = std::fill_n(face, run.faces, run.surface);
 }
 
@@ -191,7 +190,7 @@ std::vector<MeshSurfaces> edited(const SceneObjects& objects, const FaceSelectio
   for (const std::uint32_t i : selection.meshes()) {
     const MeshObject& object = objects.meshes[i];
     Reassignment reassignment(*object.mesh, object.is_light ? of_light : edits);
-    result.push_back(reassignment.run(selection.of_mesh(i), object.path));
+    result.push_back(surfaces_of(reassignment.run(selection.of_mesh(i)), object.path));
   }
   return result;
 }

@@ -164,7 +164,7 @@ void SurfacePanel::take_from(FaceId face) {
   grf::Surface surface = from.mesh->surface(face.face);
   if (from.is_light) {
     surface = {};
-    surface.emission = from.looks[from.mesh->surface_of_face[face.face]].colour;
+    surface.emission = from.looks[(*from.mesh->surface_of_face)[face.face]].colour;
   }
   write_out(surface.colour, there, here);
   write_out(surface.brdf, there, here);

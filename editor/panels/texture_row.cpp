@@ -29,7 +29,7 @@ QString first_image(const Document& document) {
     if (face == faces.end()) continue;
     const MeshObject& object = document.objects().meshes[i];
     const auto number = static_cast<std::size_t>(face - faces.begin());
-    return QString::fromStdString(object.looks[object.mesh->surface_of_face[number]].texture);
+    return QString::fromStdString(object.looks[(*object.mesh->surface_of_face)[number]].texture);
   }
   return {};
 }

@@ -354,7 +354,7 @@ void SceneView::tell_hovered() {
     return;
   }
   const MeshObject& mesh = objects_->meshes[hit->face.mesh];
-  const Look& look = mesh.looks[mesh.mesh->surface_of_face[hit->face.face]];
+  const Look& look = mesh.looks[(*mesh.mesh->surface_of_face)[hit->face.face]];
   emit hovered(QString::fromStdString(fmt::format("{} · face {} · {}",
                                                   mesh.name.empty() ? "mesh without a name" : mesh.name,
                                                   hit->face.face, surface_text(look, mesh.is_light))));

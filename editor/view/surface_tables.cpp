@@ -64,7 +64,7 @@ class Builder {
     std::uint32_t surfaces = 0;
     for (const MeshObject& mesh : objects.meshes) {
       tables_.first_face.push_back(static_cast<std::uint32_t>(tables_.surface_of_face.size()));
-      for (const std::uint32_t surface : mesh.mesh->surface_of_face) {
+      for (const std::uint32_t surface : *mesh.mesh->surface_of_face) {
         tables_.surface_of_face.push_back(surfaces + surface);
       }
       for (const Look& look : mesh.looks) add_surface(look, mesh.is_light);

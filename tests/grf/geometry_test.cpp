@@ -8,6 +8,7 @@
 
 #include "grf/mesh.h"
 #include "grf/topology.h"
+#include "grf/vertex_tree.h"
 
 namespace grf {
 namespace {
@@ -23,7 +24,7 @@ Geometry house() {
 
 TEST(SharedGeometry, KnowsWhatFollowsFromIt) {
   const SharedGeometry geometry(house());
-  EXPECT_EQ(geometry.bounds(), Box3f({0, 0, 0}, {3, 1, 0}));
+  EXPECT_EQ(geometry.vertices().bounds(), Box3d({0, 0, 0}, {3, 1, 0}));
   EXPECT_DOUBLE_EQ(geometry.area(), 2.5);
   EXPECT_EQ(geometry.topology().boundary_edges, 5U);
   EXPECT_EQ(geometry.topology().boundary_loops, 1U);
@@ -58,7 +59,7 @@ TEST(SharedGeometry, OfTrianglesNeedsNoCutting) {
 
 TEST(SharedGeometry, OfNothingIsEmpty) {
   const SharedGeometry nothing;
-  EXPECT_TRUE(nothing.bounds().isEmpty());
+  EXPECT_TRUE(nothing.vertices().bounds().isEmpty());
   EXPECT_EQ(nothing.area(), 0);
   EXPECT_EQ(nothing.triangulation().size(), 0U);
 }

@@ -47,7 +47,7 @@ std::size_t bytes_of(const Mesh& mesh) {
       (mesh.geometry->normals.empty() ? 0 : 1) + (mesh.geometry->colours.empty() ? 0 : 1);
   return vertices * sizeof(Vec3f) * (1 + values) +
          (mesh.geometry->uvs.empty() ? 0 : vertices * sizeof(Vec2f)) +
-         (mesh.geometry->corners.size() + mesh.geometry->face_offsets.size() + mesh.surface_of_face.size()) *
+         (mesh.geometry->corners.size() + mesh.geometry->face_offsets.size() + mesh.face_count()) *
              sizeof(std::uint32_t);
 }
 

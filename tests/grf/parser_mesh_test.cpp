@@ -95,7 +95,7 @@ TEST(Faces, HaveTheAttributesOfTheMeshUntilTheyAreGivenOthers) {
 TEST(Faces, ShareEqualSurfaces) {
   const Scene scene =
       square("rgb (0, 1, 0) (0, 1, 2) rgb none (0, 1, 2) rgb (0, 1, 0) (0, 1, 2) rgb (0, 0, 1) (0, 1, 2)");
-  EXPECT_THAT(mesh_of(scene).surface_of_face, ElementsAre(1U, 0U, 1U, 2U));
+  EXPECT_THAT(*mesh_of(scene).surface_of_face, ElementsAre(1U, 0U, 1U, 2U));
 }
 
 TEST(Faces, MayAllBeEmitters) {

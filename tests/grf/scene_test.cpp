@@ -110,9 +110,9 @@ TEST(MeshEquality, ComparesTheSurfacesOfFacesAndNotTheirList) {
   b.add_face(corners, 3);
   b.add_face(corners, 1);
   EXPECT_EQ(Mesh(a), Mesh(b));
-  b.surface_of_face = {1, 3};
+  b.surface_of_face = std::vector<std::uint32_t>{1, 3};
   EXPECT_FALSE(Mesh(a) == Mesh(b));
-  b.surface_of_face = {3, 1};
+  b.surface_of_face = std::vector<std::uint32_t>{3, 1};
   b.surfaces[0] = red;
   EXPECT_FALSE(Mesh(a) == Mesh(b)) << "what the mesh says itself is part of it";
 }

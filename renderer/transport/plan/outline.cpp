@@ -67,7 +67,7 @@ MeshFacts facts_of(const Mesh& mesh) {
   facts.is_smooth.resize(mesh.surfaces.size());
   const grf::Triangulation& triangles = mesh.geometry.triangulation();
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const std::uint32_t surface = mesh.surface_of_face[face];
+    const std::uint32_t surface = (*mesh.surface_of_face)[face];
     ++facts.faces[surface];
     if (mesh.geometry->normals.empty() || facts.is_smooth[surface]) continue;
     // Of more than three corners, some may lack a normal and others bend: any triangle of them counts.
@@ -239,7 +239,7 @@ void OutlineBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint
       const auto point = [&](std::size_t k) { return positions[used.number_of(of_mesh[k])]; };
       std::array points = {point(0), point(1), point(2)};
       if (turns) std::swap(points[1], points[2]);
-      add_part(surfaces[mesh.surface_of_face[face]], points, is_smooth(mesh, of_mesh), true);
+      add_part(surfaces[(*mesh.surface_of_face)[face]], points, is_smooth(mesh, of_mesh), true);
     }
   }
   find_solid(first_part);
@@ -266,7 +266,7 @@ void OutlineBuilder::add_boxes(const Mesh& mesh, const std::vector<std::uint32_t
   const UsedVertices& used = survey_.vertices_of(mesh);
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     for (const std::uint32_t corner : mesh.face(face)) {
-      boxes[mesh.surface_of_face[face]].extendBy(positions[used.number_of(corner)]);
+      boxes[(*mesh.surface_of_face)[face]].extendBy(positions[used.number_of(corner)]);
     }
   }
   for (std::size_t i = 0; i < surfaces.size(); ++i) {

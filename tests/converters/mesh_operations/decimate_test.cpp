@@ -18,7 +18,7 @@ namespace {
 double area_of_surface(const grf::Mesh& mesh, std::uint32_t surface) {
   double area = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    if (mesh.surface_of_face[face] != surface) continue;
+    if ((*mesh.surface_of_face)[face] != surface) continue;
     area += grf::doubled_area_vector(*mesh.geometry, face, grf::Matrix44d()).length() / 2;
   }
   return area;

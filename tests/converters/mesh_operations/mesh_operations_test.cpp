@@ -107,7 +107,7 @@ TEST(Triangulated, KeepsSurfacesWithTheirFaces) {
   mesh.surface_of_face[1] = 1;
   const grf::Mesh triangles = triangulated(mesh);
   EXPECT_EQ(triangles.geometry->positions, mesh.positions);
-  EXPECT_THAT(triangles.surface_of_face, ElementsAre(0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(*triangles.surface_of_face, ElementsAre(0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0));
 }
 
 }  // namespace

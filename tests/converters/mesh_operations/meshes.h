@@ -51,7 +51,7 @@ inline grf::Mesh torn(const grf::Mesh& mesh) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t corner : mesh.face(face)) corners.push_back(apart.copy_vertex(mesh, corner));
-    apart.add_face(corners, mesh.surface_of_face[face]);
+    apart.add_face(corners, (*mesh.surface_of_face)[face]);
   }
   return apart;
 }

@@ -186,7 +186,7 @@ TEST(Ply, FacesOfOneColourShareASurface) {
   EXPECT_EQ(mesh.surfaces.size(), 2U);
   EXPECT_EQ(std::get<Colour>(*mesh.surface(0).colour), Colour(1, 0, 0));
   EXPECT_EQ(std::get<Colour>(*mesh.surface(1).colour), Colour(0, 0, 1));
-  EXPECT_EQ(mesh.surface_of_face[3], mesh.surface_of_face[0]);
+  EXPECT_EQ((*mesh.surface_of_face)[3], (*mesh.surface_of_face)[0]);
 }
 
 TEST(Ply, MaterialsAreNames) {

@@ -89,7 +89,7 @@ TEST_F(IrradianceBakeTest, NamesFilesAsTheSceneDoes) {
   mesh.geometry = std::move(geometry);
   mesh.surfaces.push_back(mesh.surfaces[0]);
   mesh.surfaces[1].texture = grf::Texture{absolute, {}};
-  mesh.surface_of_face[1] = 1;
+  mesh.surface_of_face.edit()[1] = 1;
   options::RenderOptions render_options = with_samples(4);
   render_options.environment = "maps/paper.pfm";
   bake_.start(scene, path("scene.grf"), render_options);
