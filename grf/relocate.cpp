@@ -61,9 +61,13 @@ class Mover {
   Mover(const Names& names, bool writes_brdfs_out) : names_(names), writes_brdfs_out_(writes_brdfs_out) {}
 
   void move(BlockList& list) const {
-    for (Block& block : list.blocks) {
-      std::visit([this](auto& content) { move(content); }, block.content);
-    }
+    for (Block& block : list.blocks) move(block);
+  }
+  void move(Block& block) const {
+    std::visit([this](auto& content) { move(content); }, block.content);
+  }
+  void move(Definition& definition) const {
+    std::visit([this](auto& body) { move(body); }, definition.body);
   }
 
   void move(Shared<Mesh>& mesh) const {
@@ -78,10 +82,12 @@ class Mover {
   void move(Include& include) const { include.file = names_.moved(include.file); }
   void move(Transform& transform) const { move(transform.body); }
   void move(DefinitionScope& scope) const {
-    for (Definition& definition : scope.definitions) {
-      std::visit([this](auto& body) { move(body); }, definition.body);
-    }
+    for (Definition& definition : scope.definitions) move(definition);
     move(scope.body);
+  }
+  void move(Surface& surface) const {
+    if (surface.brdf) std::visit([this](auto& brdf) { move(brdf); }, *surface.brdf);
+    if (surface.texture) std::visit([this](auto& texture) { move(texture); }, *surface.texture);
   }
 
  private:
@@ -106,14 +112,17 @@ class Mover {
     }
   }
   void move(Texture& texture) const { texture.file = names_.moved(texture.file); }
-  void move(Surface& surface) const {
-    if (surface.brdf) std::visit([this](auto& brdf) { move(brdf); }, *surface.brdf);
-    if (surface.texture) std::visit([this](auto& texture) { move(texture); }, *surface.texture);
-  }
 
   const Names& names_;
   bool writes_brdfs_out_;
 };
+
+template <class Part>
+void move_all(std::span<Part> parts, const Names& names) {
+  if (!names.moves()) return;
+  const Mover mover(names, false);
+  for (Part& part : parts) mover.move(part);
+}
 
 /// Collects the blocks of a file and of those that it includes.
 class Flattener {
@@ -167,8 +176,22 @@ class Flattener {
 
 void relocate(Scene& scene, const std::string& from, const std::string& to,
               const std::map<std::string, std::string>& moved) {
-  const Names names(from, to, moved);
-  if (names.moves()) Mover(names, false).move(scene.contents);
+  relocate(scene.contents.blocks, from, to, moved);
+}
+
+void relocate(std::span<Block> blocks, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved) {
+  move_all(blocks, Names(from, to, moved));
+}
+
+void relocate(std::span<Definition> definitions, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved) {
+  move_all(definitions, Names(from, to, moved));
+}
+
+void relocate(std::span<Surface> surfaces, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved) {
+  move_all(surfaces, Names(from, to, moved));
 }
 
 Scene with_absolute_names(const Scene& scene, const std::string& from) {

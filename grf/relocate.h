@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "grf/scene.h"
@@ -12,6 +13,13 @@ namespace grf {
 /// includes, textures, BRDFs and their data. Names that are absolute stay as they are. The files that are
 /// keys of `moved` go to the new folder themselves, and get the names that are their values.
 void relocate(Scene& scene, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved = {});
+// The same for parts of a scene that stand in the file itself.
+void relocate(std::span<Block> blocks, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved = {});
+void relocate(std::span<Definition> definitions, const std::string& from, const std::string& to,
+              const std::map<std::string, std::string>& moved = {});
+void relocate(std::span<Surface> surfaces, const std::string& from, const std::string& to,
               const std::map<std::string, std::string>& moved = {});
 
 /// Names files by absolute paths, where the scene named them from the file `from` or from those that it

@@ -269,11 +269,10 @@ std::optional<grf::Scene> rename_definition(const grf::Scene& scene, grf::SceneP
     diagnostics.error(definition->location, fmt::format("'{}' is the name of another definition", name));
     return std::nullopt;
   }
-  if (!has_one_text_a_file(changed, diagnostics)) return std::nullopt;
   return changed;
 }
 
-std::optional<grf::Scene> remove_unused_definitions(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
+grf::Scene remove_unused_definitions(const grf::Scene& scene) {
   const References references = references_of(scene);
   const std::set<const grf::Definition*> used = used_definitions(references);
   std::vector<grf::ScenePath> unused;
@@ -282,7 +281,6 @@ std::optional<grf::Scene> remove_unused_definitions(const grf::Scene& scene, grf
   }
   grf::Scene changed = scene;
   erase(changed, std::move(unused));
-  if (!has_one_text_a_file(changed, diagnostics)) return std::nullopt;
   return changed;
 }
 

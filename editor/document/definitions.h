@@ -47,7 +47,7 @@ std::optional<grf::Scene> rename_definition(const grf::Scene& scene, grf::SceneP
 
 /// Takes away all definitions that nothing refers to, and then those that only these referred to. The scene
 /// itself if there is none.
-std::optional<grf::Scene> remove_unused_definitions(const grf::Scene& scene, grf::Diagnostics& diagnostics);
+grf::Scene remove_unused_definitions(const grf::Scene& scene);
 
 /// The faces that refer to the definition at a place by its name, or that are of the mesh there.
 FaceSelection faces_with(const grf::Scene& scene, const SceneObjects& objects, grf::ScenePathView path);

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "editor/document/image_files.h"
 #include "editor/document/model_import.h"
+#include "editor/document/scene_places.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/scene_path.h"
@@ -27,130 +27,56 @@ grf::Scene moved(grf::Scene scene, const QString& from, const QString& to) {
   return scene;
 }
 
-std::vector<MeshSurfaces> moved(std::vector<MeshSurfaces> all, const QString& from, const QString& to) {
-  if (from == to) return all;
-  for (MeshSurfaces& surfaces : all) {
-    grf::Mesh holder;
-    holder.surfaces = surfaces.surfaces;
-    grf::Scene scene;
-    scene.contents.blocks.emplace_back().content = grf::Shared(std::move(holder));
-    scene = moved(std::move(scene), from, to);
-    surfaces.surfaces = (*grf::find_mesh(scene, grf::ScenePath{0}))->surfaces;
-  }
-  return all;
-}
-
-/// Which mesh of before each mesh is: shared ones in their order, then changed ones with as many faces, in
-/// their order if there are as many of them, else by their paths.
-std::vector<std::optional<std::uint32_t>> matched_meshes(const SceneObjects& before,
-                                                         const SceneObjects& now) {
-  std::vector<std::optional<std::uint32_t>> matches(now.meshes.size());
-  std::multimap<const grf::Mesh*, std::uint32_t> known;
-  for (std::uint32_t i = 0; i < before.meshes.size(); ++i) known.emplace(&*before.meshes[i].mesh, i);
-  std::vector<std::uint32_t> changed;
-  for (std::uint32_t i = 0; i < now.meshes.size(); ++i) {
-    const auto same = known.lower_bound(&*now.meshes[i].mesh);
-    if (same == known.end() || same->first != &*now.meshes[i].mesh) {
-      changed.push_back(i);
-      continue;
-    }
-    matches[i] = same->second;
-    known.erase(same);
-  }
-  std::set<std::uint32_t> left;
-  for (const auto& [mesh, number] : known) left.insert(number);
-  std::map<grf::ScenePath, std::uint32_t> places;
-  for (const std::uint32_t number : left) places.emplace(before.meshes[number].path, number);
-  const bool are_in_order = left.size() == changed.size();
-  auto next = left.begin();
-  for (const std::uint32_t i : changed) {
-    const auto place = places.find(now.meshes[i].path);
-    std::optional<std::uint32_t> match;
-    if (are_in_order) {
-      match = *next++;
-    } else if (place != places.end()) {
-      match = place->second;
-    }
-    if (!match || before.meshes[*match].mesh->face_count() != now.meshes[i].mesh->face_count()) continue;
-    matches[i] = match;
-  }
-  return matches;
-}
-
 }  // namespace
 
-/// A command that takes up the steps of its gesture. What it holds names files from a path: the document may
-/// be saved elsewhere before it is undone.
-class Document::MergingCommand : public QUndoCommand {
+/// One step of undo. What it holds names files as the document does: it follows where that was saved
+/// elsewhere.
+class Document::Step : public QUndoCommand {
  public:
-  MergingCommand(const QString& text, QString key, int gesture, QString path)
-      : QUndoCommand(text), path_(std::move(path)), key_(std::move(key)), gesture_(gesture) {}
-
- protected:
-  const QString path_;
-
-  bool is_of_same_gesture(const MergingCommand& later) const {
-    return !key_.isEmpty() && key_ == later.key_ && gesture_ == later.gesture_;
-  }
-
- private:
-  QString key_;
-  int gesture_;
-};
-
-class Document::SceneCommand : public MergingCommand {
- public:
-  SceneCommand(Document& document, const QString& text, grf::Scene after, const QString& key)
-      : MergingCommand(text, key, document.gesture_, document.path_),
+  Step(Document& document, const QString& text, ScenePatch patch, QString key)
+      : QUndoCommand(text),
         document_(document),
-        before_(document.scene_),
-        after_(std::move(after)),
-        selection_(document.selection_) {}
+        patch_(std::move(patch)),
+        selection_(document.selection_),
+        key_(std::move(key)),
+        gesture_(document.gesture_),
+        relocations_(document.relocations_.size()) {}
 
   int id() const override { return 1; }
-  void undo() override { document_.show(moved(before_, path_, document_.path_), &selection_); }
-  void redo() override { document_.show(moved(after_, path_, document_.path_), nullptr); }
+  void undo() override {
+    follow_file();
+    const Change change = document_.change_of(patch_);
+    patch_.revert(document_.scene_);
+    document_.show_change(change, &*selection_);
+  }
+  void redo() override {
+    follow_file();
+    const Change change = document_.change_of(patch_);
+    patch_.apply(document_.scene_);
+    document_.show_change(change, nullptr);
+  }
   bool mergeWith(const QUndoCommand* other) override {
-    const auto& later = static_cast<const SceneCommand&>(*other);
-    if (!is_of_same_gesture(later) || path_ != later.path_) return false;
-    after_ = later.after_;
-    return true;
+    const auto& later = static_cast<const Step&>(*other);
+    const bool is_of_same_gesture = !key_.isEmpty() && key_ == later.key_ && gesture_ == later.gesture_ &&
+                                    relocations_ == later.relocations_ && selection_ == later.selection_;
+    if (is_of_same_gesture) patch_.append(later.patch_);
+    return is_of_same_gesture;
   }
 
  private:
-  Document& document_;
-  grf::Scene before_;
-  grf::Scene after_;
-  FaceSelection selection_;  // before
-};
-
-class Document::SurfaceCommand : public MergingCommand {
- public:
-  SurfaceCommand(Document& document, const QString& text, std::vector<MeshSurfaces> after, const QString& key)
-      : MergingCommand(text, key, document.gesture_, document.path_),
-        document_(document),
-        after_(std::move(after)),
-        selection_(document.selection_) {
-    for (const MeshSurfaces& surfaces : after_) {
-      before_.push_back(surfaces_of(**grf::find_mesh(document.scene_, surfaces.path), surfaces.path));
+  void follow_file() {
+    for (; relocations_ < document_.relocations_.size(); ++relocations_) {
+      const Relocation& relocation = document_.relocations_[relocations_];
+      patch_.relocate(relocation.from, relocation.to, relocation.moved);
     }
   }
 
-  int id() const override { return 2; }
-  void undo() override { document_.put_surfaces(moved(before_, path_, document_.path_), selection_); }
-  void redo() override { document_.put_surfaces(moved(after_, path_, document_.path_), selection_); }
-  bool mergeWith(const QUndoCommand* other) override {
-    const auto& later = static_cast<const SurfaceCommand&>(*other);
-    if (!is_of_same_gesture(later) || path_ != later.path_ || !(selection_ == later.selection_)) return false;
-    after_ = later.after_;
-    return true;
-  }
-
- private:
   Document& document_;
-  std::vector<MeshSurfaces> before_;
-  std::vector<MeshSurfaces> after_;
-  FaceSelection selection_;
+  ScenePatch patch_;
+  grf::Shared<FaceSelection> selection_;  // before
+  QString key_;
+  int gesture_;
+  std::size_t relocations_;  // that it has followed
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -170,8 +96,9 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   path_ = path;
   diagnostics_ = std::move(diagnostics);
   selection_ = {};
+  relocations_.clear();
   import_folders_.clear();
-  show(std::move(scene), nullptr);
+  show(std::move(scene));
   if (is_modified) undo_stack_.resetClean();
   emit path_changed();
   emit taken();
@@ -199,14 +126,15 @@ void Document::merge_import(const QString& text, const ImportedModel& model) {
 bool Document::save(const QString& path, grf::Diagnostics& diagnostics) {
   const std::string from = naming_path(path_).toStdString();
   const std::size_t errors = diagnostics.error_count();
-  const auto copied = copy_images(scene_, from, import_folders_, path.toStdString(), diagnostics);
+  auto copied = copy_images(scene_, from, import_folders_, path.toStdString(), diagnostics);
   if (diagnostics.error_count() > errors) return false;
   grf::Scene scene = scene_;
   grf::relocate(scene, from, path.toStdString(), copied);
   if (!grf::write(scene, path.toStdString(), diagnostics)) return false;
   if (path != path_ || !copied.empty()) {
     path_ = path;
-    show(std::move(scene), nullptr);
+    relocations_.push_back({from, path.toStdString(), std::move(copied)});
+    show(std::move(scene));
     emit path_changed();
   }
   undo_stack_.setClean();
@@ -217,13 +145,20 @@ bool Document::save(const QString& path, grf::Diagnostics& diagnostics) {
 grf::Scene Document::scene_for(const QString& path) const { return moved(scene_, path_, path); }
 
 void Document::select(FaceSelection selection) {
-  if (selection == selection_) return;
+  if (selection == *selection_) return;
   selection_ = std::move(selection);
   emit selection_changed();
 }
 
 void Document::replace(const QString& text, grf::Scene scene, const QString& key) {
-  undo_stack_.push(new SceneCommand(*this, text, std::move(scene), key));
+  grf::Diagnostics diagnostics;
+  const std::size_t places = edit_all_places(scene_, scene, diagnostics);
+  if (diagnostics.error_count() > 0) {
+    emit told(QString::fromStdString(diagnostics.entries().front().message));
+    return;
+  }
+  push(text, ScenePatch::between(scene_, scene), key);
+  if (places > 0) tell_of_places(places);
 }
 
 void Document::edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key) {
@@ -232,36 +167,76 @@ void Document::edit_surfaces(const QString& text, const SurfaceEdit& edit, const
 }
 
 void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key) {
-  if (selection_.empty()) return;
-  undo_stack_.push(new SurfaceCommand(*this, text, edited(objects_, selection_, edits), key));
+  if (selection_->empty()) return;
+  std::size_t places = 0;
+  const FaceSelection faces = at_all_places(scene_, *objects_, *selection_, places);
+  push(text, ScenePatch::of_meshes(scene_, edited(*objects_, faces, edits)), key);
+  if (places > 0) tell_of_places(places);
 }
 
-void Document::show(grf::Scene scene, const FaceSelection* selection) {
+void Document::tell_of_places(std::size_t places) {
+  emit told(tr("The file is included at %n other place(s), where the edit holds too", nullptr, int(places)));
+}
+
+void Document::push(const QString& text, ScenePatch patch, const QString& key) {
+  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key));
+}
+
+Change Document::change_of(const ScenePatch& patch) const {
+  Change change = patch.change();
+  if (change.is_structural) return change;
+  for (const grf::ScenePath& path : patch.meshes()) change.meshes.push_back(*objects_->mesh_at(path));
+  return change;
+}
+
+void Document::show(grf::Scene scene) {
   scene_ = std::move(scene);
-  SceneObjects objects = objects_of(scene_, path_.toStdString());
-  FaceSelection carried = selection != nullptr ? *selection : carried_over(objects);
-  objects_ = std::move(objects);
-  const bool selects = !(carried == selection_);
-  selection_ = std::move(carried);
-  emit scene_changed();
+  Change change;
+  change.is_structural = true;
+  show_change(change, nullptr);
+}
+
+/// Selects what is given, or what was selected before as it is now.
+void Document::show_change(const Change& change, const FaceSelection* selection) {
+  const std::shared_ptr<const SceneObjects> before = objects_;
+  if (change.is_structural) {
+    objects_ = std::make_shared<const SceneObjects>(objects_of(scene_, path_.toStdString()));
+  } else {
+    auto objects = std::make_shared<SceneObjects>(*objects_);
+    update(*objects, scene_, path_.toStdString(), change);
+    objects_ = std::move(objects);
+  }
+  bool selects = false;
+  if (selection != nullptr || change.is_structural) {
+    FaceSelection now = selection != nullptr ? *selection : carried_over(*before);
+    selects = !(now == *selection_);
+    if (selects || change.is_structural) selection_ = std::move(now);
+  }
+  emit changed(change);
   if (selects) emit selection_changed();
 }
 
-void Document::put_surfaces(const std::vector<MeshSurfaces>& surfaces, const FaceSelection& selection) {
-  for (const MeshSurfaces& of_mesh : surfaces) {
-    put(of_mesh, grf::find_mesh(scene_, of_mesh.path)->edit());
+/// The selection in the present objects. Meshes are the same where they have the same geometry, else where
+/// they stand at the same place and have as many faces.
+FaceSelection Document::carried_over(const SceneObjects& before) const {
+  FaceSelection carried(*objects_);
+  std::multimap<const grf::Geometry*, std::uint32_t> known;
+  std::map<grf::ScenePath, std::uint32_t> places;
+  for (std::uint32_t i = 0; i < before.meshes.size() && i < selection_->mesh_count(); ++i) {
+    known.emplace(&*before.meshes[i].mesh->geometry, i);
+    places.emplace(before.meshes[i].path, i);
   }
-  objects_ = objects_of(scene_, path_.toStdString());
-  emit scene_changed();
-  select(selection);
-}
-
-FaceSelection Document::carried_over(const SceneObjects& objects) const {
-  const std::vector<std::optional<std::uint32_t>> before = matched_meshes(objects_, objects);
-  FaceSelection carried(objects);
-  for (std::uint32_t now = 0; now < objects.meshes.size(); ++now) {
-    if (!before[now] || *before[now] >= selection_.mesh_count()) continue;
-    const std::vector<bool>& faces = selection_.of_mesh(*before[now]);
+  for (std::uint32_t now = 0; now < objects_->meshes.size(); ++now) {
+    const MeshObject& object = objects_->meshes[now];
+    std::optional<std::uint32_t> match;
+    if (const auto same = known.find(&*object.mesh->geometry); same != known.end()) {
+      match = same->second;
+      known.erase(same);
+    } else if (const auto place = places.find(object.path); place != places.end()) {
+      match = place->second;
+    }
+    if (!match || before.meshes[*match].mesh->face_count() != object.mesh->face_count()) continue;
+    const std::vector<bool>& faces = selection_->of_mesh(*match);
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
       if (faces[face]) carried.set({now, face});
     }

@@ -3,12 +3,15 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "editor/document/change.h"
 #include "editor/document/face_selection.h"
 #include "editor/document/scene_objects.h"
+#include "editor/document/scene_patch.h"
 #include "editor/document/surface_edits.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
@@ -27,9 +30,10 @@ class Document : public QObject {
   ~Document() override;
 
   const grf::Scene& scene() const { return scene_; }
-  /// The same scene for views; as old as the last `scene_changed`.
-  const SceneObjects& objects() const { return objects_; }
-  const FaceSelection& selection() const { return selection_; }
+  /// The same scene for views; as old as the last `changed`.
+  const SceneObjects& objects() const { return *objects_; }
+  const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
+  const FaceSelection& selection() const { return *selection_; }
   /// Where the scene was read from or saved; empty: nowhere yet.
   const QString& path() const { return path_; }
   /// The file's name for titles; `Untitled` if there is none.
@@ -58,10 +62,13 @@ class Document : public QObject {
 
   void select(FaceSelection selection);
 
-  /// Replaces the scene, as one step of undo. Steps with one key become one, until `finish_gesture`; an empty
-  /// key is like no other.
+  // Each edit is one step of undo; one that changes nothing is none. Steps with one key become one, until
+  // `finish_gesture`; an empty key is like no other. What stands in a file that is included at several places
+  // is edited at all of them.
+
+  /// Brings the scene into another state.
   void replace(const QString& text, grf::Scene scene, const QString& key = {});
-  /// Edits what the selected faces have, likewise. Nothing happens if none is selected.
+  /// Edits what the selected faces have. Nothing happens if none is selected.
   void edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key = {});
   /// The same, where what they get depends on what they have.
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
@@ -69,7 +76,9 @@ class Document : public QObject {
   void finish_gesture() { ++gesture_; }
 
  signals:
-  void scene_changed();
+  void changed(const editor::Change& change);
+  /// An edit changed more than was asked for, or was not made, and why.
+  void told(const QString& message);
   void selection_changed();
   void path_changed();
   /// Another scene is edited from now on: it was opened, imported, recovered or begun anew.
@@ -79,20 +88,28 @@ class Document : public QObject {
   void modified_changed(bool is_modified);
 
  private:
-  class MergingCommand;
-  class SceneCommand;
-  class SurfaceCommand;
+  class Step;
+  /// How names of other files were changed where the scene was saved to another folder.
+  struct Relocation {
+    std::string from;
+    std::string to;
+    std::map<std::string, std::string> moved;
+  };
 
-  void show(grf::Scene scene, const FaceSelection* selection);
-  void put_surfaces(const std::vector<MeshSurfaces>& surfaces, const FaceSelection& selection);
-  FaceSelection carried_over(const SceneObjects& objects) const;
+  void tell_of_places(std::size_t places);
+  void push(const QString& text, ScenePatch patch, const QString& key);
+  void show(grf::Scene scene);
+  void show_change(const Change& change, const FaceSelection* selection);
+  FaceSelection carried_over(const SceneObjects& before) const;
+  Change change_of(const ScenePatch& patch) const;
 
   grf::Scene scene_;
-  SceneObjects objects_;
-  FaceSelection selection_;
+  std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
+  grf::Shared<FaceSelection> selection_;
   QString path_;
   grf::Diagnostics diagnostics_;
   std::vector<QString> import_folders_;  ///< of which files are copied where the scene is saved
+  std::vector<Relocation> relocations_;  ///< since the first step
   int gesture_ = 0;
   QUndoStack undo_stack_;
 };

@@ -59,15 +59,15 @@ grf::Mesh edited_mesh(const grf::Mesh& mesh, const std::vector<bool>& faces, con
   return with_part(mesh, faces, edit(grf::part_of(mesh, numbers_of(faces))));
 }
 
-std::optional<grf::Scene> edited_scene(const SelectedFaces& faces, const MeshEdit& edit,
-                                       grf::Diagnostics& diagnostics) {
+grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {
   grf::Scene scene = faces.scene;
-  for (const std::uint32_t i : faces.selection.meshes()) {
-    const std::vector<bool>& of_mesh = faces.selection.of_mesh(i);
+  std::size_t places = 0;
+  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection, places);
+  for (const std::uint32_t i : selection.meshes()) {
+    const std::vector<bool>& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];
     *grf::find_mesh(scene, object.path) = edited_mesh(*object.mesh, of_mesh, edit);
   }
-  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
   return scene;
 }
 
@@ -127,47 +127,42 @@ std::vector<grf::ScenePath> uses_of(const grf::Scene& scene, const std::vector<g
 
 }  // namespace
 
-std::optional<grf::Scene> with_smooth_normals(const SelectedFaces& faces, double crease,
-                                              grf::Diagnostics& diagnostics) {
-  return edited_scene(
-      faces, [crease](const grf::Mesh& mesh) { return convert::with_smooth_normals(mesh, crease); },
-      diagnostics);
+grf::Scene with_smooth_normals(const SelectedFaces& faces, double crease) {
+  return edited_scene(faces,
+                      [crease](const grf::Mesh& mesh) { return convert::with_smooth_normals(mesh, crease); });
 }
 
-std::optional<grf::Scene> with_flat_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
-  return edited_scene(
-      faces, [](const grf::Mesh& mesh) { return convert::with_flat_faces(mesh); }, diagnostics);
+grf::Scene with_flat_faces(const SelectedFaces& faces) {
+  return edited_scene(faces, [](const grf::Mesh& mesh) { return convert::with_flat_faces(mesh); });
 }
 
-std::optional<grf::Scene> flipped(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
-  return edited_scene(faces, flipped_mesh, diagnostics);
-}
+grf::Scene flipped(const SelectedFaces& faces) { return edited_scene(faces, flipped_mesh); }
 
-std::optional<grf::Scene> with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour,
-                                              grf::Diagnostics& diagnostics) {
+grf::Scene with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour) {
   const auto edit = [&colour](const grf::Mesh& mesh) {
     grf::MeshDraft edited(mesh);
     edited.colours = same_at_all<grf::Colour>(edited.positions.size(), colour);
     return grf::Mesh(std::move(edited));
   };
-  return edited_scene(faces, edit, diagnostics);
+  return edited_scene(faces, edit);
 }
 
-std::optional<grf::Scene> with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance,
-                                          grf::Diagnostics& diagnostics) {
+grf::Scene with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance) {
   const auto edit = [&irradiance](const grf::Mesh& mesh) {
     grf::Mesh edited = mesh;
     edited.irradiance = same_at_all<grf::Irradiance>(mesh.geometry->positions.size(), irradiance);
     return edited;
   };
-  return edited_scene(faces, edit, diagnostics);
+  return edited_scene(faces, edit);
 }
 
-std::optional<grf::Scene> without_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics) {
+grf::Scene without_faces(const SelectedFaces& faces) {
   grf::Scene scene = faces.scene;
   std::vector<grf::ScenePath> gone;
-  for (const std::uint32_t i : faces.selection.meshes()) {
-    const std::vector<bool>& of_mesh = faces.selection.of_mesh(i);
+  std::size_t places = 0;
+  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection, places);
+  for (const std::uint32_t i : selection.meshes()) {
+    const std::vector<bool>& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];
     if (std::find(of_mesh.begin(), of_mesh.end(), false) == of_mesh.end()) {
       gone.push_back(object.path);
@@ -182,7 +177,6 @@ std::optional<grf::Scene> without_faces(const SelectedFaces& faces, grf::Diagnos
   const std::vector<grf::ScenePath> uses = uses_of(scene, gone);
   gone.insert(gone.end(), uses.begin(), uses.end());
   erase(scene, std::move(gone));
-  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
   return scene;
 }
 

@@ -19,24 +19,21 @@ struct SelectedFaces {
   const FaceSelection& selection;
 };
 
-// Each gives a new scene. Nothing where a file that is included more than once would have two texts.
+// Each gives a new scene, in which the faces are edited at all places where their file is included.
 
 /// Normals of the faces' own, with creases where they are turned against each other by more than so many
 /// radians (0 to pi).
-std::optional<grf::Scene> with_smooth_normals(const SelectedFaces& faces, double crease,
-                                              grf::Diagnostics& diagnostics);
+grf::Scene with_smooth_normals(const SelectedFaces& faces, double crease);
 /// Without normals.
-std::optional<grf::Scene> with_flat_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics);
+grf::Scene with_flat_faces(const SelectedFaces& faces);
 /// Fronts become backs, and normals point to the other side.
-std::optional<grf::Scene> flipped(const SelectedFaces& faces, grf::Diagnostics& diagnostics);
+grf::Scene flipped(const SelectedFaces& faces);
 /// Gives the faces' vertices a colour, or none.
-std::optional<grf::Scene> with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour,
-                                              grf::Diagnostics& diagnostics);
+grf::Scene with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour);
 /// Gives the faces' vertices an irradiance from all directions together, in W/m2, or none.
-std::optional<grf::Scene> with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance,
-                                          grf::Diagnostics& diagnostics);
+grf::Scene with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance);
 /// Without the faces. Meshes without faces go, and what uses them.
-std::optional<grf::Scene> without_faces(const SelectedFaces& faces, grf::Diagnostics& diagnostics);
+grf::Scene without_faces(const SelectedFaces& faces);
 
 /// What the vertices of selected faces have in common.
 struct CommonVertices {

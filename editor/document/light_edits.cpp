@@ -121,11 +121,10 @@ SurfaceEdit emission_of_power(const SceneObjects& objects, const FaceSelection& 
   return edit;
 }
 
-std::optional<grf::Scene> add_light(const grf::Scene& scene, const grf::AreaLight& light,
-                                    grf::Diagnostics& diagnostics) {
+grf::Scene add_light(const grf::Scene& scene, const grf::AreaLight& light) {
   grf::Scene changed = scene;
   outermost_blocks(changed).blocks.emplace_back().content = light;
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
@@ -135,7 +134,7 @@ std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathVi
   auto* there = place.block == nullptr ? nullptr : std::get_if<grf::AreaLight>(&place.block->content);
   if (there == nullptr) return nothing_there("light", diagnostics);
   *there = light;
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 grf::AreaLight scaled(const grf::AreaLight& light, float factor) {
@@ -146,8 +145,7 @@ grf::AreaLight scaled(const grf::AreaLight& light, float factor) {
   return result;
 }
 
-std::optional<grf::Scene> add_observer(const grf::Scene& scene, const grf::Vec3d& position,
-                                       grf::Diagnostics& diagnostics) {
+grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position) {
   grf::Scene changed = scene;
   grf::BlockList& blocks = outermost_blocks(changed);
   grf::Params* params = params_of(blocks);
@@ -156,7 +154,7 @@ std::optional<grf::Scene> add_observer(const grf::Scene& scene, const grf::Vec3d
     params = &std::get<grf::Params>(blocks.blocks.back().content);
   }
   params->views.emplace_back(position);
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverObject& observer,
@@ -166,7 +164,7 @@ std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverO
   if (params == nullptr) return nothing_there("observer", diagnostics);
   const grf::Matrix44d to_local = to_world_at(scene, observer.path).inverse();
   params->views[observer.number] = grf::Vec3f(position * to_local);
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 std::optional<grf::Scene> remove_observer(const grf::Scene& scene, const ObserverObject& observer,
@@ -176,7 +174,7 @@ std::optional<grf::Scene> remove_observer(const grf::Scene& scene, const Observe
   if (params == nullptr) return nothing_there("observer", diagnostics);
   params->views.erase(params->views.begin() + static_cast<std::ptrdiff_t>(observer.number));
   if (params->views.empty()) erase(changed, {observer.path});
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 }  // namespace editor

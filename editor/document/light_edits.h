@@ -41,11 +41,10 @@ std::vector<Emitter> emitters_of(const SceneObjects& objects);
 SurfaceEdit emission_of_power(const SceneObjects& objects, const FaceSelection& selection, double power,
                               const grf::Colour& colour);
 
-// Each of these gives a new scene, or nothing and the reason in the diagnostics.
+// Each of these gives a new scene; those that can fail nothing, and the reason in the diagnostics.
 
 /// Puts a light, given in the world's coordinates, into the scene.
-std::optional<grf::Scene> add_light(const grf::Scene& scene, const grf::AreaLight& light,
-                                    grf::Diagnostics& diagnostics);
+grf::Scene add_light(const grf::Scene& scene, const grf::AreaLight& light);
 /// Another corner, other edges, another radiance; in the coordinates of the place.
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
                                        const grf::AreaLight& light, grf::Diagnostics& diagnostics);
@@ -53,8 +52,7 @@ std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathVi
 grf::AreaLight scaled(const grf::AreaLight& light, float factor);
 
 /// Adds an observer at a place in the world.
-std::optional<grf::Scene> add_observer(const grf::Scene& scene, const grf::Vec3d& position,
-                                       grf::Diagnostics& diagnostics);
+grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position);
 /// Moves one to a place in the world.
 std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverObject& observer,
                                         const grf::Vec3d& position, grf::Diagnostics& diagnostics);

@@ -98,7 +98,7 @@ std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathVie
   if (block_at(scene, path) == nullptr) return nothing_there(diagnostics);
   grf::Scene changed = scene;
   move(changed, {path.begin(), path.end()}, offset);
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
@@ -114,7 +114,7 @@ std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vec
   }
   grf::Scene changed = scene;
   erase(changed, paths);
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePathView path,
@@ -138,7 +138,7 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
       [original = grf::find(changed, place).block](const grf::Block& each) { return &each == original; });
   blocks.insert(here + 1, block)->comments = {};
   move(changed, copy, offset);
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathView path,
@@ -156,7 +156,7 @@ std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathV
   }
   grf::Scene changed = scene;
   grf::find_mesh(changed, path)->edit().name = name;
-  return if_savable(std::move(changed), diagnostics);
+  return changed;
 }
 
 }  // namespace editor

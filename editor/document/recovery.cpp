@@ -192,7 +192,7 @@ Recovery::Recovery(Document& document, const QString& sessions, int delay, QObje
     if (!problem.isEmpty()) return emit failed(problem);
     emit kept();
   });
-  connect(&document_, &Document::scene_changed, this, [this] {
+  connect(&document_, &Document::changed, this, [this] {
     // Not begun anew at each change: one who goes on working would have nothing kept.
     if (document_.is_modified() && !timer_.isActive()) timer_.start();
   });

@@ -31,6 +31,58 @@ class Collector {
       objects_.meshes[mesh].is_light = true;
       place(mesh, placement);
     };
+    visit_lights(visitor);
+    visitor.definition = [this](const grf::Definition& definition, const grf::Placement& placement) {
+      if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
+      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
+      if (mesh == nullptr) return;
+      const std::uint32_t index = add_mesh(*mesh, definition.name, placement);
+      objects_.meshes[index].is_definition = true;
+      defined_[&definition] = index;
+    };
+    grf::visit(scene, visitor, path_);
+    objects_.bounds.extendBy(objects_.mesh_bounds);
+    return std::move(objects_);
+  }
+
+  /// Meets the meshes in the same order as `collect`, which is that of their numbers.
+  void update(SceneObjects& objects, const grf::Scene& scene, const Change& change) {
+    std::vector<bool> are_changed(objects.meshes.size(), change.definitions);
+    for (const std::uint32_t mesh : change.meshes) are_changed[mesh] = true;
+    std::uint32_t number = 0;
+    const auto meet = [&](const grf::Shared<grf::Mesh>& mesh, const grf::Placement& placement) {
+      if (are_changed[number]) {
+        objects.meshes[number].mesh = mesh;
+        objects.meshes[number].looks = looks_of(*mesh, placement);
+      }
+      ++number;
+    };
+    grf::SceneVisitor visitor;
+    visitor.mesh = [&](const grf::Mesh&, const grf::Placement& placement, const grf::Block& block) {
+      if (placement.instance_of == nullptr) meet(std::get<grf::Shared<grf::Mesh>>(block.content), placement);
+    };
+    visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement& placement,
+                             const grf::Block&) { meet(light.mesh, placement); };
+    visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
+      if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
+      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
+      if (mesh != nullptr) meet(*mesh, placement);
+    };
+    if (change.lights) visit_lights(visitor);
+    grf::visit(scene, visitor, path_);
+    if (!change.lights) return;
+    objects.lights = std::move(objects_.lights);
+    objects.observers = std::move(objects_.observers);
+    objects.bounds = objects_.bounds;
+    objects.bounds.extendBy(objects.mesh_bounds);
+  }
+
+ private:
+  static grf::ScenePath path_of(const grf::Placement& placement) {
+    return {placement.path.begin(), placement.path.end()};
+  }
+
+  void visit_lights(grf::SceneVisitor& visitor) {
     visitor.light = [this](const grf::AreaLight& light, const grf::Placement& placement, const grf::Block&) {
       add_light(light, placement);
     };
@@ -40,27 +92,6 @@ class Collector {
             {path_of(placement), i, grf::Vec3d(params.views[i]) * placement.to_world});
       }
     };
-    visitor.definition = [this](const grf::Definition& definition, const grf::Placement& placement) {
-      add_definition(definition, placement);
-    };
-    grf::visit(scene, visitor, path_);
-    return std::move(objects_);
-  }
-
- private:
-  static grf::ScenePath path_of(const grf::Placement& placement) {
-    return {placement.path.begin(), placement.path.end()};
-  }
-
-  // A definition is met before what uses it: in a file that is included at several places, once at each of
-  // them, where names around it may mean other things.
-  void add_definition(const grf::Definition& definition, const grf::Placement& placement) {
-    if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
-    const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
-    if (mesh == nullptr) return;
-    const std::uint32_t index = add_mesh(*mesh, definition.name, placement);
-    objects_.meshes[index].is_definition = true;
-    defined_[&definition] = index;
   }
 
   std::uint32_t add_mesh(const grf::Shared<grf::Mesh>& mesh, const std::string& name,
@@ -69,9 +100,7 @@ class Collector {
     object.path = path_of(placement);
     object.name = name;
     object.mesh = mesh;
-    for (const grf::Surface& surface : mesh->surfaces) {
-      object.looks.push_back(look_of(surface, placement));
-    }
+    object.looks = looks_of(*mesh, placement);
     objects_.faces += mesh->face_count();
     objects_.meshes.push_back(std::move(object));
     return static_cast<std::uint32_t>(objects_.meshes.size() - 1);
@@ -81,7 +110,7 @@ class Collector {
     const grf::Mesh& mesh = *objects_.meshes[index].mesh;
     objects_.instances.push_back({index, path_of(placement), placement.to_world});
     objects_.triangles += mesh.geometry->triangle_count();
-    objects_.bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
+    objects_.mesh_bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
   }
 
   void add_light(const grf::AreaLight& light, const grf::Placement& placement) {
@@ -92,6 +121,12 @@ class Collector {
     for (const grf::Vec3d& point : {corner, corner + edge1, corner + edge2, corner + edge1 + edge2}) {
       objects_.bounds.extendBy(point * placement.to_world);
     }
+  }
+
+  std::vector<Look> looks_of(const grf::Mesh& mesh, const grf::Placement& placement) const {
+    std::vector<Look> looks;
+    for (const grf::Surface& surface : mesh.surfaces) looks.push_back(look_of(surface, placement));
+    return looks;
   }
 
   Look look_of(const grf::Surface& surface, const grf::Placement& placement) const {
@@ -116,7 +151,8 @@ class Collector {
 
   const std::string& path_;
   SceneObjects objects_;
-  // What was met last under these definitions, see add_definition.
+  // What was met last under these definitions: they are met before what uses them, and those in a file that
+  // is included at several places once at each of them, where names around it may mean other things.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes
   std::map<const grf::Definition*, std::string> file_of_;    // in which a texture is defined
 };
@@ -133,6 +169,10 @@ std::optional<std::uint32_t> SceneObjects::mesh_at(grf::ScenePathView path) cons
 
 SceneObjects objects_of(const grf::Scene& scene, const std::string& path) {
   return Collector(path).collect(scene);
+}
+
+void update(SceneObjects& objects, const grf::Scene& scene, const std::string& path, const Change& change) {
+  Collector(path).update(objects, scene, change);
 }
 
 }  // namespace editor

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/document/change.h"
 #include "grf/scene.h"
 #include "grf/scene_path.h"
 
@@ -65,7 +66,8 @@ struct SceneObjects {
   std::vector<MeshInstance> instances;
   std::vector<LightObject> lights;
   std::vector<ObserverObject> observers;
-  grf::Box3d bounds;          ///< of all that is placed, in the world; empty if nothing is
+  grf::Box3d mesh_bounds;     ///< of all instances, in the world; empty if there are none
+  grf::Box3d bounds;          ///< of lights too
   std::size_t faces = 0;      ///< of all meshes, each once
   std::size_t triangles = 0;  ///< of all instances, faces cut
 
@@ -75,5 +77,8 @@ struct SceneObjects {
 
 /// The path is the scene's file, from whose folder it names textures and includes; empty: the current folder.
 SceneObjects objects_of(const grf::Scene& scene, const std::string& path);
+
+/// Brings the objects of a scene up to date after a change that is not structural.
+void update(SceneObjects& objects, const grf::Scene& scene, const std::string& path, const Change& change);
 
 }  // namespace editor

@@ -175,6 +175,27 @@ const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path) {
   return way.is_whole && way.definition == nullptr && !way.blocks.empty() ? way.blocks.back() : nullptr;
 }
 
+const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path) {
+  const Way way = way_to(scene, path);
+  if (!way.is_whole || way.blocks.empty()) return nullptr;
+  const grf::Shared<grf::Mesh>* mesh = nullptr;
+  if (way.definition != nullptr) {
+    mesh = std::get_if<grf::Shared<grf::Mesh>>(&way.definition->body);
+  } else if (const auto* light = std::get_if<grf::MeshLight>(&way.blocks.back()->content)) {
+    mesh = &light->mesh;
+  } else {
+    mesh = std::get_if<grf::Shared<grf::Mesh>>(&way.blocks.back()->content);
+  }
+  return mesh == nullptr ? nullptr : &**mesh;
+}
+
+bool is_in_include(const grf::Scene& scene, grf::ScenePathView path) {
+  const Way way = way_to(scene, path);
+  return std::any_of(way.blocks.begin(), way.blocks.end(), [](const grf::Block* block) {
+    return std::holds_alternative<grf::Include>(block->content);
+  });
+}
+
 grf::Matrix44d to_world_at(const grf::Scene& scene, grf::ScenePathView path) {
   grf::Matrix44d to_world;
   const Way way = way_to(scene, path);
@@ -271,29 +292,130 @@ grf::BlockList& outermost_blocks(grf::Scene& scene) {
   return scope == nullptr ? scene.contents : scope->body;
 }
 
-bool has_one_text_a_file(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
-  std::map<std::string, const grf::Include*> known;
-  std::string differs;
-  const auto check = [&](const auto& self, const grf::BlockList& list) -> void {
-    for (const grf::Block& block : list.blocks) {
-      const auto* include = std::get_if<grf::Include>(&block.content);
-      if (include != nullptr && !include->origin.path.empty()) {
-        const auto [first, is_new] = known.emplace(include->origin.path, include);
-        if (!is_new && !(first->second->contents == include->contents)) differs = include->origin.path;
-      }
-      if (const grf::BlockList* inside = list_in(block)) self(self, *inside);
+namespace {
+
+using Texts = std::map<std::string, grf::Shared<grf::BlockList>>;
+
+/// The texts of included files as they were read; of one that is included at several places, the first.
+void collect_texts(const grf::BlockList& list, Texts& texts) {
+  for (const grf::Block& block : list.blocks) {
+    if (const auto* include = std::get_if<grf::Include>(&block.content)) {
+      const bool is_new = texts.emplace(include->origin.path, include->contents).second;
+      if (is_new) collect_texts(*include->contents, texts);
+    } else if (const grf::BlockList* inside = list_in(block)) {
+      collect_texts(*inside, texts);
     }
-  };
-  check(check, scene.contents);
-  if (differs.empty()) return true;
-  diagnostics.error(grf::whole_file(differs),
-                    "the file is included more than once: this would change only one of the places");
-  return false;
+  }
 }
 
-std::optional<grf::Scene> if_savable(grf::Scene scene, grf::Diagnostics& diagnostics) {
-  if (!has_one_text_a_file(scene, diagnostics)) return std::nullopt;
-  return scene;
+/// Notes the texts of files that are others now, and says so where a file would have two.
+void collect_changed(const grf::BlockList& list, const Texts& before, Texts& changed,
+                     grf::Diagnostics& diagnostics) {
+  for (const grf::Block& block : list.blocks) {
+    const auto* include = std::get_if<grf::Include>(&block.content);
+    const auto known = include == nullptr ? before.end() : before.find(include->origin.path);
+    if (known != before.end() && !known->first.empty()) {
+      if (include->contents == known->second) continue;
+      const auto [other, is_new] = changed.emplace(known->first, include->contents);
+      if (!is_new && !(other->second == include->contents)) {
+        diagnostics.error(grf::whole_file(known->first),
+                          fmt::format("'{}' is included at several places, which would differ: edit one of "
+                                      "them, or include a file of its own there",
+                                      known->first));
+      }
+    }
+    if (const grf::BlockList* inside = list_in(block)) collect_changed(*inside, before, changed, diagnostics);
+  }
+}
+
+/// Gives all includes of files the text that these have now; returns of how many that is another one. Lists
+/// that stay are not copied.
+std::size_t put_texts(const grf::BlockList& list, const Texts& changed, grf::BlockList& result);
+
+std::size_t put_texts(const grf::Shared<grf::BlockList>& list, const Texts& changed,
+                      grf::Shared<grf::BlockList>& result) {
+  grf::BlockList edited = *list;
+  const std::size_t places = put_texts(*list, changed, edited);
+  if (places > 0) result = std::move(edited);
+  return places;
+}
+
+std::size_t put_texts(const grf::BlockList& list, const Texts& changed, grf::BlockList& result) {
+  std::size_t places = 0;
+  for (std::size_t i = 0; i < list.blocks.size(); ++i) {
+    const grf::Block& block = list.blocks[i];
+    grf::Block& edited = result.blocks[i];
+    if (const auto* include = std::get_if<grf::Include>(&block.content)) {
+      auto& contents = std::get<grf::Include>(edited.content).contents;
+      const auto text = changed.find(include->origin.path);
+      if (text != changed.end() && !(include->contents == text->second)) {
+        contents = text->second;
+        ++places;
+      }
+      const grf::Shared<grf::BlockList> now = contents;
+      places += put_texts(now, changed, contents);
+    } else if (const auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      places += put_texts(transform->body, changed, std::get<grf::Transform>(edited.content).body);
+    } else if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
+      places += put_texts(scope->body, changed, std::get<grf::DefinitionScope>(edited.content).body);
+    }
+  }
+  return places;
+}
+
+/// Where something is written: a file that is included, and the way from there.
+struct WrittenPlace {
+  std::string file;
+  grf::ScenePath path;
+
+  auto operator<=>(const WrittenPlace&) const = default;
+};
+
+/// Nothing for what stands in no included file.
+std::optional<WrittenPlace> written_place(const grf::Scene& scene, grf::ScenePathView path) {
+  const Way way = way_to(scene, path);
+  for (std::size_t depth = way.blocks.size(); depth-- > 0;) {
+    const auto* include = std::get_if<grf::Include>(&way.blocks[depth]->content);
+    if (include == nullptr || include->origin.path.empty()) continue;
+    return WrittenPlace{include->origin.path, {path.begin() + std::ptrdiff_t(depth) + 1, path.end()}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Diagnostics& diagnostics) {
+  Texts texts;
+  collect_texts(before.contents, texts);
+  if (texts.empty()) return 0;
+  Texts changed;
+  collect_changed(after.contents, texts, changed, diagnostics);
+  if (changed.empty() || diagnostics.error_count() > 0) return 0;
+  const grf::Scene edited = after;
+  return put_texts(edited.contents, changed, after.contents);
+}
+
+FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
+                            const FaceSelection& selection, std::size_t& places) {
+  FaceSelection faces = selection;
+  std::map<WrittenPlace, std::vector<std::uint32_t>> selected;
+  for (const std::uint32_t mesh : selection.meshes()) {
+    if (const auto place = written_place(scene, objects.meshes[mesh].path)) selected[*place].push_back(mesh);
+  }
+  if (selected.empty()) return faces;
+  for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
+    const auto place = written_place(scene, objects.meshes[i].path);
+    const auto same = place ? selected.find(*place) : selected.end();
+    if (same == selected.end()) continue;
+    for (const std::uint32_t mesh : same->second) {
+      const std::vector<bool>& of_mesh = selection.of_mesh(mesh);
+      for (std::uint32_t face = 0; face < of_mesh.size(); ++face) {
+        if (of_mesh[face]) faces.set({i, face});
+      }
+    }
+  }
+  places = faces.meshes().size() - selection.meshes().size();
+  return faces;
 }
 
 std::optional<grf::ScenePath> written_at(const grf::Scene& scene, const grf::SourceLocation& location) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/document/face_selection.h"
 #include "grf/diagnostics.h"
 #include "grf/math.h"
 #include "grf/scene.h"
@@ -28,6 +29,10 @@ std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
 /// What stands at a place, or null.
 const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView path);
 const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path);
+/// The mesh of a block, of a mesh light or of a definition, or null.
+const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path);
+/// Whether a place is in an included file.
+bool is_in_include(const grf::Scene& scene, grf::ScenePathView path);
 
 /// From the coordinates in which what stands at the place is given to the world's; without the steps of the
 /// transform that stands there itself.
@@ -59,11 +64,14 @@ void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths);
 /// The list to which new things of the scene go: inside the scope around the whole scene, if there is one.
 grf::BlockList& outermost_blocks(grf::Scene& scene);
 
-/// False, with an error, where a file that is included more than once would have two texts.
-bool has_one_text_a_file(const grf::Scene& scene, grf::Diagnostics& diagnostics);
+/// Carries what an edit changed in a file that is included at several places to all of them, and returns of
+/// how many others. An error where two places were changed in different ways: a file has one text.
+std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Diagnostics& diagnostics);
 
-/// Returns the scene if `has_one_text_a_file` holds, so that it can be saved; else nothing, with an error.
-std::optional<grf::Scene> if_savable(grf::Scene scene, grf::Diagnostics& diagnostics);
+/// The faces of a selection, and the same ones at all places where their file is included; counts the meshes
+/// that were not selected at all.
+FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
+                            const FaceSelection& selection, std::size_t& places);
 
 /// The block, definition or faces' mesh that was written at a location or nearest before it in the same
 /// file, if there is one.

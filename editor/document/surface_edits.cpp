@@ -161,36 +161,21 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
   return area;
 }
 
-MeshSurfaces surfaces_of(const grf::Mesh& mesh, grf::ScenePath path) {
-  MeshSurfaces result = {std::move(path), mesh.surfaces, {}};
-  for (const std::uint32_t surface : *mesh.surface_of_face) {
-    if (result.runs.empty() || result.runs.back().surface != surface) result.runs.push_back({surface, 0});
-    ++result.runs.back().faces;
-  }
-  return result;
-}
-
-void put(const MeshSurfaces& surfaces, grf::Mesh& mesh) {
-  mesh.surfaces = surfaces.surfaces;
-  auto face = mesh.surface_of_face.edit().begin();
-  for (const MeshSurfaces::Run& run : surfaces.runs) face = std::fill_n(face, run.faces, run.surface);
-}
-
-std::vector<MeshSurfaces> edited(const SceneObjects& objects, const FaceSelection& selection,
-                                 const SurfaceEdit& edit) {
+std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
+                               const SurfaceEdit& edit) {
   return edited(objects, selection, [&edit](const grf::Surface&) { return edit; });
 }
 
-std::vector<MeshSurfaces> edited(const SceneObjects& objects, const FaceSelection& selection,
-                                 const SurfaceEdits& edits) {
+std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
+                               const SurfaceEdits& edits) {
   const SurfaceEdits of_light = [&edits](const grf::Surface& surface) {
     return of_mesh_light(edits(surface));
   };
-  std::vector<MeshSurfaces> result;
+  std::vector<PlacedMesh> result;
   for (const std::uint32_t i : selection.meshes()) {
     const MeshObject& object = objects.meshes[i];
     Reassignment reassignment(*object.mesh, object.is_light ? of_light : edits);
-    result.push_back(surfaces_of(reassignment.run(selection.of_mesh(i)), object.path));
+    result.push_back({object.path, reassignment.run(selection.of_mesh(i))});
   }
   return result;
 }

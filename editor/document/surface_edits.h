@@ -9,6 +9,7 @@
 
 #include "editor/document/face_selection.h"
 #include "editor/document/scene_objects.h"
+#include "editor/document/scene_patch.h"
 #include "grf/scene_path.h"
 #include "grf/surface.h"
 
@@ -83,29 +84,11 @@ std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSele
 /// The area of the selected faces in the world, all instances counted.
 double selected_area(const SceneObjects& objects, const FaceSelection& selection);
 
-/// The surfaces of a mesh and which faces have them, small enough to be kept for undo.
-struct MeshSurfaces {
-  /// Faces one after the other that have one surface.
-  struct Run {
-    std::uint32_t surface = 0;
-    std::uint32_t faces = 0;
-  };
-
-  grf::ScenePath path;
-  std::vector<grf::Surface> surfaces;
-  std::vector<Run> runs;
-};
-
-MeshSurfaces surfaces_of(const grf::Mesh& mesh, grf::ScenePath path);
-
-/// Gives a mesh these; it has as many faces as the one that they were taken from.
-void put(const MeshSurfaces& surfaces, grf::Mesh& mesh);
-
-/// What the meshes with selected faces have after edits. Mesh lights get their emission, and no more.
+/// The meshes with selected faces after edits. Mesh lights get their emission, and no more.
 /// Surfaces that no face has any more are gone, but for the first, which is the mesh's own.
-std::vector<MeshSurfaces> edited(const SceneObjects& objects, const FaceSelection& selection,
-                                 const SurfaceEdit& edit);
-std::vector<MeshSurfaces> edited(const SceneObjects& objects, const FaceSelection& selection,
-                                 const SurfaceEdits& edits);
+std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
+                               const SurfaceEdit& edit);
+std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
+                               const SurfaceEdits& edits);
 
 }  // namespace editor

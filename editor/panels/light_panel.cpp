@@ -95,7 +95,7 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   layout->addWidget(pages_);
   layout->addWidget(problem_);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &LightPanel::choose_item);
-  connect(&document_, &Document::scene_changed, this, &LightPanel::show_lights);
+  connect(&document_, &Document::changed, this, &LightPanel::show_lights);
   show_lights();
 }
 
@@ -269,13 +269,7 @@ void LightPanel::change_power(double power) {
 }
 
 void LightPanel::add() {
-  grf::Diagnostics diagnostics;
-  auto scene = add_light(document_.scene(), light_over(document_.objects().bounds), diagnostics);
-  if (!scene) {
-    show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
-    return;
-  }
-  document_.replace(tr("Add light"), std::move(*scene));
+  document_.replace(tr("Add light"), add_light(document_.scene(), light_over(document_.objects().bounds)));
   choose(document_.objects().lights.back().path);
   emit chosen(*path_);
 }

@@ -172,8 +172,8 @@ void BrdfRow::define_common() {
   SurfaceEdit edit;
   edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{defined->name, {}});
   const SceneObjects objects = objects_of(defined->scene, document_.path().toStdString());
-  for (const MeshSurfaces& surfaces : edited(objects, document_.selection(), edit)) {
-    put(surfaces, grf::find_mesh(defined->scene, surfaces.path)->edit());
+  for (PlacedMesh& placed : edited(objects, document_.selection(), edit)) {
+    *grf::find_mesh(defined->scene, placed.path) = std::move(placed.mesh);
   }
   document_.replace(tr("Define %1").arg(QString::fromStdString(defined->name)), std::move(defined->scene));
 }

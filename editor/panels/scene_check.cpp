@@ -14,7 +14,7 @@ SceneCheck::SceneCheck(Document& document, grf::Catalogue catalogue, QObject* pa
   pause_.setInterval(PauseMilliseconds);
   connect(&pause_, &QTimer::timeout, this, &SceneCheck::start);
   connect(&running_, &QFutureWatcher<grf::Diagnostics>::finished, this, &SceneCheck::take_result);
-  connect(&document_, &Document::scene_changed, this, [this] {
+  connect(&document_, &Document::changed, this, [this] {
     is_outdated_ = true;
     pause_.start();
   });

@@ -48,7 +48,7 @@ Kept kept(const std::vector<std::unique_ptr<SceneEntry>>& now,
 
 SceneModel::SceneModel(Document& document, QObject* parent)
     : QAbstractItemModel(parent), document_(document), root_(entries_of(document)) {
-  connect(&document_, &Document::scene_changed, this, &SceneModel::update_scene);
+  connect(&document_, &Document::changed, this, &SceneModel::update_scene);
   connect(&document_, &Document::selection_changed, this, &SceneModel::update_selection);
   update_selection();
 }

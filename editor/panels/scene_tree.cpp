@@ -63,7 +63,7 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
   connect(model_, &SceneModel::problem_found, this,
           [this](const QString& text) { show_problem(problem_, text); });
   connect(&document_, &Document::selection_changed, this, &SceneTree::show_selection);
-  connect(&document_, &Document::scene_changed, this, &SceneTree::show_selection);
+  connect(&document_, &Document::changed, this, &SceneTree::show_selection);
   show_selection();
 }
 
@@ -221,13 +221,10 @@ void SceneTree::remove_chosen() {
 }
 
 void SceneTree::remove_unused() {
-  grf::Diagnostics diagnostics;
-  auto scene = remove_unused_definitions(document_.scene(), diagnostics);
-  if (scene && *scene == document_.scene()) {
-    show_problem(problem_, tr("All definitions are used."));
-    return;
-  }
-  put(tr("Delete unused definitions"), std::move(scene), diagnostics);
+  grf::Scene scene = remove_unused_definitions(document_.scene());
+  const bool is_unchanged = scene == document_.scene();
+  show_problem(problem_, is_unchanged ? tr("All definitions are used.") : QString());
+  if (!is_unchanged) document_.replace(tr("Delete unused definitions"), std::move(scene));
 }
 
 void SceneTree::put(const QString& text, std::optional<grf::Scene> scene,

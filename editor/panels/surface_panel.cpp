@@ -67,7 +67,7 @@ SurfacePanel::SurfacePanel(Document& document, const grf::Catalogue& catalogue, 
   layout->addWidget(pages_);
   connect_rows();
   connect(&document_, &Document::selection_changed, this, &SurfacePanel::show_selection);
-  connect(&document_, &Document::scene_changed, this, &SurfacePanel::show_selection);
+  connect(&document_, &Document::changed, this, &SurfacePanel::show_selection);
   show_selection();
 }
 

@@ -215,16 +215,10 @@ void VertexRow::show_facts(const SurfaceFacts& facts) {
 
 void VertexRow::put(const std::optional<grf::Colour>& value) {
   const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
-  grf::Diagnostics diagnostics;
   const bool is_colour = kind_ == Kind::Colour;
-  auto scene =
-      is_colour ? with_vertex_colours(faces, value, diagnostics) : with_irradiance(faces, value, diagnostics);
-  if (!scene) {
-    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
-    return;
-  }
+  grf::Scene scene = is_colour ? with_vertex_colours(faces, value) : with_irradiance(faces, value);
   const QString key = !value ? QString() : is_colour ? "vertex colours" : "irradiance";
-  document_.replace(is_colour ? tr("Vertex colours") : tr("Irradiance"), std::move(*scene), key);
+  document_.replace(is_colour ? tr("Vertex colours") : tr("Irradiance"), std::move(scene), key);
 }
 
 NormalsRow::NormalsRow(Document& document, QWidget* parent)
@@ -259,23 +253,13 @@ void NormalsRow::show_facts(const SurfaceFacts& facts) {
 
 void NormalsRow::apply(Change change) {
   const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
-  grf::Diagnostics diagnostics;
-  std::optional<grf::Scene> scene;
-  QString text;
   if (change == Change::Smooth) {
-    text = tr("Smooth normals");
-    scene = with_smooth_normals(faces, angle_->value() * std::numbers::pi / 180, diagnostics);
+    document_.replace(tr("Smooth normals"),
+                      with_smooth_normals(faces, angle_->value() * std::numbers::pi / 180));
   } else if (change == Change::Flat) {
-    text = tr("Flat faces");
-    scene = with_flat_faces(faces, diagnostics);
+    document_.replace(tr("Flat faces"), with_flat_faces(faces));
   } else {
-    text = tr("Flip faces");
-    scene = flipped(faces, diagnostics);
-  }
-  if (scene) {
-    document_.replace(text, std::move(*scene));
-  } else {
-    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
+    document_.replace(tr("Flip faces"), flipped(faces));
   }
 }
 

@@ -45,7 +45,8 @@ void GeometryStore::reuse(std::vector<Entry>& old, Entry& entry) const {
       std::find_if(old.begin(), old.end(), [&](const Entry& other) { return other.mesh.shares(entry.mesh); });
   const auto found =
       shared != old.end() ? shared : std::find_if(old.begin(), old.end(), [&](const Entry& other) {
-        return other.shape.geometry != nullptr && has_same_geometry(*other.mesh, *entry.mesh);
+        return other.shape.geometry != nullptr && other.mesh->geometry.shares(entry.mesh->geometry) &&
+               other.mesh->irradiance.shares(entry.mesh->irradiance);
       });
   if (found == old.end()) return;
   entry.shape.geometry = found->shape.geometry;

@@ -146,8 +146,4 @@ std::optional<MeshHit> MeshGeometry::intersect(const ViewRay& ray) const {
   return nearest;
 }
 
-bool has_same_geometry(const grf::Mesh& a, const grf::Mesh& b) {
-  return a.geometry == b.geometry && a.irradiance == b.irradiance;
-}
-
 }  // namespace editor

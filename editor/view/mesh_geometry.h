@@ -70,7 +70,4 @@ class MeshGeometry {
   std::vector<grf::Box3f> boxes_;  // of so many triangles each, which lie near each other in most meshes
 };
 
-/// Whether two meshes differ in nothing that their geometry is made of: in surfaces, names or comments alone.
-bool has_same_geometry(const grf::Mesh& a, const grf::Mesh& b);
-
 }  // namespace editor

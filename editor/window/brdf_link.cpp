@@ -42,7 +42,7 @@ std::optional<grf::PdfModel> common_scheme(const Document& document,
 BrdfLink::BrdfLink(Document& document, BrdfEditor& editor, QObject* parent)
     : QObject(parent), document_(document), editor_(editor) {
   connect(&document_, &Document::selection_changed, this, &BrdfLink::show_selection);
-  connect(&document_, &Document::scene_changed, this, &BrdfLink::show_selection);
+  connect(&document_, &Document::changed, this, &BrdfLink::show_selection);
   connect(&editor_, &BrdfEditor::changing, this, &BrdfLink::change);
   connect(&editor_, &BrdfEditor::edited, this, &BrdfLink::finish);
   connect(&editor_, &BrdfEditor::definition_chosen, this, &BrdfLink::share);
@@ -118,8 +118,8 @@ void BrdfLink::change(const std::vector<grf::BrdfModel>& models) {
 void BrdfLink::change_definitions(const SurfaceEdits& edits, const std::vector<grf::BrdfModel>& models) {
   grf::Diagnostics diagnostics;
   std::optional<grf::Scene> scene = document_.scene();
-  for (const MeshSurfaces& of_mesh : edited(document_.objects(), document_.selection(), edits)) {
-    put(of_mesh, grf::find_mesh(*scene, of_mesh.path)->edit());
+  for (PlacedMesh& placed : edited(document_.objects(), document_.selection(), edits)) {
+    *grf::find_mesh(*scene, placed.path) = std::move(placed.mesh);
   }
   for (std::size_t i = 0; scene && i < models.size(); ++i) {
     if (!subjects_[i].definition) continue;

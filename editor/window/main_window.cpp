@@ -178,6 +178,7 @@ void MainWindow::connect_files() {
   });
   connect(&document_, &Document::taken, this, [this] { pages_->setCurrentIndex(0); });
   connect(&document_, &Document::path_changed, this, &MainWindow::show_title);
+  connect(&document_, &Document::told, this, &MainWindow::tell);
   connect(&document_, &Document::modified_changed, this, &MainWindow::show_title);
   connect(&recovery_, &Recovery::failed, this, [this](const QString& message) {
     notice_->show_notice(NoticeBar::Kind::Error,

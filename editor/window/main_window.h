@@ -100,7 +100,6 @@ class MainWindow : public QMainWindow {
   void make_help_menu();
   void delete_faces();
   void add_observer();
-  void put(const QString& text, std::optional<grf::Scene> scene, const grf::Diagnostics& diagnostics);
 
   const grf::Catalogue catalogue_;
   Document document_;

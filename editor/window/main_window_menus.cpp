@@ -162,23 +162,14 @@ void MainWindow::make_help_menu() {
   }));
 }
 
-void MainWindow::put(const QString& text, std::optional<grf::Scene> scene,
-                     const grf::Diagnostics& diagnostics) {
-  if (scene) return document_.replace(text, std::move(*scene));
-  fail(QString::fromStdString(diagnostics.to_text()));
-}
-
 void MainWindow::delete_faces() {
   if (document_.selection().empty()) return tell(tr("No face is selected"));
-  grf::Diagnostics diagnostics;
-  const SelectedFaces faces = {document_.scene(), document_.objects(), document_.selection()};
-  put(tr("Delete faces"), without_faces(faces, diagnostics), diagnostics);
+  document_.replace(tr("Delete faces"),
+                    without_faces({document_.scene(), document_.objects(), document_.selection()}));
 }
 
 void MainWindow::add_observer() {
-  grf::Diagnostics diagnostics;
-  put(tr("Add an observer"), editor::add_observer(document_.scene(), view_->camera().eye(), diagnostics),
-      diagnostics);
+  document_.replace(tr("Add an observer"), editor::add_observer(document_.scene(), view_->camera().eye()));
 }
 
 }  // namespace editor

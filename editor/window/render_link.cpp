@@ -64,7 +64,7 @@ RenderLink::RenderLink(Document& document, SceneView& view, RenderPanel& panel, 
     : QObject(&window), document_(document), view_(view), panel_(panel), options_(panel.options()) {
   make_actions(window);
   connect(&document_, &Document::taken, this, &RenderLink::take_scene);
-  connect(&document_, &Document::scene_changed, this, [this] {
+  connect(&document_, &Document::changed, this, [this] {
     take_plain_sky();
     panel_.set_scene(document_.scene(), document_.path());
   });

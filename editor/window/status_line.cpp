@@ -45,7 +45,7 @@ StatusLine::StatusLine(const Document& document, QStatusBar& bar)
     if (cancelled_) cancelled_();
   });
   connect(&document_, &Document::selection_changed, this, &StatusLine::count);
-  connect(&document_, &Document::scene_changed, this, &StatusLine::count);
+  connect(&document_, &Document::changed, this, &StatusLine::count);
   end_work();
   count();
 }

@@ -148,11 +148,10 @@ begin
   begin mesh)" + Triangle + R"(
 end
 )";
-  const auto left = remove_unused_definitions(scene_of(text), diagnostics);
-  ASSERT_TRUE(left);
-  EXPECT_THAT(grf::to_text(*left), Not(HasSubstr("def")));
-  EXPECT_THAT(grf::to_text(*left), HasSubstr("// the floor\nbegin mesh"));
-  EXPECT_EQ(remove_unused_definitions(scene_of(Scopes), diagnostics), scene_of(Scopes));
+  const grf::Scene left = remove_unused_definitions(scene_of(text));
+  EXPECT_THAT(grf::to_text(left), Not(HasSubstr("def")));
+  EXPECT_THAT(grf::to_text(left), HasSubstr("// the floor\nbegin mesh"));
+  EXPECT_EQ(remove_unused_definitions(scene_of(Scopes)), scene_of(Scopes));
 }
 
 TEST(Definitions, OfAFileThatIsIncludedTwiceStayOneText) {
@@ -164,10 +163,15 @@ TEST(Definitions, OfAFileThatIsIncludedTwiceStayOneText) {
   const auto text = std::string("include \"part.grf\"\ninclude \"part.grf\"\n");
   auto scene = grf::read_text(text, folder.path("scene.grf"), diagnostics);
   ASSERT_TRUE(scene);
-  EXPECT_TRUE(has_one_text_a_file(*scene, diagnostics));
-  grf::find_mesh(*scene, grf::ScenePath{1, 0})->edit().name = "second";
-  EXPECT_FALSE(has_one_text_a_file(*scene, diagnostics));
-  EXPECT_THAT(diagnostics.to_text(), HasSubstr("included more than once"));
+  grf::Scene edited = *scene;
+  grf::find_mesh(edited, grf::ScenePath{1, 0})->edit().name = "second";
+  EXPECT_EQ(edit_all_places(*scene, edited, diagnostics), 1U);
+  EXPECT_EQ((*grf::find_mesh(edited, grf::ScenePath{0, 0}))->name, "second");
+  grf::Scene torn = edited;
+  grf::find_mesh(torn, grf::ScenePath{0, 0})->edit().name = "first";
+  grf::find_mesh(torn, grf::ScenePath{1, 0})->edit().name = "last";
+  edit_all_places(edited, torn, diagnostics);
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("included at several places"));
 }
 
 TEST(Places, AreFoundByWhereTheyWereWritten) {

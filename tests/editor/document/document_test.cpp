@@ -174,5 +174,38 @@ TEST_F(Documents, NameTheSameFilesInStepsOfBeforeTheyWereSavedElsewhere) {
   EXPECT_EQ(texture(), "/nowhere/steel.png");
 }
 
+TEST(DocumentOfAFileThatIsIncludedTwice, IsEditedAtBothPlaces) {
+  const test::TemporaryFolder folder;
+  folder.add("part.grf",
+             "begin mesh begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces (0, 1, 2) end "
+             "faces end mesh");
+  const std::string path = folder.path("scene.grf");
+  grf::Diagnostics diagnostics;
+  const auto scene =
+      grf::read_text("include \"part.grf\" transform translation (2, 0, 0) begin include \"part.grf\" end",
+                     path, diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  Document document;
+  document.take(*scene, QString::fromStdString(path), {});
+  int told = 0;
+  QObject::connect(&document, &Document::told, [&told] { ++told; });
+  FaceSelection selection(document.objects());
+  selection.set({1, 0});
+  document.select(selection);
+  SurfaceEdit edit;
+  edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(1, 0, 0));
+  document.edit_surfaces("Colour", edit);
+  EXPECT_EQ(told, 1);
+  for (const MeshObject& object : document.objects().meshes) {
+    EXPECT_EQ(object.looks.front().colour, grf::Colour(1, 0, 0));
+  }
+  ASSERT_TRUE(document.save(QString::fromStdString(path), diagnostics)) << diagnostics.to_text();
+  const auto saved = grf::read(path, diagnostics);
+  ASSERT_TRUE(saved) << diagnostics.to_text();
+  EXPECT_EQ(*saved, document.scene());
+  document.undo_stack().undo();
+  EXPECT_EQ(document.scene(), *scene);
+}
+
 }  // namespace
 }  // namespace editor

@@ -64,7 +64,7 @@ class GeometryEdits : public testing::Test {
 
 TEST_F(GeometryEdits, FlipSomeFacesAndLeaveTheOthers) {
   select({{1, 1}});
-  take(flipped(selected(), diagnostics_));
+  take(flipped(selected()));
   EXPECT_EQ(position(0, 1), grf::Vec3f(1, 0, 0));
   EXPECT_EQ(position(1, 0), grf::Vec3f(1, 0, 0));
   EXPECT_EQ(position(1, 1), grf::Vec3f(1, 0, 1));
@@ -76,20 +76,20 @@ TEST_F(GeometryEdits, FlipSomeFacesAndLeaveTheOthers) {
 
 TEST_F(GeometryEdits, SmoothNormalsAreOfTheFacesThatAreMeant) {
   select({{1, 0}});
-  take(with_smooth_normals(selected(), 0.1, diagnostics_));
+  take(with_smooth_normals(selected(), 0.1));
   for (const std::uint32_t vertex : corner().face(0))
     EXPECT_EQ(corner().geometry->normals[vertex], grf::Vec3f(0, 0, 1));
   for (const std::uint32_t vertex : corner().face(1)) EXPECT_FALSE(corner().geometry->normals.has(vertex));
-  take(flipped(selected(), diagnostics_));
+  take(flipped(selected()));
   EXPECT_EQ(corner().geometry->normals[corner().face(0)[0]], grf::Vec3f(0, 0, -1));
-  take(with_flat_faces(selected(), diagnostics_));
+  take(with_flat_faces(selected()));
   EXPECT_TRUE(corner().geometry->normals.empty());
   EXPECT_EQ(corner().geometry->positions.size(), 6U);
 }
 
 TEST_F(GeometryEdits, SmoothNormalsGoOverSmallAngles) {
   select({{1, 0}, {1, 1}});
-  take(with_smooth_normals(selected(), std::numbers::pi, diagnostics_));
+  take(with_smooth_normals(selected(), std::numbers::pi));
   EXPECT_EQ(corner().geometry->positions.size(), 6U);
   EXPECT_GT(corner().geometry->normals[corner().face(0)[0]].y, 0.5F);
   EXPECT_TRUE(common_vertices(document_.objects(), document_.selection()).have_normals);
@@ -97,8 +97,8 @@ TEST_F(GeometryEdits, SmoothNormalsGoOverSmallAngles) {
 
 TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
   select({{1, 0}});
-  take(with_vertex_colours(selected(), grf::Colour(1, 0, 0), diagnostics_));
-  take(with_irradiance(selected(), grf::Colour(3), diagnostics_));
+  take(with_vertex_colours(selected(), grf::Colour(1, 0, 0)));
+  take(with_irradiance(selected(), grf::Colour(3)));
   EXPECT_EQ(corner().geometry->positions.size(), 8U);  // the edge is split
   CommonVertices common = common_vertices(document_.objects(), document_.selection());
   EXPECT_EQ(common.colour, grf::Colour(1, 0, 0));
@@ -107,8 +107,8 @@ TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
   common = common_vertices(document_.objects(), document_.selection());
   EXPECT_TRUE(common.are_colours_mixed);
   EXPECT_TRUE(common.are_irradiances_mixed);
-  take(with_vertex_colours(selected(), std::nullopt, diagnostics_));
-  take(with_irradiance(selected(), std::nullopt, diagnostics_));
+  take(with_vertex_colours(selected(), std::nullopt));
+  take(with_irradiance(selected(), std::nullopt));
   EXPECT_TRUE(corner().geometry->colours.empty());
   common = common_vertices(document_.objects(), document_.selection());
   EXPECT_FALSE(common.colour || common.are_colours_mixed || common.irradiance);
@@ -116,7 +116,7 @@ TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
 
 TEST_F(GeometryEdits, DeleteFacesAndMeshesWithoutAny) {
   select({{0, 0}, {1, 1}});
-  take(without_faces(selected(), diagnostics_));
+  take(without_faces(selected()));
   ASSERT_EQ(document_.objects().meshes.size(), 1U);
   EXPECT_EQ(document_.objects().instances.size(), 1U);
   EXPECT_EQ(document_.objects().faces, 1U);

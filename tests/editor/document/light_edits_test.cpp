@@ -110,7 +110,7 @@ TEST_F(LightEdits, FacesOfMeshLightsGetARadianceAlone) {
 TEST_F(LightEdits, LightsAreAddedChangedAndRemoved) {
   const grf::AreaLight light = {grf::Vec3f(0, 3, 0), grf::Vec3f(1, 0, 0), grf::Vec3f(0, 0, 2),
                                 grf::Colour(4)};
-  take(add_light(document_.scene(), light, diagnostics_));
+  take(add_light(document_.scene(), light));
   ASSERT_EQ(objects().lights.size(), 2U);
   EXPECT_EQ(objects().lights[1].light, light);
   const grf::AreaLight larger = scaled(light, 2);
@@ -123,7 +123,7 @@ TEST_F(LightEdits, LightsAreAddedChangedAndRemoved) {
 }
 
 TEST_F(LightEdits, ObserversAreAddedMovedAndRemoved) {
-  take(add_observer(document_.scene(), grf::Vec3d(0, 0, 9), diagnostics_));
+  take(add_observer(document_.scene(), grf::Vec3d(0, 0, 9)));
   ASSERT_EQ(objects().observers.size(), 2U);
   EXPECT_EQ(objects().observers[1].position, grf::Vec3d(0, 0, 9));
   take(move_observer(document_.scene(), objects().observers[0], grf::Vec3d(4, 6, 8), diagnostics_));

@@ -71,16 +71,6 @@ TEST(MeshGeometry, KnowsFacesOfTrianglesAndEdgesOfPolygons) {
   EXPECT_EQ(geometry.normal(1), Vec3d(0, 0, 1));
 }
 
-TEST(MeshGeometry, IsTheSameForOtherSurfacesAlone) {
-  const grf::Mesh mesh = grf::height_field(4);
-  grf::MeshDraft other(mesh);
-  other.surfaces.front().colour = grf::Colour(0.5F);
-  other.name = "another";
-  EXPECT_TRUE(has_same_geometry(mesh, other));
-  other.positions[3].x += 1;
-  EXPECT_FALSE(has_same_geometry(mesh, other));
-}
-
 TEST(StandIn, HasAboutAsManyTrianglesAndTheSameShape) {
   const MeshGeometry geometry(grf::height_field(400));
   const TriangleArrays quick = stand_in(geometry.arrays(), 20'000);

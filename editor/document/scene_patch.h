@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "editor/document/change.h"
+#include "grf/scene.h"
+#include "grf/scene_path.h"
+
+namespace editor {
+
+/// A mesh, and where it stands in a scene.
+struct PlacedMesh {
+  grf::ScenePath path;
+  grf::Mesh mesh;
+};
+
+/// The difference between two states of a scene, which leads from each of them to the other. It holds what
+/// differs alone, so that a long history of steps needs little memory.
+class ScenePatch {
+ public:
+  /// Parts that both scenes share are not compared.
+  static ScenePatch between(const grf::Scene& before, const grf::Scene& after);
+  /// From a scene to that in which these meshes stand at their places, where there are meshes already.
+  static ScenePatch of_meshes(const grf::Scene& before, const std::vector<PlacedMesh>& after);
+
+  bool empty() const { return parts_.empty(); }
+  void apply(grf::Scene& before) const;
+  void revert(grf::Scene& after) const;
+
+  /// What kinds of things differ; the meshes are those of `meshes`.
+  Change change() const;
+  /// The places of the meshes that differ in what their faces have.
+  std::vector<grf::ScenePath> meshes() const;
+
+  /// Takes up a patch that leads on from where this one leads to.
+  void append(const ScenePatch& later);
+  /// Names files from another path, see `grf::relocate`.
+  void relocate(const std::string& from, const std::string& to,
+                const std::map<std::string, std::string>& moved);
+
+ private:
+  /// Faces one after the other of which all had one surface, and have another one.
+  struct FaceRun {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t before = 0;
+    std::uint32_t after = 0;
+  };
+  /// Both states share their geometry with the scene. Where the number of faces stays, the runs say which
+  /// have other surfaces, and the meshes here hold no list of faces.
+  struct MeshPart {
+    grf::ScenePath path;
+    grf::Mesh before;
+    grf::Mesh after;
+    bool has_runs = false;
+    std::vector<FaceRun> runs;
+  };
+  /// Blocks in a list, from a place on, which others replace.
+  struct BlocksPart {
+    grf::ScenePath list;
+    std::size_t first = 0;
+    std::vector<grf::Block> before;
+    std::vector<grf::Block> after;
+  };
+  struct DefinitionsPart {
+    grf::ScenePath scope;
+    std::size_t first = 0;
+    std::vector<grf::Definition> before;
+    std::vector<grf::Definition> after;
+  };
+  /// What a block says besides the blocks inside it, which are empty here.
+  struct HeadPart {
+    grf::ScenePath path;
+    grf::Block before;
+    grf::Block after;
+  };
+  struct EndCommentsPart {
+    grf::ScenePath list;
+    std::vector<std::string> before;
+    std::vector<std::string> after;
+  };
+  struct Part {
+    bool is_included = false;  ///< it stands in a file of its own, which names others from its own place
+    std::variant<MeshPart, BlocksPart, DefinitionsPart, HeadPart, EndCommentsPart> content;
+  };
+  class Finder;
+
+  static void add_to(Change& change, const MeshPart& part);
+  static void add_to(Change& change, const BlocksPart& part);
+  static void add_to(Change& change, const DefinitionsPart& part);
+  static void add_to(Change& change, const HeadPart& part);
+  static void add_to(Change& change, const EndCommentsPart& part);
+  static MeshPart mesh_part(grf::ScenePath path, const grf::Mesh& before, const grf::Mesh& after);
+  static void put(const MeshPart& part, bool is_forward, grf::Scene& scene);
+  static void put(const BlocksPart& part, bool is_forward, grf::Scene& scene);
+  static void put(const DefinitionsPart& part, bool is_forward, grf::Scene& scene);
+  static void put(const HeadPart& part, bool is_forward, grf::Scene& scene);
+  static void put(const EndCommentsPart& part, bool is_forward, grf::Scene& scene);
+  static bool continues(MeshPart& part, const MeshPart& later);
+  static bool continues(BlocksPart& part, const BlocksPart& later);
+  static bool continues(DefinitionsPart& part, const DefinitionsPart& later);
+  static bool continues(HeadPart& part, const HeadPart& later);
+  static bool continues(EndCommentsPart& part, const EndCommentsPart& later);
+
+  std::vector<Part> parts_;
+};
+
+}  // namespace editor
