@@ -14,7 +14,7 @@ namespace grf {
 /// keys of `moved` go to the new folder themselves, and get the names that are their values.
 void relocate(Scene& scene, const std::string& from, const std::string& to,
               const std::map<std::string, std::string>& moved = {});
-// The same for parts of a scene that stand in the file itself.
+// These relocate parts of a scene, which stand in the file itself and not in one that it includes.
 void relocate(std::span<Block> blocks, const std::string& from, const std::string& to,
               const std::map<std::string, std::string>& moved = {});
 void relocate(std::span<Definition> definitions, const std::string& from, const std::string& to,

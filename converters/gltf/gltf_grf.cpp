@@ -157,17 +157,17 @@ GltfMeshLists lists_of(const Value& record) {
 }  // namespace
 
 grf::Mesh without_lists(const grf::Mesh& mesh) {
-  grf::MeshDraft stub;
-  stub.name = mesh.name;
-  stub.comments = mesh.comments;
-  stub.surfaces = mesh.surfaces;
-  stub.positions = {grf::Vec3f(0, 0, 0), grf::Vec3f(1, 0, 0), grf::Vec3f(0, 1, 0)};
+  grf::MeshDraft carrier;
+  carrier.name = mesh.name;
+  carrier.comments = mesh.comments;
+  carrier.surfaces = mesh.surfaces;
+  carrier.positions = {grf::Vec3f(0, 0, 0), grf::Vec3f(1, 0, 0), grf::Vec3f(0, 1, 0)};
   const std::vector<bool> used = grf::used_surfaces(mesh);
   constexpr std::array<std::uint32_t, 3> Corners = {0, 1, 2};
   for (std::uint32_t i = 0; i < used.size(); ++i) {
-    if (used[i]) stub.add_face(Corners, i);
+    if (used[i]) carrier.add_face(Corners, i);
   }
-  return stub;
+  return carrier;
 }
 
 std::optional<grf::Scene> read_grf_extras(const GltfFile& file, GltfAccessors& accessors,

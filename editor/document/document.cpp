@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "editor/document/image_files.h"
@@ -168,8 +169,8 @@ void Document::edit_surfaces(const QString& text, const SurfaceEdit& edit, const
 
 void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key) {
   if (selection_->empty()) return;
-  std::size_t places = 0;
-  const FaceSelection faces = at_all_places(scene_, *objects_, *selection_, places);
+  const FaceSelection faces = at_all_places(scene_, *objects_, *selection_);
+  const std::size_t places = faces.meshes().size() - selection_->meshes().size();
   push(text, ScenePatch::of_meshes(scene_, edited(*objects_, faces, edits)), key);
   if (places > 0) tell_of_places(places);
 }
@@ -185,7 +186,10 @@ void Document::push(const QString& text, ScenePatch patch, const QString& key) {
 Change Document::change_of(const ScenePatch& patch) const {
   Change change = patch.change();
   if (change.is_structural) return change;
-  for (const grf::ScenePath& path : patch.meshes()) change.meshes.push_back(*objects_->mesh_at(path));
+  const std::set<grf::ScenePath> places = patch.meshes();
+  for (std::uint32_t i = 0; i < objects_->meshes.size(); ++i) {
+    if (places.contains(objects_->meshes[i].path)) change.meshes.push_back(i);
+  }
   return change;
 }
 

@@ -30,9 +30,8 @@ class Document : public QObject {
   ~Document() override;
 
   const grf::Scene& scene() const { return scene_; }
-  /// The same scene for views; as old as the last `changed`.
+  /// The scene's objects are what views draw: they are as old as the last `changed`.
   const SceneObjects& objects() const { return *objects_; }
-  const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const FaceSelection& selection() const { return *selection_; }
   /// Where the scene was read from or saved; empty: nowhere yet.
   const QString& path() const { return path_; }

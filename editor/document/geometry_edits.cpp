@@ -61,8 +61,7 @@ grf::Mesh edited_mesh(const grf::Mesh& mesh, const std::vector<bool>& faces, con
 
 grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {
   grf::Scene scene = faces.scene;
-  std::size_t places = 0;
-  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection, places);
+  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection);
   for (const std::uint32_t i : selection.meshes()) {
     const std::vector<bool>& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];
@@ -159,8 +158,7 @@ grf::Scene with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour
 grf::Scene without_faces(const SelectedFaces& faces) {
   grf::Scene scene = faces.scene;
   std::vector<grf::ScenePath> gone;
-  std::size_t places = 0;
-  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection, places);
+  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection);
   for (const std::uint32_t i : selection.meshes()) {
     const std::vector<bool>& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];

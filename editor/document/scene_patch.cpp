@@ -12,14 +12,7 @@
 namespace editor {
 namespace {
 
-/// The body of a block, or null.
-grf::BlockList* body_of(grf::Block& block) {
-  if (auto* transform = std::get_if<grf::Transform>(&block.content)) return &transform->body;
-  if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) return &scope->body;
-  return nullptr;
-}
-
-/// A block without what stands inside it: a transform's steps, an include's name, comments.
+/// A block without what stands inside it.
 grf::Block head_of(const grf::Block& block) {
   grf::Block head;
   head.comments = block.comments;
@@ -28,10 +21,6 @@ grf::Block head_of(const grf::Block& block) {
     head.content = grf::Transform{transform->steps, {}};
   } else if (const auto* include = std::get_if<grf::Include>(&block.content)) {
     head.content = grf::Include{include->file, {}, include->origin};
-  } else if (std::holds_alternative<grf::DefinitionScope>(block.content)) {
-    head.content = grf::DefinitionScope();
-  } else if (std::holds_alternative<grf::MeshLight>(block.content)) {
-    head.content = grf::MeshLight();
   }
   return head;
 }
@@ -244,25 +233,23 @@ void ScenePatch::put(const BlocksPart& part, bool is_forward, grf::Scene& scene)
 }
 
 void ScenePatch::put(const DefinitionsPart& part, bool is_forward, grf::Scene& scene) {
-  auto& scope = std::get<grf::DefinitionScope>(grf::find(scene, part.scope).block->content);
+  auto& scope = std::get<grf::DefinitionScope>(grf::find(scene, part.list).block->content);
   const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
   splice(scope.definitions, part.first, from.size(), to);
 }
 
 void ScenePatch::put(const HeadPart& part, bool is_forward, grf::Scene& scene) {
   grf::Block& block = *grf::find(scene, part.path).block;
-  grf::Block changed = is_forward ? part.after : part.before;
-  if (grf::BlockList* body = body_of(changed)) *body = std::move(*body_of(block));
-  if (auto* scope = std::get_if<grf::DefinitionScope>(&changed.content)) {
-    scope->definitions = std::move(std::get<grf::DefinitionScope>(block.content).definitions);
-  } else if (auto* include = std::get_if<grf::Include>(&changed.content)) {
-    include->contents = std::get<grf::Include>(block.content).contents;
-  } else if (auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&changed.content)) {
-    *mesh = std::get<grf::Shared<grf::Mesh>>(block.content);
-  } else if (auto* light = std::get_if<grf::MeshLight>(&changed.content)) {
-    *light = std::get<grf::MeshLight>(block.content);
+  const grf::Block& head = is_forward ? part.after : part.before;
+  block.comments = head.comments;
+  block.location = head.location;
+  if (const auto* transform = std::get_if<grf::Transform>(&head.content)) {
+    std::get<grf::Transform>(block.content).steps = transform->steps;
+  } else if (const auto* include = std::get_if<grf::Include>(&head.content)) {
+    auto& changed = std::get<grf::Include>(block.content);
+    changed.file = include->file;
+    changed.origin = include->origin;
   }
-  block = std::move(changed);
 }
 
 void ScenePatch::put(const EndCommentsPart& part, bool is_forward, grf::Scene& scene) {
@@ -308,10 +295,10 @@ Change ScenePatch::change() const {
   return change;
 }
 
-std::vector<grf::ScenePath> ScenePatch::meshes() const {
-  std::vector<grf::ScenePath> paths;
+std::set<grf::ScenePath> ScenePatch::meshes() const {
+  std::set<grf::ScenePath> paths;
   for (const Part& part : parts_) {
-    if (const auto* mesh = std::get_if<MeshPart>(&part.content)) paths.push_back(mesh->path);
+    if (const auto* mesh = std::get_if<MeshPart>(&part.content)) paths.insert(mesh->path);
   }
   return paths;
 }
@@ -323,16 +310,9 @@ bool ScenePatch::continues(MeshPart& part, const MeshPart& later) {
   return true;
 }
 
-bool ScenePatch::continues(BlocksPart& part, const BlocksPart& later) {
+template <class Item>
+bool ScenePatch::continues(ListPart<Item>& part, const ListPart<Item>& later) {
   if (part.list != later.list || part.first != later.first || part.after.size() != later.before.size()) {
-    return false;
-  }
-  part.after = later.after;
-  return true;
-}
-
-bool ScenePatch::continues(DefinitionsPart& part, const DefinitionsPart& later) {
-  if (part.scope != later.scope || part.first != later.first || part.after.size() != later.before.size()) {
     return false;
   }
   part.after = later.after;

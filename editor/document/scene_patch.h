@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,10 +33,10 @@ class ScenePatch {
   void apply(grf::Scene& before) const;
   void revert(grf::Scene& after) const;
 
-  /// What kinds of things differ; the meshes are those of `meshes`.
+  /// The change says what kinds of things differ; which meshes do, `meshes` says.
   Change change() const;
   /// The places of the meshes that differ in what their faces have.
-  std::vector<grf::ScenePath> meshes() const;
+  std::set<grf::ScenePath> meshes() const;
 
   /// Takes up a patch that leads on from where this one leads to.
   void append(const ScenePatch& later);
@@ -60,20 +61,18 @@ class ScenePatch {
     bool has_runs = false;
     std::vector<FaceRun> runs;
   };
-  /// Blocks in a list, from a place on, which others replace.
-  struct BlocksPart {
+  /// Items replace others in a list, from one on: blocks, or definitions of a scope.
+  template <class Item>
+  struct ListPart {
     grf::ScenePath list;
     std::size_t first = 0;
-    std::vector<grf::Block> before;
-    std::vector<grf::Block> after;
+    std::vector<Item> before;
+    std::vector<Item> after;
   };
-  struct DefinitionsPart {
-    grf::ScenePath scope;
-    std::size_t first = 0;
-    std::vector<grf::Definition> before;
-    std::vector<grf::Definition> after;
-  };
-  /// What a block says besides the blocks inside it, which are empty here.
+  using BlocksPart = ListPart<grf::Block>;
+  using DefinitionsPart = ListPart<grf::Definition>;
+  /// A block keeps what stands inside it, and gets other comments, transform steps or another include's name:
+  /// both states hold these alone.
   struct HeadPart {
     grf::ScenePath path;
     grf::Block before;
@@ -102,8 +101,8 @@ class ScenePatch {
   static void put(const HeadPart& part, bool is_forward, grf::Scene& scene);
   static void put(const EndCommentsPart& part, bool is_forward, grf::Scene& scene);
   static bool continues(MeshPart& part, const MeshPart& later);
-  static bool continues(BlocksPart& part, const BlocksPart& later);
-  static bool continues(DefinitionsPart& part, const DefinitionsPart& later);
+  template <class Item>
+  static bool continues(ListPart<Item>& part, const ListPart<Item>& later);
   static bool continues(HeadPart& part, const HeadPart& later);
   static bool continues(EndCommentsPart& part, const EndCommentsPart& later);
 

@@ -300,8 +300,9 @@ using Texts = std::map<std::string, grf::Shared<grf::BlockList>>;
 void collect_texts(const grf::BlockList& list, Texts& texts) {
   for (const grf::Block& block : list.blocks) {
     if (const auto* include = std::get_if<grf::Include>(&block.content)) {
-      const bool is_new = texts.emplace(include->origin.path, include->contents).second;
-      if (is_new) collect_texts(*include->contents, texts);
+      const bool is_known =
+          !include->origin.path.empty() && !texts.emplace(include->origin.path, include->contents).second;
+      if (!is_known) collect_texts(*include->contents, texts);
     } else if (const grf::BlockList* inside = list_in(block)) {
       collect_texts(*inside, texts);
     }
@@ -314,7 +315,7 @@ void collect_changed(const grf::BlockList& list, const Texts& before, Texts& cha
   for (const grf::Block& block : list.blocks) {
     const auto* include = std::get_if<grf::Include>(&block.content);
     const auto known = include == nullptr ? before.end() : before.find(include->origin.path);
-    if (known != before.end() && !known->first.empty()) {
+    if (known != before.end()) {
       if (include->contents == known->second) continue;
       const auto [other, is_new] = changed.emplace(known->first, include->contents);
       if (!is_new && !(other->second == include->contents)) {
@@ -328,36 +329,24 @@ void collect_changed(const grf::BlockList& list, const Texts& before, Texts& cha
   }
 }
 
-/// Gives all includes of files the text that these have now; returns of how many that is another one. Lists
-/// that stay are not copied.
-std::size_t put_texts(const grf::BlockList& list, const Texts& changed, grf::BlockList& result);
-
-std::size_t put_texts(const grf::Shared<grf::BlockList>& list, const Texts& changed,
-                      grf::Shared<grf::BlockList>& result) {
-  grf::BlockList edited = *list;
-  const std::size_t places = put_texts(*list, changed, edited);
-  if (places > 0) result = std::move(edited);
-  return places;
-}
-
-std::size_t put_texts(const grf::BlockList& list, const Texts& changed, grf::BlockList& result) {
+/// Gives all includes of files the text that these have now; returns of how many that is another one.
+std::size_t put_texts(grf::BlockList& list, const Texts& changed) {
   std::size_t places = 0;
-  for (std::size_t i = 0; i < list.blocks.size(); ++i) {
-    const grf::Block& block = list.blocks[i];
-    grf::Block& edited = result.blocks[i];
-    if (const auto* include = std::get_if<grf::Include>(&block.content)) {
-      auto& contents = std::get<grf::Include>(edited.content).contents;
+  for (grf::Block& block : list.blocks) {
+    if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      places += put_texts(transform->body, changed);
+    } else if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
+      places += put_texts(scope->body, changed);
+    } else if (auto* include = std::get_if<grf::Include>(&block.content)) {
       const auto text = changed.find(include->origin.path);
       if (text != changed.end() && !(include->contents == text->second)) {
-        contents = text->second;
+        include->contents = text->second;
         ++places;
       }
-      const grf::Shared<grf::BlockList> now = contents;
-      places += put_texts(now, changed, contents);
-    } else if (const auto* transform = std::get_if<grf::Transform>(&block.content)) {
-      places += put_texts(transform->body, changed, std::get<grf::Transform>(edited.content).body);
-    } else if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
-      places += put_texts(scope->body, changed, std::get<grf::DefinitionScope>(edited.content).body);
+      grf::BlockList inside = *include->contents;
+      const std::size_t places_inside = put_texts(inside, changed);
+      if (places_inside > 0) include->contents = std::move(inside);
+      places += places_inside;
     }
   }
   return places;
@@ -391,12 +380,11 @@ std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Di
   Texts changed;
   collect_changed(after.contents, texts, changed, diagnostics);
   if (changed.empty() || diagnostics.error_count() > 0) return 0;
-  const grf::Scene edited = after;
-  return put_texts(edited.contents, changed, after.contents);
+  return put_texts(after.contents, changed);
 }
 
 FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
-                            const FaceSelection& selection, std::size_t& places) {
+                            const FaceSelection& selection) {
   FaceSelection faces = selection;
   std::map<WrittenPlace, std::vector<std::uint32_t>> selected;
   for (const std::uint32_t mesh : selection.meshes()) {
@@ -414,7 +402,6 @@ FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects
       }
     }
   }
-  places = faces.meshes().size() - selection.meshes().size();
   return faces;
 }
 

@@ -68,10 +68,9 @@ grf::BlockList& outermost_blocks(grf::Scene& scene);
 /// how many others. An error where two places were changed in different ways: a file has one text.
 std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Diagnostics& diagnostics);
 
-/// The faces of a selection, and the same ones at all places where their file is included; counts the meshes
-/// that were not selected at all.
+/// The faces of a selection, and the same ones at all places where their file is included.
 FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
-                            const FaceSelection& selection, std::size_t& places);
+                            const FaceSelection& selection);
 
 /// The block, definition or faces' mesh that was written at a location or nearest before it in the same
 /// file, if there is one.

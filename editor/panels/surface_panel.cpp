@@ -133,9 +133,6 @@ void SurfacePanel::connect_rows() {
   });
   connect(irradiance_, &VertexRow::bake_requested, this, &SurfacePanel::bake_requested);
   connect(brdf_, &BrdfRow::problem_found, this, &SurfacePanel::report);
-  connect(normals_, &NormalsRow::problem_found, this, &SurfacePanel::report);
-  connect(irradiance_, &VertexRow::problem_found, this, &SurfacePanel::report);
-  connect(vertex_colours_, &VertexRow::problem_found, this, &SurfacePanel::report);
 }
 
 void SurfacePanel::show_selection() {

@@ -65,7 +65,6 @@ class VertexRow : public QWidget {
 
  signals:
   void bake_requested();
-  void problem_found(const QString& problem);
 
  private:
   void put(const std::optional<grf::Colour>& value);
@@ -86,9 +85,6 @@ class NormalsRow : public QWidget {
   void show_facts(const SurfaceFacts& facts);
   /// What the row's label leads to.
   QWidget* field() const;
-
- signals:
-  void problem_found(const QString& problem);
 
  private:
   enum class Change { Smooth, Flat, Flip };

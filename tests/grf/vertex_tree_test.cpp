@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "grf/mesh.h"
+
 namespace grf {
 namespace {
 
