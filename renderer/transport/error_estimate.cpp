@@ -18,12 +18,12 @@ constexpr double NormalQuantile = 1.96;
 /// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
 /// variance is not known at all count in full, and images that lack their rare bright samples state too small
 /// an error. Measured, with error_statistics_test.
-constexpr double UncertainPart = 0.45;
+constexpr double UncertainPart = 0.5;
 /// How many degrees of freedom the few pixels that an error is spread over have less than they seem to: those
 /// that are noisy by chance are taken for the noisy ones. Measured.
-constexpr double LostFreedom = 4;
+constexpr double LostFreedom = 4.7;
 /// The part of the deviation that counts downwards: the error is seldom stated too great by noise. Measured.
-constexpr double LowerDeviation = 0.75;
+constexpr double LowerDeviation = 0.8;
 
 /// How much more the pixels must differ than the halves, so that it is no noise.
 constexpr double ContrastOverNoise = 1.5;
@@ -33,20 +33,23 @@ constexpr double OneHalfBright = 0.7;
 constexpr double LoneContrast = 2;
 /// What is assumed of lone pixels before they are seen is as if so many had been, whose halves agreed so much
 /// on black: where nothing else shines, no path finds light by chance.
-constexpr double LonePixelsBefore = 2;
+constexpr double LonePixelsBefore = 5;
 constexpr double LoneAgreementBefore = 0.12;
 /// How many standard deviations the lone pixels' agreement may be off.
-constexpr double LoneQuantile = 1;
+constexpr double LoneQuantile = 1.1;
+/// Above this agreement, a lone value may be a thing that every sample hits.
+constexpr double SteadyAgreement = 0.9;
+
+/// How large the part of a binomial variance is that pixels at edges may have, with samples well spread.
+constexpr double BinomialPart = 0.5;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.86;      ///< of second-order errors that the denominators' bias makes
-constexpr double LoneDoubtPart = 0.4;   ///< the same, of lone pixels' errors
+constexpr double DoubtPart = 0.45;      ///< of second-order errors that the denominators' bias makes
+constexpr double LoneDoubtPart = 0.45;  ///< the same, of lone pixels' errors
 constexpr double TailGrowth = 0.6;      ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 80;        ///< of a touched pixel's squared relative error, in most images
-constexpr double TailBoundPart = 0.35;  ///< of these bounds, that the sum over all touched pixels may reach
-constexpr double BrightestPixels = 8;   ///< as many more may have the greatest error of all, in most images
+constexpr double TailBound = 1600;      ///< of the squared relative error of the one that is touched least
 constexpr double UnseenPart = 1.6;      ///< of the error of pixels that were not hit, in most images
-constexpr double TouchedPart = 0.83;    ///< of touched pixels' errors, that may as well not be there
+constexpr double TouchedPart = 0.97;    ///< of touched pixels' errors, that may as well not be there
 
 /// What the neighbours of a value are like.
 struct Surroundings {
@@ -101,6 +104,16 @@ double unseen_error(const Surroundings& around, double mean, double samples) {
   return hit * hit / 4 / (radiance * radiance + RelmseFloor) / samples;
 }
 
+/// The squared relative error that a pixel may have if its samples fall on two things, one as bright as its
+/// darkest and one as bright as its brightest neighbour: a binomial distribution. Of halves with as many hits
+/// each, the difference tells nothing of it.
+double possible_error(const Surroundings& around, double mean, double samples) {
+  const double high = std::max(mean, around.brightest);
+  if (around.count == 0 || !(mean > around.darkest)) return 0;
+  const double variance = (mean - around.darkest) * (high - mean) / samples;
+  return BinomialPart * variance / (mean * mean + RelmseFloor);
+}
+
 /// The squared relative error of a value, unless it is counted as lone or touched.
 double add_value(const Surroundings& around, double mean, double variance, double samples, ErrorSums& sums) {
   if (around.count == 0) return variance / (mean * mean + RelmseFloor);
@@ -109,7 +122,9 @@ double add_value(const Surroundings& around, double mean, double variance, doubl
     const double excess = mean - around.second_brightest;
     ++sums.lone.count;
     if (around.darkest < std::sqrt(RelmseFloor)) ++sums.lone.on_black;
-    sums.lone.agreement += 1 - variance / (excess * excess);
+    const double agreement = 1 - variance / (excess * excess);
+    sums.lone.agreement += agreement;
+    if (agreement > SteadyAgreement) ++sums.lone.steady;
   }
   sums.touched.unseen += unseen_error(around, mean, samples);
   if (!(variance > 0)) return 0;
@@ -144,8 +159,6 @@ Supplement spread_over(double errors, double values) {
   return {errors, errors * errors * PixelChannels / values};
 }
 
-double pixels_of(const ErrorSums::Touched& touched) { return touched.errors / PixelChannels; }
-
 /// How much brighter touched pixels are than the dark side: of squares, the geometric mean.
 double contrast_of(const ErrorSums::Touched& touched) {
   return std::exp(touched.logarithms / touched.errors);
@@ -153,17 +166,18 @@ double contrast_of(const ErrorSums::Touched& touched) {
 
 Supplement errors_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return {};
-  const double tail = TailGrowth * std::log1p(std::min(contrast_of(touched), 4 * pixels_of(touched)));
+  const double tail =
+      TailGrowth * std::log1p(std::min(contrast_of(touched), 4 * touched.errors / PixelChannels));
   return spread_over(touched.errors * (1 + tail), touched.errors);
 }
 
-/// By how much the squared errors of touched pixels, and of those that were not hit, may be greater.
+/// By how much the squared errors of touched pixels, and of those that were not hit, may be greater: one
+/// pixel in all may be touched far less than the others.
 double bound_of(const ErrorSums::Touched& touched) {
   const double unseen = std::max(0.0, touched.unseen);
   const double of_unseen = UnseenPart * (unseen + std::sqrt(unseen));
   if (!(touched.errors > 0)) return of_unseen;
-  const double brightest = BrightestPixels * PixelChannels * contrast_of(touched);
-  return std::min(TailBoundPart * std::max(0.0, touched.bounds), brightest) + of_unseen;
+  return PixelChannels * touched.bounds / std::max<double>(PixelChannels, touched.errors) + of_unseen;
 }
 
 /// The squared error of all lone values, and between what it may well be.
@@ -180,15 +194,31 @@ double errors_at(const ErrorSums::Lone& lone, double agreement) {
   return std::min(std::max(lone.own, lone.neighbours), own);
 }
 
+/// What lone values say of how well their halves agree, together with what is assumed before.
+struct Agreement {
+  double pixels = 0;
+  double mean = 0;
+
+  /// The bounds of Wilson's interval for a share, which holds for a few pixels that all say the same, too
+  /// (Wilson 1927, "Probable inference, the law of succession, and statistical inference").
+  double bound(double sign) const {
+    constexpr double Squared = LoneQuantile * LoneQuantile;
+    const double spread = std::sqrt(Squared * (mean * (1 - mean) + Squared / (4 * pixels)) / pixels);
+    return std::clamp((mean + Squared / (2 * pixels) + sign * spread) / (1 + Squared / pixels), 0.0, 1.0);
+  }
+};
+
+Agreement agreement_of(const ErrorSums::Lone& lone, double without) {
+  const double pixels = (lone.count - without) / PixelChannels + LonePixelsBefore;
+  const double before = LonePixelsBefore * LoneAgreementBefore * lone.on_black / lone.count;
+  return {pixels, std::clamp(((lone.agreement - without) / PixelChannels + before) / pixels, 0.0, 1.0)};
+}
+
 LoneErrors errors_of(const ErrorSums::Lone& lone) {
   if (!(lone.count > 0.5)) return {};
-  const double pixels = lone.count / PixelChannels + LonePixelsBefore;
-  const double before = LoneAgreementBefore * lone.on_black / lone.count;
-  const double sum = lone.agreement / PixelChannels + LonePixelsBefore * before;
-  const double agreement = std::clamp(sum / pixels, 0.0, 1.0);
-  const double deviation = LoneQuantile * std::sqrt(agreement * (1 - agreement) / (pixels + 1));
-  return {errors_at(lone, agreement), errors_at(lone, std::min(1.0, agreement + deviation)),
-          errors_at(lone, std::max(0.0, agreement - deviation))};
+  const Agreement agreement = agreement_of(lone, 0);
+  return {errors_at(lone, agreement.mean), errors_at(lone, agreement.bound(1)),
+          errors_at(lone, agreement_of(lone, lone.steady).bound(-1))};
 }
 
 /// Of Student's t distribution: 95 % are within so many (Cornish and Fisher 1938).
@@ -210,12 +240,28 @@ double logarithm_of_ratio(double freedom) {
 /// What comes to a logarithm when so much is added to an error of 1.
 double half_logarithm(double added) { return std::log1p(added) / 2; }
 
+/// How many degrees of freedom the sum of squared errors has. An edge pixel whose halves happen to agree
+/// hides that much of the error may be in that one pixel, so that as few are taken as its binomial one
+/// leaves.
+double freedom_of(const ErrorSums& sums, const Supplement& touched, double lone_errors) {
+  const double lone_squares = lone_errors > 0 ? spread_over(lone_errors, sums.lone.own).squares : 0;
+  const auto effective = [&](double errors, double squares) {
+    errors += touched.errors + lone_errors;
+    return errors * errors / (std::max(0.0, squares) + touched.squares + lone_squares);
+  };
+  const double pixels =
+      std::min(effective(sums.errors, sums.squares), effective(sums.possible.errors, sums.possible.squares));
+  return std::max(1.0, pixels / UncertainPart - LostFreedom);
+}
+
 }  // namespace
 
 ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
   values += sign * other.values;
   errors += sign * other.errors;
   squares += sign * other.squares;
+  possible.errors += sign * other.possible.errors;
+  possible.squares += sign * other.possible.squares;
   doubt += sign * other.doubt;
   touched.errors += sign * other.touched.errors;
   touched.logarithms += sign * other.touched.logarithms;
@@ -223,6 +269,7 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
   touched.unseen += sign * other.touched.unseen;
   lone.count += sign * other.lone.count;
   lone.agreement += sign * other.lone.agreement;
+  lone.steady += sign * other.lone.steady;
   lone.on_black += sign * other.lone.on_black;
   lone.own += sign * other.lone.own;
   lone.neighbours += sign * other.lone.neighbours;
@@ -236,12 +283,18 @@ ErrorSums error_sums_of(const PixelMoments& pixels) {
     for (int x = 0; x < pixels.width; ++x) {
       const auto index = pixels.index(x, y);
       double error = 0;
+      double possible = 0;
       for (int c = 0; c < PixelChannels; ++c) {
-        error += add_value(surroundings_of(pixels, x, y, c), pixels.means[index][c],
-                           pixels.variances[index][c], pixels.samples, sums);
+        const Surroundings around = surroundings_of(pixels, x, y, c);
+        const double mean = pixels.means[index][c];
+        error += add_value(around, mean, pixels.variances[index][c], pixels.samples, sums);
+        possible += possible_error(around, mean, pixels.samples);
       }
+      possible = std::max(error, possible);
       sums.errors += error;
       sums.squares += error * error;
+      sums.possible.errors += possible;
+      sums.possible.squares += possible * possible;
       sums.doubt += error * error / (1 + error);
     }
   }
@@ -254,9 +307,7 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const LoneErrors lone = errors_of(sums.lone);
   const double errors = sums.errors + touched.errors + lone.errors;
   if (!(errors > 0)) return ErrorEstimate();
-  const double squares = std::max(0.0, sums.squares) + touched.squares +
-                         (lone.errors > 0 ? spread_over(lone.errors, sums.lone.count).squares : 0);
-  const double freedom = std::max(1.0, errors * errors / squares / UncertainPart - LostFreedom);
+  const double freedom = freedom_of(sums, touched, lone.errors);
   // All of these are of the logarithm of the error.
   const double deviation = logarithm_of_ratio(freedom);
   const double doubt =

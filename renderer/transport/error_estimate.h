@@ -19,11 +19,17 @@ struct ErrorSums {
   /// The part of the error that is of second order, e^2 / (1 + e): what is divided by is itself uncertain.
   double doubt = 0;
 
+  /// What `errors` and `squares` would be if no pixel at an edge had less than a part of a binomial variance.
+  struct Possible {
+    double errors = 0;
+    double squares = 0;
+  } possible;
+
   /// Pixels at an edge that few samples have hit, so that their radiance is hardly known.
   struct Touched {
     double errors = 0;      ///< as if a pixel's own mean were its radiance
     double logarithms = 0;  ///< of how much brighter they are than the dark side, times that error
-    double bounds = 0;      ///< of the squared error, for most of such pixels
+    double bounds = 0;      ///< what the squared error of one such pixel may be, times that error
     double unseen = 0;      ///< expected errors of pixels at such edges that no sample has hit
   } touched;
 
@@ -31,6 +37,7 @@ struct ErrorSums {
   struct Lone {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1 for each value
+    double steady = 0;      ///< how many agree so well that they may be hit by every sample
     double on_black = 0;    ///< how many have a neighbour darker than the floor
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
     double neighbours = 0;  ///< the same, if they are as their neighbours
@@ -93,14 +100,21 @@ ErrorSums error_sums_of(const PixelMoments& pixels);
 /// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
 /// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
 /// pixels is about M times ln(M) plus a constant, and seldom above M times 20. Where the hit and the dark
-/// side differ by the factor B in square, no error is above B: the sum then differs from its mean by no more
-/// than a few of these, however many pixels there are. As many pixels are not hit.
+/// side differ by the factor B in square, no error is above B. Along an edge that is parallel to the pixels'
+/// rows all h are the same, and if h is small the one pixel that is hit has the whole error: so the sum may
+/// be greater by B once, but no more than where a row of some 40 pixels has one hit. As many pixels are not
+/// hit.
 ///
 /// Lone pixels. A value that stands out from all neighbours but one belongs to a small bright thing, or the
 /// end of a thin one, or is a rare bright sample of a dark one. If such things are hit h times in the mean,
 /// the halves of those that were hit agree with about h / 4: so all lone pixels of an image together tell h,
 /// and h times what was found is their radiance. Few pixels tell little of h, so that on black a small h is
 /// assumed to begin with, and else none; and the interval has what greater and smaller ones would give.
+/// Things that every sample hits, such as the ends of lamps, say nothing of rare bright samples beside them:
+/// the upper bound leaves out the values that agree well.
+///
+/// Of 400 scenes with lamps in view, 380 of them random, all but three have 88 % and more of their images
+/// inside; the price is that 97 to 98 % of all images are (error_statistics_test).
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
 
 }  // namespace transport
