@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "editor/document/image_files.h"
+#include "editor/document/light_edits.h"
 #include "editor/document/model_import.h"
 #include "editor/document/scene_places.h"
 #include "grf/read.h"
@@ -18,6 +19,9 @@
 
 namespace editor {
 namespace {
+
+/// Radiance of the sky over a scene in which nothing emits.
+const grf::Vec3f PlainSky = grf::Vec3f(0.7F);
 
 /// The file from which a scene names others: one that was never saved does so from the current folder.
 QString naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("Untitled.grf") : path; }
@@ -99,10 +103,14 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   selection_ = {};
   relocations_.clear();
   import_folders_.clear();
+  has_plain_sky_ = false;
   show(std::move(scene));
+  options_.open_beside(path_);
+  give_plain_sky();
   if (is_modified) undo_stack_.resetClean();
   emit path_changed();
   emit taken();
+  if (has_plain_sky_) emit lit_by_a_plain_sky();
 }
 
 void Document::take_import(const ImportedModel& model) {
@@ -132,6 +140,8 @@ bool Document::save(const QString& path, grf::Diagnostics& diagnostics) {
   grf::Scene scene = scene_;
   grf::relocate(scene, from, path.toStdString(), copied);
   if (!grf::write(scene, path.toStdString(), diagnostics)) return false;
+  const bool keeps_options = options_.is_edited() || (path != path_ && !options_.op_text().text().empty());
+  if (keeps_options && !options_.save_beside(path, diagnostics)) return false;
   if (path != path_ || !copied.empty()) {
     path_ = path;
     relocations_.push_back({from, path.toStdString(), std::move(copied)});
@@ -180,7 +190,40 @@ void Document::tell_of_places(std::size_t places) {
 }
 
 void Document::push(const QString& text, ScenePatch patch, const QString& key) {
-  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key));
+  if (patch.empty()) return;
+  if (!replaces_plain_sky(patch)) {
+    undo_stack_.push(new Step(*this, text, std::move(patch), key));
+    return;
+  }
+  undo_stack_.beginMacro(text);
+  undo_stack_.push(new Step(*this, text, std::move(patch), {}));
+  options::RenderOptions without_sky = options_.valid_options();
+  without_sky.background = grf::Vec3f(0);
+  options_.set_options(text, without_sky);
+  undo_stack_.endMacro();
+}
+
+/// A model without lights would be black; a scene that says how it is rendered is as its author wants it.
+void Document::give_plain_sky() {
+  options::RenderOptions lit = options_.valid_options();
+  const bool is_dark = lit.environment.empty() && lit.background == grf::Vec3f(0) && objects_->faces > 0 &&
+                       emitters_of(*objects_).empty();
+  has_plain_sky_ = is_dark && (path_.isEmpty() || !QFileInfo::exists(options_.path()));
+  if (!has_plain_sky_) return;
+  lit.background = PlainSky;
+  options_.follow(lit);
+}
+
+bool Document::replaces_plain_sky(const ScenePatch& patch) const {
+  if (!has_plain_sky_ || options_.valid_options().background != PlainSky) return false;
+  grf::Scene scene = scene_;
+  patch.apply(scene);
+  return !emitters_of(objects_of(scene, path_.toStdString())).empty();
+}
+
+void Document::finish_gesture() {
+  ++gesture_;
+  options_.finish_step();
 }
 
 Change Document::change_of(const ScenePatch& patch) const {

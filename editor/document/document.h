@@ -10,6 +10,7 @@
 
 #include "editor/document/change.h"
 #include "editor/document/face_selection.h"
+#include "editor/document/op_document.h"
 #include "editor/document/scene_objects.h"
 #include "editor/document/scene_patch.h"
 #include "editor/document/surface_edits.h"
@@ -20,8 +21,9 @@ namespace editor {
 
 struct ImportedModel;
 
-/// The scene being edited. Every change is an undo command; what is selected is not, but undo and redo select
-/// again what their command was about.
+/// The project being edited: a scene, the options of its renders, and what is selected. Every change of scene
+/// and options is an undo command of one stack; what is selected is not, but undo and redo select again what
+/// their command was about.
 class Document : public QObject {
   Q_OBJECT
 
@@ -39,6 +41,10 @@ class Document : public QObject {
   QString name() const;
   bool is_modified() const { return !undo_stack_.isClean(); }
   QUndoStack& undo_stack() { return undo_stack_; }
+  /// The options of renders: those of the OP file beside the scene, which is written where the scene is
+  /// saved.
+  OpDocument& options() { return options_; }
+  const OpDocument& options() const { return options_; }
   /// What reading and checking the scene's file said.
   const grf::Diagnostics& diagnostics() const { return diagnostics_; }
 
@@ -72,7 +78,7 @@ class Document : public QObject {
   /// The same, where what they get depends on what they have.
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
   /// The next step is one of its own: a slider was let go.
-  void finish_gesture() { ++gesture_; }
+  void finish_gesture();
 
  signals:
   void changed(const editor::Change& change);
@@ -82,6 +88,8 @@ class Document : public QObject {
   void path_changed();
   /// Another scene is edited from now on: it was opened, imported, recovered or begun anew.
   void taken();
+  /// The scene that was taken has nothing that emits light: it has a grey sky until something does.
+  void lit_by_a_plain_sky();
   /// After the scene was written.
   void saved();
   void modified_changed(bool is_modified);
@@ -97,6 +105,8 @@ class Document : public QObject {
 
   void tell_of_places(std::size_t places);
   void push(const QString& text, ScenePatch patch, const QString& key);
+  void give_plain_sky();
+  bool replaces_plain_sky(const ScenePatch& patch) const;
   void show(grf::Scene scene);
   void show_change(const Change& change, const FaceSelection* selection);
   FaceSelection carried_over(const SceneObjects& before) const;
@@ -111,6 +121,8 @@ class Document : public QObject {
   std::vector<Relocation> relocations_;  ///< since the first step
   int gesture_ = 0;
   QUndoStack undo_stack_;
+  OpDocument options_{undo_stack_};
+  bool has_plain_sky_ = false;
 };
 
 }  // namespace editor

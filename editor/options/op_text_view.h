@@ -3,7 +3,7 @@
 #include <QPlainTextEdit>
 #include <memory>
 
-#include "editor/options/op_document.h"
+#include "editor/document/op_document.h"
 
 class QSyntaxHighlighter;
 

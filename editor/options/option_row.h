@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "editor/options/op_document.h"
+#include "editor/document/op_document.h"
 
 class QLabel;
 class QToolButton;

@@ -22,8 +22,9 @@ QString op_filter() { return QObject::tr("Options (*.op);;All files (*)"); }
 
 }  // namespace
 
-OptionsEditor::OptionsEditor(QWidget* parent)
+OptionsEditor::OptionsEditor(OpDocument* project, QWidget* parent)
     : QWidget(parent),
+      document_(project != nullptr ? *project : own_document_),
       form_(new OptionsForm(document_, this)),
       text_(new OpTextView(document_, this)),
       messages_(new QListWidget(this)) {
@@ -33,7 +34,6 @@ OptionsEditor::OptionsEditor(QWidget* parent)
   connect(&document_, &OpDocument::changed, this, [this] {
     file_problems_ = {};
     show_messages();
-    if (document_.render_options()) emit edited(*document_.render_options());
   });
   connect(messages_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { follow_message(messages_->row(item)); });

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "editor/options/op_document.h"
+#include "editor/document/op_document.h"
 #include "renderer/options/render_options.h"
 
 class QAction;
@@ -19,7 +19,9 @@ class OptionsEditor : public QWidget {
   Q_OBJECT
 
  public:
-  explicit OptionsEditor(QWidget* parent = nullptr);
+  /// Of a project's options, which outlive it, or of a file of its own.
+  explicit OptionsEditor(OpDocument* project, QWidget* parent = nullptr);
+  explicit OptionsEditor(QWidget* parent = nullptr) : OptionsEditor(nullptr, parent) {}
 
   OpDocument& document() { return document_; }
   /// False after an error, which the messages show.
@@ -44,8 +46,6 @@ class OptionsEditor : public QWidget {
   QAction* redo_action() const { return redo_; }
 
  signals:
-  /// After each change that leaves no errors.
-  void edited(const options::RenderOptions& options);
   /// What went wrong with reading or writing a file.
   void reported(const grf::Diagnostics& diagnostics);
 
@@ -62,7 +62,8 @@ class OptionsEditor : public QWidget {
   void ask_for_file();
   bool report(const grf::Diagnostics& diagnostics, bool is_done);
 
-  OpDocument document_;
+  OpDocument own_document_;
+  OpDocument& document_;
   OptionsForm* form_;
   OpTextView* text_;
   QListWidget* messages_;

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "editor/options/op_document.h"
+#include "editor/document/op_document.h"
 
 class QLabel;
 class QLineEdit;

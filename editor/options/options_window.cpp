@@ -10,7 +10,8 @@
 
 namespace editor {
 
-OptionsWindow::OptionsWindow(QWidget* parent) : QMainWindow(parent), editor_(new OptionsEditor(this)) {
+OptionsWindow::OptionsWindow(OpDocument* project, QWidget* parent)
+    : QMainWindow(parent), editor_(new OptionsEditor(project, this)) {
   setCentralWidget(editor_);
   resize(140 * Grid, 100 * Grid);
   make_menus();
@@ -48,7 +49,8 @@ void OptionsWindow::make_menus() {
 }
 
 void OptionsWindow::closeEvent(QCloseEvent* event) {
-  if (!editor_->document().undo_stack().isClean()) {
+  OpDocument& document = editor_->document();
+  if (!document.is_in_project() && !document.undo_stack().isClean()) {
     const auto answer = QMessageBox::question(
         this, tr("Unsaved options"), tr("The options have changes that are not saved."),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);

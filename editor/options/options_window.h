@@ -12,7 +12,9 @@ class OptionsWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit OptionsWindow(QWidget* parent = nullptr);
+  explicit OptionsWindow(QWidget* parent = nullptr) : OptionsWindow(nullptr, parent) {}
+  /// Of a project, whose steps and files are its own: closing asks nothing.
+  explicit OptionsWindow(OpDocument* project, QWidget* parent = nullptr);
 
   OptionsEditor& editor() { return *editor_; }
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "editor/controls/text.h"
+#include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 
 namespace editor {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "editor/controls/text.h"
+#include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 #include "grf/read.h"
 #include "grf/relocate.h"

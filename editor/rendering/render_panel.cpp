@@ -15,9 +15,10 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/document/op_document.h"
+#include "editor/document/op_files.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
-#include "editor/rendering/render_files.h"
 #include "editor/rendering/render_history.h"
 #include "editor/rendering/render_settings_row.h"
 #include "renderer/options/op_file.h"
@@ -27,11 +28,16 @@ namespace editor {
 using job::PreviewState;
 using options::RenderOptions;
 
-RenderPanel::RenderPanel(const QString& program, QWidget* parent) : QWidget(parent), final_(program) {
+RenderPanel::RenderPanel(OpDocument& options, const QString& program, QWidget* parent)
+    : QWidget(parent), options_(options), final_(program) {
   make_actions();
   lay_out();
   connect_preview();
   connect_final();
+  connect(&options_, &OpDocument::changed, this, &RenderPanel::show_options);
+  connect(&options_, &OpDocument::path_changed, this,
+          [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
+  show_options();
   update_actions();
   say(tr("Ready"));
 }
@@ -126,11 +132,8 @@ void RenderPanel::lay_out() {
   parts->setSizes({48 * Grid, 46 * Grid, 36 * Grid});
   row->addWidget(controls);
   row->addWidget(parts, 1);
-  connect(settings_, &RenderSettingsRow::edited, this, [this] {
-    curve_->set_target(settings_->options().target_error);
-    emit options_changed(settings_->options());
-    if (preview_.is_on()) restart_preview();
-  });
+  connect(settings_, &RenderSettingsRow::edited, this,
+          [this] { options_.set_options(tr("Change render options"), settings_->options()); });
   connect(image_, &FittedImage::activated, this, &RenderPanel::open_image);
   connect(history_, &RenderHistory::image_chosen, this, &RenderPanel::image_opened);
 }
@@ -211,39 +214,14 @@ void RenderPanel::set_scene(grf::Scene scene, const QString& path) {
   if (preview_.is_on()) restart_preview();
 }
 
-void RenderPanel::open_scene(grf::Scene scene, const QString& path) {
-  view_.reset();
-  RenderOptions render_options;
-  const QString op_file = op_file_beside(path);
-  if (!path.isEmpty() && QFileInfo::exists(op_file)) {
-    grf::Diagnostics diagnostics;
-    auto read = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), diagnostics);
-    log(QString::fromStdString(diagnostics.to_text()));
-    if (read) render_options = std::move(*read);
-  }
-  scene_ = std::move(scene);
-  path_ = path;
-  set_options(render_options);
-  emit options_changed(render_options);
-}
-
-const RenderOptions& RenderPanel::options() const { return settings_->options(); }
-
-void RenderPanel::set_options(const RenderOptions& render_options) {
-  view_.reset();
-  settings_->set_options(render_options);
-  curve_->set_target(render_options.target_error);
-  if (preview_.is_on()) restart_preview();
-}
-
-void RenderPanel::set_view(const transport::View& view) {
-  view_ = view;
-  RenderOptions render_options = options();
-  render_options.viewer = grf::Vec3f(view.eye);
-  render_options.target = grf::Vec3f(view.target);
-  render_options.up = view.up;
-  render_options.field_of_view = view.field_of_view;
-  settings_->set_options(render_options);
+void RenderPanel::show_options() {
+  const RenderOptions& now = options_.valid_options();
+  const bool is_from_there = view_ && now.viewer == grf::Vec3f(view_->eye) &&
+                             now.target == grf::Vec3f(view_->target) && now.up == view_->up &&
+                             now.field_of_view == view_->field_of_view;
+  if (!is_from_there) view_.reset();
+  settings_->set_options(now);
+  curve_->set_target(now.target_error);
   if (preview_.is_on()) restart_preview();
 }
 
@@ -264,7 +242,8 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   say(tr("Preview"));
-  preview_.restart({scene_, path_.toStdString(), with_absolute_paths(options(), path_), view_});
+  preview_.restart(
+      {scene_, path_.toStdString(), with_absolute_paths(options_.valid_options(), path_), view_});
   update_actions();
 }
 
@@ -274,7 +253,7 @@ void RenderPanel::render() {
   resumes_after_ = preview_.is_on() && !preview_.is_paused();
   if (resumes_after_) preview_.pause();
   keep_op_file();
-  final_.start({scene_, path_, options()});
+  final_.start({scene_, path_, options_.valid_options()});
 }
 
 void RenderPanel::stop() {
@@ -289,24 +268,16 @@ void RenderPanel::stop() {
 void RenderPanel::keep_op_file() {
   if (path_.isEmpty()) return;
   const QString op_file = op_file_beside(path_);
+  grf::Diagnostics diagnostics;
   if (!QFileInfo::exists(op_file)) {
-    write_op_file();
-    return;
+    options_.save_beside(path_, diagnostics);
+    return log(QString::fromStdString(diagnostics.to_text()));
   }
-  grf::Diagnostics unheard;  // it was read when the scene was opened
-  auto there = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), unheard);
-  RenderOptions now = with_absolute_paths(options(), path_);
+  // What is wrong with it was said when the scene was opened.
+  auto there = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), diagnostics);
+  RenderOptions now = with_absolute_paths(options_.valid_options(), path_);
   if (there) now.scene = there->scene;
   if (!there || !(*there == now)) emit op_file_differs(op_file);
-}
-
-bool RenderPanel::write_op_file() {
-  RenderOptions render_options = with_absolute_paths(options(), path_);
-  render_options.scene = QFileInfo(path_).absoluteFilePath().toStdString();
-  grf::Diagnostics diagnostics;
-  const bool is_written = editor::write_op_file(render_options, op_file_beside(path_), diagnostics);
-  log(QString::fromStdString(diagnostics.to_text()));
-  return is_written;
 }
 
 void RenderPanel::show_progress(double done, std::optional<double> seconds_left,

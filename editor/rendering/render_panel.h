@@ -8,7 +8,6 @@
 #include "editor/rendering/final_render.h"
 #include "editor/rendering/preview.h"
 #include "grf/scene.h"
-#include "renderer/options/render_options.h"
 
 class QAction;
 class QLabel;
@@ -20,6 +19,7 @@ namespace editor {
 
 class ErrorCurve;
 class FittedImage;
+class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
 
@@ -29,21 +29,15 @@ class RenderPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit RenderPanel(const QString& program = bundled_program("bpt"), QWidget* parent = nullptr);
+  /// Of these options, which outlive it: it shows them, and its controls edit them.
+  explicit RenderPanel(OpDocument& options, const QString& program = bundled_program("bpt"),
+                       QWidget* parent = nullptr);
 
   /// The scene as it is now, and its file; a preview that is on shows it.
   void set_scene(grf::Scene scene, const QString& path);
-  /// A scene that was just opened: its camera and options are those of the OP file beside it, if there is
-  /// one.
-  void open_scene(grf::Scene scene, const QString& path);
-  /// A preview that is on shows what they say.
-  void set_options(const options::RenderOptions& render_options);
-  const options::RenderOptions& options() const;
-  /// The camera of previews and renders from now on.
-  void set_view(const transport::View& view);
-  /// Writes the options to the OP file beside the scene in place of what is there. False after an error,
-  /// which is in the log.
-  bool write_op_file();
+  /// Where previews see the scene from, more exactly than the options say; the next change of the options
+  /// shows it, and counts alone once it gives another camera.
+  void set_view(const transport::View& view) { view_ = view; }
 
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
@@ -54,15 +48,13 @@ class RenderPanel : public QWidget {
   QAction* options_action() const { return options_action_; }
 
  signals:
-  /// By hand, or by opening a scene.
-  void options_changed(const options::RenderOptions& render_options);
   /// All of them are to be shown.
   void options_requested();
   /// An image file is to be shown large.
   void image_opened(const QString& path);
   /// The preview is to be shown large.
   void preview_opened();
-  /// The OP file beside the scene says other things than what is rendered: `write_op_file` changes those.
+  /// The OP file beside the scene says other things than what is rendered: saving the scene changes those.
   void op_file_differs(const QString& path);
 
  private:
@@ -77,6 +69,7 @@ class RenderPanel : public QWidget {
   void render();
   void stop();
   void keep_op_file();
+  void show_options();
   void finish(const FinalRenderResult& result);
   void show_progress(double done, std::optional<double> seconds_left, std::optional<double> error);
   void say(const QString& text);
@@ -84,6 +77,7 @@ class RenderPanel : public QWidget {
   void open_image();
   void update_actions();
 
+  OpDocument& options_;
   grf::Scene scene_;
   QString path_;
   std::optional<transport::View> view_;

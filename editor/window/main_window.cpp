@@ -138,7 +138,7 @@ void MainWindow::make_docks() {
   lights_ = new LightPanel(document_);
   surface_ = new SurfacePanel(document_, catalogue_);
   brdf_editor_ = new BrdfEditor;
-  render_ = new RenderPanel;
+  render_ = new RenderPanel(document_.options());
   messages_ = new MessagePanel(document_, catalogue_);
   QDockWidget* tree =
       docks_.add({"scene", tr("Scene"), "objects", QKeySequence("Ctrl+1"), tr("All that the scene holds")},
@@ -192,8 +192,7 @@ void MainWindow::connect_panels() {
   connect(view_link_, &ViewLink::failed, this, &MainWindow::fail);
   connect(view_link_, &ViewLink::told, this, &MainWindow::tell);
   connect(brdf_link_, &BrdfLink::failed, this, &MainWindow::fail);
-  connect(render_link_, &RenderLink::told, this, &MainWindow::tell);
-  connect(render_link_, &RenderLink::lit_by_a_plain_sky, this, [this] {
+  connect(&document_, &Document::lit_by_a_plain_sky, this, [this] {
     notice_->show_notice(
         NoticeBar::Kind::Information,
         tr("Nothing in this scene emits light. Until something does, renders have a grey sky."),
@@ -261,8 +260,12 @@ void MainWindow::connect_images() {
         NoticeBar::Kind::Information,
         tr("%1 says other things than are rendered. Saving the scene writes it, too.")
             .arg(QFileInfo(path).fileName()),
-        {{tr("Write it now"), tr("Puts the present options into the file; its comments stay"),
-          [this] { render_->write_op_file(); }}});
+        {{tr("Write it now"), tr("Puts the present options into the file; its comments stay"), [this] {
+            grf::Diagnostics diagnostics;
+            if (!document_.options().save_beside(document_.path(), diagnostics)) {
+              fail(QString::fromStdString(diagnostics.to_text()));
+            }
+          }}});
   });
 }
 
@@ -323,7 +326,7 @@ void MainWindow::fail_file(const QString& message) {
 void MainWindow::bake() {
   if (bake_->is_running()) return;
   status_->begin_work(tr("Baking irradiance"), [this] { bake_->stop(); });
-  options::RenderOptions bake_options = render_->options();
+  options::RenderOptions bake_options = document_.options().valid_options();
   bake_options.samples.reset();  // those of a pixel say nothing of a vertex
   bake_->start(document_.scene(), document_.path(), bake_options);
 }

@@ -58,7 +58,7 @@ class Browser : public testing::Test {
 
   std::string write(const std::string& name, const Image& image) {
     grf::Diagnostics diagnostics;
-    const std::string path = folder_.path(name);
+    std::string path = folder_.path(name);
     EXPECT_TRUE(transport::write_image({image}, path, diagnostics)) << diagnostics.to_text();
     return path;
   }

@@ -164,14 +164,14 @@ TEST_F(Editor, SearchFindsByMeaning) {
 }
 
 TEST_F(Editor, TellsOptionsThatAreRight) {
-  QSignalSpy edited(&editor_, &OptionsEditor::edited);
   open("Scene a.grf\n");
-  EXPECT_EQ(edited.count(), 1);
-  type("BPT_Depth", "x");
-  EXPECT_EQ(edited.count(), 1);
+  EXPECT_EQ(editor_.document().valid_options().depth, options::RenderOptions().depth);
+  editor_.document().set_plain_text("Scene a.grf\nDepth x\n");
+  EXPECT_FALSE(editor_.document().render_options());
+  EXPECT_EQ(editor_.document().valid_options().depth, options::RenderOptions().depth);
   type("BPT_Depth", "2");
-  ASSERT_EQ(edited.count(), 2);
-  EXPECT_EQ(edited.back().front().value<options::RenderOptions>().depth, 2);
+  ASSERT_TRUE(editor_.document().render_options());
+  EXPECT_EQ(editor_.document().valid_options().depth, 2);
   type("BPT_Depth", "5");
   EXPECT_EQ(text(), "Scene a.grf\n") << "its default";
 }

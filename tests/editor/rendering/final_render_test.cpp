@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 #include "renderer/options/op_file.h"
 #include "tests/editor/rendering/rendering_helpers.h"

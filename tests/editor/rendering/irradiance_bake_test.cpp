@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 #include "grf/relocate.h"
 #include "grf/visit.h"

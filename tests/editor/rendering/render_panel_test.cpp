@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "editor/controls/number_box.h"
+#include "editor/document/op_document.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
-#include "editor/rendering/render_files.h"
 #include "editor/rendering/render_history.h"
 #include "renderer/options/op_file.h"
 #include "tests/editor/rendering/rendering_helpers.h"
@@ -48,13 +48,18 @@ class RenderPanelTest : public testing::Test {
     control<NumberBox>(name)->commit();
   }
   QString path(const char* name) const { return QString::fromStdString(folder_.path(name)); }
+  void open_scene(const grf::Scene& scene, const QString& scene_path) {
+    panel_.set_scene(scene, scene_path);
+    options_.open_beside(scene_path);
+  }
+  const options::RenderOptions& options() const { return options_.valid_options(); }
   /// A scene whose OP file asks for few samples of a small image.
   void open(int samples) {
     folder_.add("scene.op",
                 "# keep me\nBPT_Scene scene.grf\nBPT_Image_Resolution 96 72\nBPT_Viewer 0 2 6\n"
                 "BPT_VLook 0 0.5 0\nBPT_Samples " +
                     std::to_string(samples) + "\n");
-    panel_.open_scene(test::scene_of_text(test::Corner), path("scene.grf"));
+    open_scene(test::scene_of_text(test::Corner), path("scene.grf"));
   }
   bool has_image() {
     return QTest::qWaitFor([this] { return panel_.findChild<editor::FittedImage*>()->image() != nullptr; },
@@ -66,14 +71,13 @@ class RenderPanelTest : public testing::Test {
   std::string status() { return control<QLabel>("State of the render")->text().toStdString(); }
 
   test::TemporaryFolder folder_;
-  RenderPanel panel_;
+  editor::OpDocument options_;
+  RenderPanel panel_{options_};
 };
 
 TEST_F(RenderPanelTest, TakesCameraAndOptionsFromTheFileBesideTheScene) {
-  QSignalSpy changed(&panel_, &RenderPanel::options_changed);
   open(24);
-  EXPECT_EQ(changed.size(), 1);
-  EXPECT_EQ(panel_.options().viewer, grf::Vec3f(0, 2, 6));
+  EXPECT_EQ(options().viewer, grf::Vec3f(0, 2, 6));
   EXPECT_EQ(control<NumberBox>("Samples")->value(), 24);
   EXPECT_EQ(control<NumberBox>("Width")->value(), 96);
 }
@@ -86,9 +90,11 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.preview().image()->width == 96; }, test::Minute));
   test::expect_lit_corner(*panel_.preview().image());
   test::expect_lit_corner(*panel_.findChild<editor::FittedImage*>()->image());
-  panel_.set_view({.eye = grf::Vec3d(1, 2, 5)});
+  options::RenderOptions elsewhere = options();
+  elsewhere.viewer = grf::Vec3f(1, 2, 5);
+  options_.follow(elsewhere);
   ASSERT_TRUE(QTest::qWaitFor([&] { return images.size() >= 2; }, test::Minute));
-  EXPECT_EQ(panel_.options().viewer, grf::Vec3f(1, 2, 5));
+  EXPECT_EQ(options().viewer, grf::Vec3f(1, 2, 5));
   QTest::keyClick(&panel_, Qt::Key_F5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.preview().is_paused(); }, test::Minute));
   EXPECT_EQ(panel_.preview_action()->text(), "Go on");
@@ -137,7 +143,7 @@ TEST_F(RenderPanelTest, MarksARenderThatWasStopped) {
 }
 
 TEST_F(RenderPanelTest, WritesTheOpFileWhereThereIsNoneOrWhereItIsTold) {
-  panel_.open_scene(test::scene_of_text(test::Corner), path("new.grf"));
+  open_scene(test::scene_of_text(test::Corner), path("new.grf"));
   QSignalSpy differs(&panel_, &RenderPanel::op_file_differs);
   type("Width", "40");
   type("Height", "30");
@@ -154,51 +160,50 @@ TEST_F(RenderPanelTest, WritesTheOpFileWhereThereIsNoneOrWhereItIsTold) {
   ASSERT_TRUE(render_ends());
   ASSERT_EQ(differs.size(), 1);
   EXPECT_EQ(options::read_op_file(folder_.path("new.op"), diagnostics)->samples, 2);
-  EXPECT_TRUE(panel_.write_op_file());
+  EXPECT_TRUE(options_.save_beside(path("new.grf"), diagnostics));
   EXPECT_EQ(options::read_op_file(folder_.path("new.op"), diagnostics)->samples, 3);
 }
 
 TEST_F(RenderPanelTest, ControlsAreThoseOfTheTable) {
-  QSignalSpy changed(&panel_, &RenderPanel::options_changed);
   type("Target error", "2.5");
   control<QComboBox>("Sampling scheme")->setCurrentText("Hemisphere");
   type("Depth", "7");
-  EXPECT_EQ(changed.size(), 3);
-  EXPECT_EQ(panel_.options().target_error, 0.025F);
-  EXPECT_EQ(panel_.options().name, "Hemisphere");
-  EXPECT_EQ(panel_.options().depth, 7);
+  EXPECT_EQ(options_.undo_stack().count(), 3);
+  EXPECT_EQ(options().target_error, 0.025F);
+  EXPECT_EQ(options().name, "Hemisphere");
+  EXPECT_EQ(options().depth, 7);
   options::RenderOptions render_options;
   render_options.name = "Reject";
-  panel_.set_options(render_options);
+  options_.follow(render_options);
   EXPECT_EQ(control<QComboBox>("Sampling scheme")->currentText(), "Reject");
-  EXPECT_EQ(changed.size(), 3) << "not by hand";
+  EXPECT_EQ(options_.undo_stack().count(), 3) << "not by hand";
 }
 
 TEST_F(RenderPanelTest, TakesArithmeticAndNothingForWhatIsNotGiven) {
   type("Width", "1920 / 7 px");
-  EXPECT_EQ(panel_.options().size.width, 274);
+  EXPECT_EQ(options().size.width, 274);
   EXPECT_EQ(text_of("Width").text(), "274 px");
   EXPECT_EQ(text_of("Samples").placeholderText(), "auto");
   for (const char* nothing : {"", "0"}) {
     type("Samples", "2^6");
-    EXPECT_EQ(panel_.options().samples, 64);
+    EXPECT_EQ(options().samples, 64);
     type("Samples", nothing);
-    EXPECT_EQ(panel_.options().samples, std::nullopt);
+    EXPECT_EQ(options().samples, std::nullopt);
     EXPECT_EQ(text_of("Samples").text(), "");
     type("Target error", "0.3 %");
-    EXPECT_EQ(panel_.options().target_error, 0.003F);
+    EXPECT_EQ(options().target_error, 0.003F);
     type("Depth", "3");
-    EXPECT_EQ(panel_.options().target_error, 0.003F) << "of another control";
+    EXPECT_EQ(options().target_error, 0.003F) << "of another control";
     EXPECT_EQ(text_of("Target error").text(), "0.3 %");
     type("Target error", nothing);
-    EXPECT_EQ(panel_.options().target_error, std::nullopt);
+    EXPECT_EQ(options().target_error, std::nullopt);
     type("Time limit", "1.5*60 s");
-    EXPECT_EQ(panel_.options().max_seconds, 90.0F);
+    EXPECT_EQ(options().max_seconds, 90.0F);
     type("Time limit", nothing);
-    EXPECT_EQ(panel_.options().max_seconds, std::nullopt);
+    EXPECT_EQ(options().max_seconds, std::nullopt);
   }
   type("Height", "20000");
-  EXPECT_EQ(panel_.options().size.height, options::RenderOptions().size.height);
+  EXPECT_EQ(options().size.height, options::RenderOptions().size.height);
   EXPECT_THAT(control<NumberBox>("Height")->toolTip().toStdString(),
               HasSubstr("<p>Range: 1 px to 16384 px.</p>"));
   EXPECT_THAT(control<NumberBox>("Height")->accessibleDescription().toStdString(),
@@ -225,7 +230,7 @@ TEST_F(RenderPanelTest, AllHaveNamesAndHelp) {
 TEST_F(RenderPanelTest, SaysWhyASceneCannotBeRendered) {
   grf::Scene scene = test::scene_of_text(test::Corner);
   test::first_mesh(scene).edit().surfaces[0].texture = grf::Texture{"lost.png", {}};
-  panel_.open_scene(scene, path("scene.grf"));
+  open_scene(scene, path("scene.grf"));
   panel_.preview_action()->trigger();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.preview().is_on(); }, test::Minute));
   EXPECT_THAT(control<QPlainTextEdit>("Log")->toPlainText().toStdString(), HasSubstr("lost.png"));

@@ -140,11 +140,10 @@ end
 }
 
 void Stage::take_settings(QSize size, int samples) {
-  options::RenderOptions few = window_->render_panel().options();
+  options::RenderOptions few = window_->document().options().valid_options();
   few.size = {size.width(), size.height()};
   few.samples = samples;
-  window_->render_panel().set_options(few);
-  emit window_->render_panel().options_changed(few);
+  window_->document().options().set_options("Take settings", few);
 }
 
 void Stage::preview(QSize size, int samples) {

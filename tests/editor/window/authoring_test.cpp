@@ -161,14 +161,13 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
 TEST_F(Authoring, GoesFromASceneToAnImage) {
   QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
   open(path("box.grf"));
-  options::RenderOptions small = window_.render_panel().options();
+  options::RenderOptions small = document().options().valid_options();
   small.size = {96, 72};
   small.samples = 4;
   small.viewer = grf::Vec3f(278, 273, -800);
   small.target = grf::Vec3f(278, 273, 0);
   small.field_of_view = 39.3076F;
-  window_.render_panel().set_options(small);
-  emit window_.render_panel().options_changed(small);
+  document().options().set_options("Change render options", small);
 
   QTest::keyClick(&window_, Qt::Key_F5);
   const auto is_whole = [&] {
@@ -193,28 +192,28 @@ TEST_F(Authoring, GoesFromASceneToAnImage) {
 
 TEST_F(Authoring, KeepsOptionsAsStepsOfUndo) {
   open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
-  const options::RenderOptions before = window_.render_panel().options();
+  const options::RenderOptions before = document().options().valid_options();
   EXPECT_FALSE(document().is_modified());
   window_.view().setFocus();
   QTest::keyClick(&window_.view(), Qt::Key_Left);
   test::action(window_, "Camera from the view").trigger();
   ASSERT_TRUE(document().is_modified());
-  EXPECT_FALSE(window_.render_panel().options() == before);
+  EXPECT_FALSE(document().options().valid_options() == before);
   document().undo_stack().undo();
-  EXPECT_TRUE(window_.render_panel().options() == before);
+  EXPECT_TRUE(document().options().valid_options() == before);
 }
 
 TEST_F(Authoring, WritesAnOpFileByTheGenerator) {
   QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
   folder_.add("box.op", "# mine\nBPT_Scene box.grf\nBPT_Depth 3 # few\n");
   open(path("box.grf"));
-  ASSERT_EQ(window_.render_panel().options().depth, 3);
+  ASSERT_EQ(document().options().valid_options().depth, 3);
   window_.render_panel().options_action()->trigger();
   OptionsWindow* generator = window_.render_link().options_window();
   ASSERT_NE(generator, nullptr);
   OpDocument& text = generator->editor().document();
   text.set_plain_text("# mine\nBPT_Scene box.grf\nBPT_Depth 7 # few\n");
-  EXPECT_EQ(window_.render_panel().options().depth, 7);
+  EXPECT_EQ(document().options().valid_options().depth, 7);
   ASSERT_TRUE(generator->editor().save());
   EXPECT_EQ(test::bytes_of(folder_.path("box.op")), "# mine\nBPT_Scene box.grf\nBPT_Depth 7 # few\n");
   grf::Diagnostics diagnostics;

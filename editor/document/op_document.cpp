@@ -1,0 +1,228 @@
+#include "editor/document/op_document.h"
+
+#include <QFileInfo>
+#include <QUndoCommand>
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "editor/document/op_files.h"
+#include "grf/text_file.h"
+#include "renderer/options/op_file.h"
+#include "renderer/options/scheme_model.h"
+
+namespace editor {
+
+using options::OpText;
+using options::OptionInfo;
+using options::RenderOptions;
+
+namespace {
+
+/// What the options' text names files from; a scene that has no file does so from the current folder.
+QString op_naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("untitled.op") : path; }
+
+/// A text that is to be read from another folder names the same files.
+std::string moved(const std::string& text, const QString& from_path, const QString& to_path) {
+  const QString from = op_naming_path(from_path);
+  const QString to = op_naming_path(to_path);
+  if (QFileInfo(from).absolutePath() == QFileInfo(to).absolutePath()) return text;
+  grf::Diagnostics unheard;  // what cannot be written was not there before
+  return op_text_of(with_absolute_paths(OpText(text).options(), from), to, text, unheard).value_or(text);
+}
+
+/// The first line that is another.
+QString changed_line(const std::string& before, const std::string& after) {
+  const auto first = std::mismatch(before.begin(), before.end(), after.begin(), after.end()).first;
+  return QString("line %1").arg(std::count(before.begin(), first, '\n'));
+}
+
+}  // namespace
+
+/// Texts of options are short: a step keeps them whole.
+class OpDocument::Edit : public QUndoCommand {
+ public:
+  Edit(OpDocument& document, std::string after, const QString& title, QString key)
+      : QUndoCommand(title),
+        document_(document),
+        before_(document.text_.text()),
+        after_(std::move(after)),
+        path_(document.path_),
+        key_(std::move(key)),
+        step_(document.step_) {}
+
+  void undo() override {
+    document_.finish_step();
+    take(before_);
+  }
+  void redo() override { take(after_); }
+  int id() const override { return 2; }  // 1 is that of a scene's steps
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& next = static_cast<const Edit&>(*other);
+    if (key_.isEmpty() || next.key_ != key_ || next.step_ != step_ || next.path_ != path_) return false;
+    after_ = next.after_;
+    setObsolete(after_ == before_);
+    return true;
+  }
+
+ private:
+  void take(const std::string& text) {
+    document_.is_edited_ = true;
+    document_.take(moved(text, path_, document_.path_));
+  }
+
+  OpDocument& document_;
+  std::string before_;
+  std::string after_;
+  QString path_;  ///< from which both name files
+  QString key_;
+  int step_;
+};
+
+OpDocument::OpDocument(QUndoStack* stack, QObject* parent)
+    : QObject(parent), stack_(stack != nullptr ? stack : &own_stack_) {
+  check();
+}
+
+OpDocument::OpDocument(QObject* parent) : OpDocument(nullptr, parent) {}
+
+OpDocument::OpDocument(QUndoStack& project, QObject* parent) : OpDocument(&project, parent) {}
+
+OpDocument::~OpDocument() = default;
+
+bool OpDocument::open(const QString& path, grf::Diagnostics& diagnostics) {
+  const auto text = grf::read_file(path.toStdString(), diagnostics);
+  if (!text) return false;
+  if (is_in_project()) {
+    finish_step();
+    push(OpText(moved(*text, path, path_)), tr("Open options"), {});
+  } else {
+    start(*text, path);
+  }
+  return true;
+}
+
+void OpDocument::open_beside(const QString& scene_path) {
+  const QString path = scene_path.isEmpty() ? QString() : op_file_beside(scene_path);
+  grf::Diagnostics problems;
+  const auto text = QFileInfo::exists(path) ? grf::read_file(path.toStdString(), problems) : nullptr;
+  start(text ? *text : std::string(), path);
+  if (problems.error_count() > 0) diagnostics_ = problems;
+}
+
+void OpDocument::start(const std::string& text, const QString& path) {
+  path_ = path;
+  read_text_ = text;
+  is_edited_ = false;
+  text_ = OpText(text);
+  valid_options_ = with_absolute_paths(text_.options(), op_naming_path(path_));
+  if (!is_in_project()) own_stack_.clear();
+  finish_step();
+  take(text);
+  emit path_changed();
+}
+
+bool OpDocument::save(const QString& path, grf::Diagnostics& diagnostics) {
+  const std::string text = is_in_project() ? moved(text_.text(), path_, path) : text_.text();
+  if (!grf::replace_file(path.toStdString(), text, diagnostics)) return false;
+  if (is_in_project() && path != path_) return true;  // a copy
+  path_ = path;
+  read_text_ = text;
+  is_edited_ = false;
+  own_stack_.setClean();
+  finish_step();
+  check();
+  emit path_changed();
+  emit changed();
+  return true;
+}
+
+bool OpDocument::save_beside(const QString& scene_path, grf::Diagnostics& diagnostics) {
+  const QString path = op_file_beside(scene_path);
+  std::string before = moved(text_.text(), path_, path);
+  if (QFileInfo::exists(path)) {
+    const auto there = grf::read_file(path.toStdString(), diagnostics);
+    if (!there) return false;
+    if (path != path_ || *there != read_text_) before = *there;
+  }
+  RenderOptions wanted = with_absolute_paths(valid_options_, op_naming_path(path_));
+  wanted.scene = QFileInfo(scene_path).absoluteFilePath().toStdString();
+  const auto text = op_text_of(wanted, path, before, diagnostics);
+  if (!text || !grf::replace_file(path.toStdString(), *text, diagnostics)) return false;
+  path_ = path;
+  read_text_ = *text;
+  is_edited_ = false;
+  finish_step();
+  take(*text);
+  emit path_changed();
+  return true;
+}
+
+void OpDocument::set_words(const OptionInfo& option, const QStringList& words) {
+  std::vector<std::string> plain;
+  for (const QString& word : words) plain.push_back(word.toStdString());
+  OpText text = text_;
+  const QString key = QString::fromUtf8(option.key.data(), qsizetype(option.key.size()));
+  if (text.set(option, plain)) push(text, tr("Change %1").arg(key), key);
+}
+
+void OpDocument::set_plain_text(const QString& plain) {
+  OpText text = text_;
+  text.set_plain_text(plain.toStdString());
+  push(text, tr("Edit the text"), changed_line(text_.text(), text.text()));
+}
+
+void OpDocument::set_options(const QString& title, const RenderOptions& wanted, const QString& key) {
+  if (const auto text = text_with(wanted)) push(*text, title, key);
+}
+
+void OpDocument::follow(const RenderOptions& wanted) {
+  const auto text = text_with(wanted);
+  if (text && text->text() != text_.text()) take(text->text());
+}
+
+/// Options whose values cannot be written in an OP file stay as they are.
+std::optional<OpText> OpDocument::text_with(const RenderOptions& wanted) const {
+  grf::Diagnostics unheard;
+  const QString path = op_naming_path(path_);
+  const auto text = op_text_of(with_absolute_paths(wanted, path), path, text_.text(), unheard);
+  return text ? std::optional(OpText(*text)) : std::nullopt;
+}
+
+void OpDocument::push(const OpText& text, const QString& title, const QString& key) {
+  std::string after = text.text();
+  if (after != text_.text()) stack_->push(new Edit(*this, std::move(after), title, key));
+}
+
+void OpDocument::take(const std::string& text) {
+  text_ = OpText(text);
+  check();
+  emit changed();
+}
+
+/// The options of a project need not say what is rendered, so that they are read as though they did, where
+/// no line gets another number.
+void OpDocument::check() {
+  diagnostics_ = {};
+  const std::string path =
+      (path_.isEmpty() ? op_naming_path(path_) : QFileInfo(path_).absoluteFilePath()).toStdString();
+  const std::string text = text_.text();
+  const auto read = [&](const std::string& behind, grf::Diagnostics& diagnostics) {
+    return options::read_op_text(path, std::make_shared<const std::string>(text + behind), diagnostics);
+  };
+  const bool names_scene = text_.words_of(*options::find_option("BPT_Scene")).has_value();
+  grf::Diagnostics in_project;
+  auto valid = read(names_scene ? "" : "\nBPT_Scene untitled.grf\n", in_project);
+  if (valid && !names_scene) valid->scene.clear();
+  if (is_in_project()) {
+    render_options_ = valid;
+    diagnostics_ = std::move(in_project);
+  } else {
+    render_options_ = read("", diagnostics_);
+  }
+  if (valid) valid_options_ = std::move(*valid);
+  if (render_options_) options::warn_of_unused_options(*render_options_, diagnostics_);
+}
+
+}  // namespace editor

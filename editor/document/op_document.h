@@ -1,0 +1,94 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QUndoStack>
+#include <optional>
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "renderer/options/op_text.h"
+
+namespace editor {
+
+/// An OP file that is being edited, with undo, and with what `bpt` would say of it. The options of a scene
+/// are one of these: its steps of undo are among those of the scene.
+class OpDocument : public QObject {
+  Q_OBJECT
+
+ public:
+  /// With steps of undo of its own, or with those of a project, which outlives it.
+  explicit OpDocument(QObject* parent = nullptr);
+  explicit OpDocument(QUndoStack& project, QObject* parent = nullptr);
+  ~OpDocument() override;
+
+  /// The text of the file, in place of what is there: in a project, a step of undo. False, and nothing
+  /// happens, if it cannot be read.
+  bool open(const QString& path, grf::Diagnostics& diagnostics);
+  /// Writes the text as it is; a project's text keeps its path.
+  bool save(const QString& path, grf::Diagnostics& diagnostics);
+  /// Takes the file beside a scene, or no text if there is none, as though it had always been here; what is
+  /// wrong with the file is in `diagnostics()`.
+  void open_beside(const QString& scene_path);
+  /// Writes the options to the file beside a scene, and names the scene there. What was changed in that file
+  /// since it was read stays, but for options that are others here. False after an error.
+  bool save_beside(const QString& scene_path, grf::Diagnostics& diagnostics);
+  /// A new text that has no file yet, such as that of a scene's default options.
+  void start(const std::string& text, const QString& path = {});
+
+  const QString& path() const { return path_; }
+  const options::OpText& op_text() const { return text_; }
+  /// What can be made of the text, also if something is wrong with it.
+  options::RenderOptions partial_options() const { return text_.options(); }
+  /// Nothing if there are errors, such as that no scene is named, which a project's options need not. Paths
+  /// are as `read_op_file` makes them.
+  const std::optional<options::RenderOptions>& render_options() const { return render_options_; }
+  /// The options of the last text that had no errors, but perhaps no scene.
+  const options::RenderOptions& valid_options() const { return valid_options_; }
+  /// Errors, and warnings of options that have no effect.
+  const grf::Diagnostics& diagnostics() const { return diagnostics_; }
+  /// Whether a step changed the text since it was read or saved.
+  bool is_edited() const { return is_edited_; }
+  bool is_in_project() const { return stack_ != &own_stack_; }
+
+  /// Words of an option; none: it is not given. Edits of one option are one step of undo until `finish_step`.
+  void set_words(const options::OptionInfo& option, const QStringList& words);
+  /// As text fields have it, with `\n` at the end of each line. Edits of one line are one step, likewise.
+  void set_plain_text(const QString& plain);
+  /// Changes those options that differ from `valid_options`. Steps with one key are one, likewise; an empty
+  /// key is like no other.
+  void set_options(const QString& title, const options::RenderOptions& wanted, const QString& key = {});
+  /// The same, but no step: what follows something else, such as a camera, is not an edit.
+  void follow(const options::RenderOptions& wanted);
+  void finish_step() { ++step_; }
+
+  QUndoStack& undo_stack() { return *stack_; }
+
+ signals:
+  void changed();
+  void path_changed();
+
+ private:
+  class Edit;
+
+  OpDocument(QUndoStack* stack, QObject* parent);
+
+  std::optional<options::OpText> text_with(const options::RenderOptions& wanted) const;
+  void push(const options::OpText& text, const QString& title, const QString& key);
+  void take(const std::string& text);
+  void check();
+
+  QUndoStack own_stack_;
+  QUndoStack* stack_;
+  options::OpText text_;
+  QString path_;
+  std::string read_text_;  ///< what the file had when it was read or saved
+  std::optional<options::RenderOptions> render_options_;
+  options::RenderOptions valid_options_;
+  grf::Diagnostics diagnostics_;
+  bool is_edited_ = false;
+  int step_ = 0;
+};
+
+}  // namespace editor
