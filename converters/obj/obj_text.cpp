@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -15,14 +16,6 @@
 namespace convert {
 namespace {
 
-/// Of the two coordinates in which Assimp gets the number of a corner.
-constexpr std::uint32_t CornersInARow = 1'000'000;
-
-void append_number(std::string& text, std::uint64_t number) {
-  const fmt::format_int digits(number);
-  text.append(digits.data(), digits.size());
-}
-
 /// The elements of one kind (vertices, say), and the highest index that a face has of them. Faces may stand
 /// before what they refer to, so that it is compared with the number of elements at the end.
 struct Elements {
@@ -33,9 +26,9 @@ struct Elements {
   grf::SourceLocation highest_at;
 };
 
-class Checker {
+class ObjParser {
  public:
-  Checker(const SourceText& source, grf::Diagnostics& diagnostics)
+  ObjParser(const SourceText& source, grf::Diagnostics& diagnostics)
       : reader_(source.text, source.file),
         diagnostics_(diagnostics),
         errors_before_(diagnostics.error_count()),
@@ -44,27 +37,26 @@ class Checker {
   std::optional<ObjText> run();
 
  private:
-  void check(const Statement& statement);
-  void check_other(const Statement& statement);
-  void check_cut(const Statement& statement);
-  std::span<const float> check_numbers(const Statement& statement, Elements& elements,
-                                       std::initializer_list<std::size_t> counts);
-  void check_vertex(const Statement& statement);
+  void read(const Statement& statement);
+  void read_other(const Statement& statement);
+  void read_cut(const Statement& statement);
+  std::span<const float> read_numbers(const Statement& statement, Elements& elements,
+                                      std::initializer_list<std::size_t> counts);
+  void read_vertex(const Statement& statement);
   std::optional<grf::Vec3f> weighted(const Statement& statement);
-  void check_texture_coordinate(const Statement& statement);
-  void check_normal(const Statement& statement);
-  void check_smoothing_group(const Statement& statement);
+  void read_texture_coordinate(const Statement& statement);
+  void read_normal(const Statement& statement);
+  void read_smoothing_group(const Statement& statement);
   void begin_mesh(const Statement& statement);
   void begin_material(const std::string& name);
-  void check_face(const Statement& statement);
-  bool check_corners(const Statement& statement);
+  void read_face(const Statement& statement);
+  bool read_corners(const Statement& statement);
   std::optional<ObjCorner> resolve(std::string_view word, const WrittenCorner& corner);
   bool resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index);
   void add_corner(const ObjCorner& corner);
-  void write_face(bool has_normals);
-  void begin_run(std::vector<FaceRun>& runs, std::uint32_t number) const;
+  bool add_face();
   void check_highest_index(const Elements& elements);
-  void finish();
+  std::size_t count_loose_vertices() const;
 
   bool fail(std::string_view part, const std::string& message) {
     diagnostics_.error(reader_.location(part), message);
@@ -90,15 +82,15 @@ class Checker {
   std::uint32_t group_ = 0;  // of smoothing; 0 is none
 };
 
-std::optional<ObjText> Checker::run() {
+std::optional<ObjText> ObjParser::run() {
   text_.meshes = {""};
   text_.materials = {""};
   Statement statement;
   while (!diagnostics_.is_full() && reader_.next(statement)) {
     if (statement.has_line_end) {
-      check(statement);
+      read(statement);
     } else {
-      check_cut(statement);
+      read_cut(statement);
     }
   }
   for (const Elements* elements : {&vertices_, &texture_coordinates_, &normals_}) {
@@ -109,28 +101,28 @@ std::optional<ObjText> Checker::run() {
     diagnostics_.warning(reader_.whole_file(),
                          "the file does not end with a line end: it may have been cut off");
   }
-  finish();
+  text_.loose_vertices = count_loose_vertices();
   return std::move(text_);
 }
 
-void Checker::check(const Statement& statement) {
+void ObjParser::read(const Statement& statement) {
   const std::string_view keyword = statement.keyword;
   if (keyword == "f" || keyword == "fo") {
-    check_face(statement);
+    read_face(statement);
   } else if (keyword == "v") {
-    check_vertex(statement);
+    read_vertex(statement);
   } else if (keyword == "vn") {
-    check_normal(statement);
+    read_normal(statement);
   } else if (keyword == "vt") {
-    check_texture_coordinate(statement);
+    read_texture_coordinate(statement);
   } else {
-    check_other(statement);
+    read_other(statement);
   }
   // Nothing else asks what the statements have in common.
   if (may_be_cut_) cut_detector_.add(statement);
 }
 
-void Checker::check_other(const Statement& statement) {
+void ObjParser::read_other(const Statement& statement) {
   const std::string_view keyword = statement.keyword;
   if (keyword == "o" || keyword == "g") {
     begin_mesh(statement);
@@ -139,7 +131,7 @@ void Checker::check_other(const Statement& statement) {
   } else if (keyword == "mtllib") {
     text_.libraries.push_back({statement.text(), reader_.location(keyword)});
   } else if (keyword == "s") {
-    check_smoothing_group(statement);
+    read_smoothing_group(statement);
   } else if (keyword == "l") {
     ++text_.lines;
   } else if (keyword == "p") {
@@ -149,17 +141,17 @@ void Checker::check_other(const Statement& statement) {
   }
 }
 
-void Checker::check_cut(const Statement& statement) {
+void ObjParser::read_cut(const Statement& statement) {
   const std::string why = cut_detector_.why_cut(statement);
   if (why.empty()) {
-    check(statement);
+    read(statement);
   } else {
     fail(statement.keyword, "the file was cut off inside this statement: " + why);
   }
 }
 
-std::span<const float> Checker::check_numbers(const Statement& statement, Elements& elements,
-                                              std::initializer_list<std::size_t> counts) {
+std::span<const float> ObjParser::read_numbers(const Statement& statement, Elements& elements,
+                                               std::initializer_list<std::size_t> counts) {
   ++elements.count;
   std::size_t count = 0;
   for (const std::string_view word : statement.arguments) {
@@ -179,8 +171,8 @@ std::span<const float> Checker::check_numbers(const Statement& statement, Elemen
   return std::span(numbers_).first(count);
 }
 
-void Checker::check_vertex(const Statement& statement) {
-  const std::span<const float> numbers = check_numbers(statement, vertices_, {3, 4, 6});
+void ObjParser::read_vertex(const Statement& statement) {
+  const std::span<const float> numbers = read_numbers(statement, vertices_, {3, 4, 6});
   if (numbers.empty()) return;
   grf::Vec3f position(numbers[0], numbers[1], numbers[2]);
   if (numbers.size() == 4 && numbers[3] != 1) {
@@ -198,7 +190,7 @@ void Checker::check_vertex(const Statement& statement) {
 }
 
 /// The position of a vertex that has a weight, by which it is divided.
-std::optional<grf::Vec3f> Checker::weighted(const Statement& statement) {
+std::optional<grf::Vec3f> ObjParser::weighted(const Statement& statement) {
   std::array<double, 4> numbers = {};
   for (std::size_t i = 0; i < 4; ++i) numbers[i] = parse_number(statement.arguments[i]).value_or(0);
   if (numbers[3] == 0) {
@@ -211,20 +203,20 @@ std::optional<grf::Vec3f> Checker::weighted(const Statement& statement) {
   return std::nullopt;
 }
 
-void Checker::check_texture_coordinate(const Statement& statement) {
-  const std::span<const float> numbers = check_numbers(statement, texture_coordinates_, {1, 2, 3});
+void ObjParser::read_texture_coordinate(const Statement& statement) {
+  const std::span<const float> numbers = read_numbers(statement, texture_coordinates_, {1, 2, 3});
   if (numbers.empty()) return;
   text_.texture_coordinates.emplace_back(numbers[0], numbers.size() > 1 ? numbers[1] : 0.0F);
   if (numbers.size() == 3 && numbers[2] != 0) ++text_.deep_texture_coordinates;
 }
 
-void Checker::check_normal(const Statement& statement) {
-  const std::span<const float> numbers = check_numbers(statement, normals_, {3});
+void ObjParser::read_normal(const Statement& statement) {
+  const std::span<const float> numbers = read_numbers(statement, normals_, {3});
   if (!numbers.empty()) text_.normals.emplace_back(numbers[0], numbers[1], numbers[2]);
 }
 
 // A number, or a word of those that exporters write in its place.
-void Checker::check_smoothing_group(const Statement& statement) {
+void ObjParser::read_smoothing_group(const Statement& statement) {
   const std::string_view word = statement.rest;
   std::uint32_t number = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -233,31 +225,31 @@ void Checker::check_smoothing_group(const Statement& statement) {
 }
 
 // Groups and objects without faces leave no trace, so that they take no memory.
-void Checker::begin_mesh(const Statement& statement) {
+void ObjParser::begin_mesh(const Statement& statement) {
   if (mesh_has_faces_) text_.meshes.emplace_back();
   text_.meshes.back() = statement.text();
   mesh_has_faces_ = false;
 }
 
-void Checker::begin_material(const std::string& name) {
+void ObjParser::begin_material(const std::string& name) {
   const auto [known, is_new] = materials_.emplace(name, static_cast<std::uint32_t>(text_.materials.size()));
   if (is_new) text_.materials.push_back(name);
   material_ = known->second;
 }
 
-void Checker::check_face(const Statement& statement) {
+void ObjParser::read_face(const Statement& statement) {
   if (statement.arguments.empty()) {
     fail(statement.keyword, "a face without corners, expected three or more");
-  } else if (check_corners(statement)) {
+  } else if (read_corners(statement)) {
     if (statement.arguments.size() < 3) {
       ++text_.short_faces;
-      return;
+    } else if (!add_face()) {
+      fail(statement.keyword, "there are too many corners");
     }
-    write_face(text_.corners[face_.front()].normal != ObjCorner::None);
   }
 }
 
-bool Checker::check_corners(const Statement& statement) {
+bool ObjParser::read_corners(const Statement& statement) {
   face_.clear();
   const std::array<Elements*, 3> all_elements = {&vertices_, &texture_coordinates_, &normals_};
   for (Elements* elements : all_elements) elements->highest_word = {};
@@ -286,7 +278,7 @@ bool Checker::check_corners(const Statement& statement) {
   return true;
 }
 
-std::optional<ObjCorner> Checker::resolve(std::string_view word, const WrittenCorner& corner) {
+std::optional<ObjCorner> ObjParser::resolve(std::string_view word, const WrittenCorner& corner) {
   ObjCorner resolved;
   const bool exist =
       resolve(word, corner.vertex, vertices_, resolved.vertex) &&
@@ -297,7 +289,7 @@ std::optional<ObjCorner> Checker::resolve(std::string_view word, const WrittenCo
 
 // Negative indices count back from the last element so far. One that is too high for any file is kept as the
 // highest alone, which ends in an error.
-bool Checker::resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index) {
+bool ObjParser::resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index) {
   if (written == 0) return true;
   if (written < -elements.count) {
     return fail(word, fmt::format("'{}': no {} with the index {} exists: there are {} before this face", word,
@@ -313,7 +305,7 @@ bool Checker::resolve(std::string_view word, long long written, Elements& elemen
   return true;
 }
 
-void Checker::add_corner(const ObjCorner& corner) {
+void ObjParser::add_corner(const ObjCorner& corner) {
   const auto next = static_cast<std::uint32_t>(text_.corners.size());
   const std::uint32_t index = corners_.find_or_add(
       hash_of(corner), next, [&](std::uint32_t known) { return text_.corners[known] == corner; });
@@ -321,57 +313,40 @@ void Checker::add_corner(const ObjCorner& corner) {
   face_.push_back(index);
 }
 
-void Checker::write_face(bool has_normals) {
-  std::string& statements = text_.statements;
-  if (!mesh_has_faces_) {
-    statements += fmt::format("g {}\n", text_.meshes.size() - 1);
-    mesh_has_faces_ = true;
-  }
-  begin_run(text_.material_runs, material_);
-  statements += 'f';
-  for (const std::uint32_t corner : face_) {
-    statements += ' ';
-    append_number(statements, std::uint64_t{corner} + 1);
-  }
-  statements += '\n';
-  begin_run(text_.smoothing, has_normals ? 0 : group_);
-  ++text_.faces;
+bool ObjParser::add_face() {
+  if (face_.size() > std::numeric_limits<std::uint32_t>::max() - text_.face_corners.size()) return false;
+  const std::size_t index = text_.face_count();
+  mesh_has_faces_ = true;
+  text_.mesh_of_face.add(index, static_cast<std::uint32_t>(text_.meshes.size() - 1));
+  text_.material_of_face.add(index, material_);
+  const bool has_normals = text_.corners[face_.front()].normal != ObjCorner::None;
+  text_.smoothing.add(index, has_normals ? 0 : group_);
+  text_.face_corners.insert(text_.face_corners.end(), face_.begin(), face_.end());
+  text_.face_offsets.push_back(static_cast<std::uint32_t>(text_.face_corners.size()));
+  return true;
 }
 
-/// The next face has the number, and so have those after it. Before the first run it is 0.
-void Checker::begin_run(std::vector<FaceRun>& runs, std::uint32_t number) const {
-  const std::uint32_t known = runs.empty() ? 0 : runs.back().number;
-  if (number != known) runs.push_back({text_.faces, number});
-}
-
-void Checker::check_highest_index(const Elements& elements) {
+void ObjParser::check_highest_index(const Elements& elements) {
   if (elements.highest_index <= elements.count) return;
   diagnostics_.error(elements.highest_at, fmt::format("no {} with the index {} exists: the file has {}",
                                                       elements.name, elements.highest_index, elements.count));
 }
 
-void Checker::finish() {
-  std::vector<bool> used(text_.positions.size());
-  for (const ObjCorner& corner : text_.corners) used[corner.vertex] = true;
-  text_.loose_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-  for (std::size_t i = 0; i < text_.corners.size(); ++i) {
-    text_.statements += "v ";
-    append_number(text_.statements, i % CornersInARow);
-    text_.statements += ' ';
-    append_number(text_.statements, i / CornersInARow);
-    text_.statements += " 0\n";
-  }
+std::size_t ObjParser::count_loose_vertices() const {
+  std::vector<bool> is_used(text_.positions.size());
+  for (const ObjCorner& corner : text_.corners) is_used[corner.vertex] = true;
+  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
 }
 
 }  // namespace
 
-std::optional<ObjText> check_obj(const SourceText& source, grf::Diagnostics& diagnostics) {
-  return Checker(source, diagnostics).run();
+void FaceRuns::add(std::size_t face, std::uint32_t number) {
+  const std::uint32_t last = runs_.empty() ? 0 : runs_.back().number;
+  if (number != last) runs_.push_back({face, number});
 }
 
-std::uint32_t corner_at(const grf::Vec3f& coordinates) {
-  return static_cast<std::uint32_t>(coordinates.x) +
-         static_cast<std::uint32_t>(coordinates.y) * CornersInARow;
+std::optional<ObjText> parse_obj(const SourceText& source, grf::Diagnostics& diagnostics) {
+  return ObjParser(source, diagnostics).run();
 }
 
 }  // namespace convert

@@ -1,12 +1,11 @@
-// The text of an OBJ file, checked statement by statement before Assimp sees it. Assimp passes over what it
-// does not understand, so that one bad vertex shifts every index behind it and nobody hears of it; it takes a
-// file that was cut off for a whole one; and it rounds some numbers to the float next to the nearest.
+// The text of an OBJ file, parsed and checked statement by statement.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,10 +24,39 @@ struct LibraryName {
   grf::SourceLocation location;
 };
 
-/// Faces from one on, up to those of the next run, that have a number in common.
-struct FaceRun {
-  std::size_t first_face = 0;
-  std::uint32_t number = 0;
+/// Numbers that faces which follow each other have in common, such as the index of their material.
+class FaceRuns {
+  struct Run {
+    std::size_t first_face;
+    std::uint32_t number;
+  };
+
+ public:
+  /// The face has the number, and so have those after it. Before the first face of all the number is 0.
+  void add(std::size_t face, std::uint32_t number);
+
+  bool empty() const { return runs_.empty(); }
+
+  /// Goes through the faces in their order.
+  class Cursor {
+   public:
+    explicit Cursor(const FaceRuns& runs) : next_(runs.runs_.data()), end_(next_ + runs.runs_.size()) {}
+    /// The number of a face that is not before the last one asked for.
+    std::uint32_t number_of(std::size_t face) {
+      for (; next_ != end_ && next_->first_face <= face; ++next_) number_ = next_->number;
+      return number_;
+    }
+    /// The first face behind the last one asked for that has another number, or `faces` if there is none.
+    std::size_t end_of_run(std::size_t faces) const { return next_ == end_ ? faces : next_->first_face; }
+
+   private:
+    const Run* next_;
+    const Run* end_;
+    std::uint32_t number_ = 0;
+  };
+
+ private:
+  std::vector<Run> runs_;
 };
 
 struct ObjText {
@@ -40,17 +68,22 @@ struct ObjText {
 
   /// The different corners that faces have.
   std::vector<ObjCorner> corners;
-  /// The faces as statements for Assimp, whose vertices are those corners: the coordinates of a vertex are
-  /// the number of the corner, as `corner_at` understands it. A group is called by its index below. Materials
-  /// are not among them: Assimp would take n^2 for n of them.
-  std::string statements;
+  std::vector<std::uint32_t> face_corners;        ///< indices of corners, of all faces one after the other
+  std::vector<std::uint32_t> face_offsets = {0};  ///< where each face's begin, and one end
   std::vector<std::string> meshes;     ///< their names: of `o` and `g` statements that faces follow
+  FaceRuns mesh_of_face;               ///< indices of their names
   std::vector<std::string> materials;  ///< their names; the first one stands for none
-  std::vector<FaceRun> material_runs;  ///< indices of materials
-  std::vector<FaceRun> smoothing;      ///< groups, 0 for none; empty where no face has a group and no normals
+  FaceRuns material_of_face;           ///< indices of their names
+  FaceRuns smoothing;                  ///< groups, 0 for none; empty where no face has a group and no normals
   std::vector<LibraryName> libraries;
 
-  std::size_t faces = 0;  ///< among the statements
+  std::size_t face_count() const { return face_offsets.size() - 1; }
+  /// Indices of `corners`, three or more.
+  std::span<const std::uint32_t> face(std::size_t index) const {
+    return std::span(face_corners)
+        .subspan(face_offsets[index], face_offsets[index + 1] - face_offsets[index]);
+  }
+
   // What is left out.
   std::size_t lines = 0;
   std::size_t points = 0;
@@ -60,11 +93,7 @@ struct ObjText {
   std::map<std::string, std::size_t> unread;  ///< statements that are not read, by keyword
 };
 
-/// Checks all statements. Returns nothing after an error.
-std::optional<ObjText> check_obj(const SourceText& source, grf::Diagnostics& diagnostics);
-
-/// The number of the corner that a vertex of `ObjText::statements` stands for. Floats are exact up to 2^24,
-/// which is less than there may be corners, so that two coordinates hold it.
-std::uint32_t corner_at(const grf::Vec3f& coordinates);
+/// Parses all statements. Returns nothing after an error.
+std::optional<ObjText> parse_obj(const SourceText& source, grf::Diagnostics& diagnostics);
 
 }  // namespace convert

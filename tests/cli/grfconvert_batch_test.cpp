@@ -198,7 +198,7 @@ TEST(GrfconvertLimits, EndWhatWantsTooMuchMemory) {
   const TemporaryFolder folder;
   const std::string good = folder.add("good.obj", Triangle);
   const test::Outcome outcome =
-      grfconvert({Bunny, good, "-o", folder.path("out"), "--brdf", "ward", "--max-memory", "50MB"});
+      grfconvert({Bunny, good, "-o", folder.path("out"), "--brdf", "ward", "--max-memory", "25MB"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out, HasSubstr("1 of 2 files converted; failed: '" + Bunny + "'\n"));
   EXPECT_THAT(std::filesystem::exists(folder.path("out/good.grf")), true);
