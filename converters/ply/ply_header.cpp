@@ -79,9 +79,7 @@ class HeaderReader {
         text_(*source.bytes),
         line_end_(line_end_of(text_)),
         diagnostics_(diagnostics),
-        errors_before_(diagnostics.error_count()) {
-    header_.is_plain = line_end_ == '\n';
-  }
+        errors_before_(diagnostics.error_count()) {}
 
   std::optional<PlyHeader> run();
 
@@ -118,8 +116,6 @@ class HeaderReader {
   std::string_view line_;
   std::vector<std::string_view> words_;
   bool has_format_ = false;
-  bool ends_plainly_ = false;  // the last line that was read
-  bool last_ends_in_return_ = false;
   PlyHeader header_;
 };
 
@@ -155,15 +151,10 @@ bool HeaderReader::next_line() {
 
 void HeaderReader::read_line() {
   const bool is_format = !words_.empty() && words_.front() == "format";
-  if (is_format != (lines_ == 2)) header_.is_plain = false;
-  const std::string_view printed = line_.substr(0, line_.size() - (line_.ends_with('\r') ? 1 : 0));
-  ends_plainly_ = !printed.empty() && Blanks.find(printed.back()) == std::string_view::npos;
-  last_ends_in_return_ = line_.ends_with('\r');
   if (is_format) return read_format();
   const std::string_view keyword = words_.empty() ? std::string_view() : words_.front();
   if (keyword == "element") return read_element();
   if (keyword == "property") return read_property();
-  ends_plainly_ = false;
   if (keyword == "comment") {
     header_.comments.push_back(to_utf8(rest_behind(line_, keyword)));
   } else {
@@ -171,16 +162,12 @@ void HeaderReader::read_line() {
   }
 }
 
-// OpenMesh takes the line's length from the end of the line before it. A return may end this line alone, and
-// then values stand behind it.
+// A return may end this line alone, and then values stand behind it.
 void HeaderReader::read_end() {
   constexpr std::string_view Word = "end_header";
   const std::string_view behind = line_.substr(line_.find(Word) + Word.size());
-  header_.is_plain = header_.is_plain && ends_plainly_ && line_.starts_with(Word) &&
-                     behind == (last_ends_in_return_ ? "\r" : "");
   if (words_.size() == 1) return;
   if (!behind.starts_with('\r')) return fail(words_[1], "the line 'end_header' goes on, expected its end");
-  header_.is_plain = false;
   position_ = static_cast<std::size_t>(behind.data() - text_.data()) + 1;
 }
 
@@ -242,7 +229,6 @@ void HeaderReader::read_property() {
 // Exporters put lines without a keyword where a comment belongs. A misspelt keyword would shift all that
 // stands behind it.
 void HeaderReader::pass_over() {
-  header_.is_plain = false;
   if (words_.empty() || words_.front() == "obj_info") return;
   const std::string suggestion = grf::did_you_mean(
       words_.front(), {"comment", "element", "end_header", "format", "obj_info", "property"});

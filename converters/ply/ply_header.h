@@ -45,9 +45,6 @@ struct PlyHeader {
   std::vector<PlyElement> elements;   ///< in the order of the body; no two have one name
   std::vector<std::string> comments;  ///< what stands behind the word, as UTF-8
   std::size_t size = 0;               ///< in bytes: where the body begins
-  /// True if nothing is there but what every reader understands: `format` in the second line, then nothing
-  /// but `element`, `property` and `comment`; and neither a comment nor a space directly before `end_header`.
-  bool is_plain = true;
 
   const PlyElement* find(std::string_view name) const;
 };

@@ -14,7 +14,6 @@
 #include "converters/ply/ply_header.h"
 #include "converters/ply/ply_layout.h"
 #include "converters/ply/ply_mesh.h"
-#include "converters/ply/ply_openmesh.h"
 #include "converters/ply/ply_values.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
@@ -36,7 +35,7 @@ class PlyReader {
   std::optional<grf::Scene> run();
 
  private:
-  std::unique_ptr<PlyMesh> empty_mesh() const;
+  void reserve_memory(PlyMesh& mesh) const;
   bool check_elements();
   bool check_vertices(const PlyElement& vertices);
   void add_elements_left_out(PlyMesh& mesh);
@@ -56,25 +55,22 @@ class PlyReader {
 
 std::optional<grf::Scene> PlyReader::run() {
   if (!check_elements()) return std::nullopt;
-  auto mesh = empty_mesh();
+  PlyMesh mesh(header_, options_);
+  reserve_memory(mesh);
   std::size_t end = 0;
-  if (!openmesh_reads(header_) || !read_ply_by_openmesh(source_, header_, *mesh, end)) {
-    mesh = empty_mesh();
-    if (!read_ply_elements(source_, header_, *mesh, end, diagnostics_)) return std::nullopt;
-  }
-  if (mesh->face_count() == 0) {
+  if (!read_ply_elements(source_, header_, mesh, end, diagnostics_)) return std::nullopt;
+  if (mesh.face_count() == 0) {
     fail(source_.whole_file(), "no face of the file has three corners or more, and nothing else can be kept");
     return std::nullopt;
   }
   if (!check_rest(end)) return std::nullopt;
   warn_of_unread();
-  add_elements_left_out(*mesh);
-  return mesh->take(source_.whole_file(), diagnostics_);
+  add_elements_left_out(mesh);
+  return mesh.take(source_.whole_file(), diagnostics_);
 }
 
 // A face that the file has room for, but not for three corners of it, needs none in memory.
-std::unique_ptr<PlyMesh> PlyReader::empty_mesh() const {
-  auto mesh = std::make_unique<PlyMesh>(header_, options_);
+void PlyReader::reserve_memory(PlyMesh& mesh) const {
   const PlyElement* faces = header_.find("face");
   std::uint64_t triangles = 0;
   if (faces != nullptr && faces->count > 0) {
@@ -83,8 +79,7 @@ std::unique_ptr<PlyMesh> PlyReader::empty_mesh() const {
     const std::uint64_t of_triangle = faces->fewest_bytes(header_.encoding) + 3 * of_corner;
     triangles = std::min<std::uint64_t>(faces->count, source_.bytes->size() / of_triangle);
   }
-  mesh->reserve(header_.find("vertex")->count, triangles);
-  return mesh;
+  mesh.reserve(header_.find("vertex")->count, triangles);
 }
 
 bool PlyReader::check_elements() {
@@ -185,7 +180,6 @@ void find_body(const PlySource& source, PlyHeader& header) {
   if (fill_file(source, header)) return;
   PlyHeader other = header;
   other.size = may_be_longer ? header.size + 1 : header.size - 1;
-  other.is_plain = false;
   if (fill_file(source, other)) header = std::move(other);
 }
 

@@ -7,8 +7,8 @@
 
 namespace convert {
 
-/// Reads a PLY file: by OpenMesh where that takes over all that the file has, else by a reading of our own,
-/// which also says what is wrong with a file that OpenMesh cannot read.
+/// Reads a PLY file, as text or binary. Nothing is returned after an error, which says where the file is
+/// broken.
 std::optional<Import> read_ply(const std::string& path, const ReadOptions& options,
                                grf::Diagnostics& diagnostics);
 

@@ -10,9 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "converters/ply/ply_elements.h"
-#include "converters/ply/ply_mesh.h"
-#include "converters/ply/ply_openmesh.h"
+#include "converters/material_mapping.h"
 #include "converters/scene_parts.h"
 #include "grf/keywords.h"
 #include "tests/converters/ply/ply_bytes.h"
@@ -254,59 +252,6 @@ RC_GTEST_PROP(PlyRoundTrip, AFileOfAnyLayoutIsReadAndComesBack, ()) {
   const Reading second = written_and_read(*first.scene, coin() ? "ply" : "ply-ascii");
   RC_ASSERT(second.scene.has_value());
   RC_ASSERT(*second.scene == *first.scene);
-}
-
-/// A file that both readings can read.
-std::string plain_file_of(const grf::Mesh& mesh, bool has_colours) {
-  PlyBytes file(*rc::gen::element<std::string>("ascii", "binary_little_endian", "binary_big_endian"));
-  file.line(fmt::format("element vertex {}", mesh.geometry->positions.size())).line("property float x");
-  file.line("property float y").line("property float z").line("property ushort passed_over");
-  const auto colour_lines = [&] {
-    file.line("property uchar red").line("property uchar green").line("property uchar blue");
-  };
-  if (has_colours) colour_lines();
-  file.line(fmt::format("element face {}", mesh.face_count())).line("property list uchar int vertex_indices");
-  if (has_colours) colour_lines();
-  file.line("end_header");
-  const auto put_colour = [&] {
-    for (int i = 0; has_colours && i < 3; ++i) file.put(static_cast<std::uint8_t>(up_to(255)));
-  };
-  for (const Vec3f& p : mesh.geometry->positions) {
-    file.put(p.x).put(p.y).put(p.z).put(static_cast<std::uint16_t>(up_to(65535)));
-    put_colour();
-    file.end();
-  }
-  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    put_integer(file, "uchar", static_cast<std::uint32_t>(mesh.face(i).size()));
-    for (const std::uint32_t corner : mesh.face(i)) put_integer(file, "int", corner);
-    put_colour();
-    file.end();
-  }
-  return file.bytes();
-}
-
-RC_GTEST_PROP(PlyRoundTrip, OpenMeshReadsAsOurOwnReadingDoes, ()) {
-  const std::string bytes = plain_file_of(any_mesh({}, {}), coin());
-  const PlySource source{std::make_shared<const std::string>(bytes), nullptr};
-  grf::Diagnostics diagnostics;
-  const auto header = read_ply_header(source, diagnostics);
-  RC_ASSERT(header.has_value());
-  RC_ASSERT(openmesh_reads(*header));
-  PlyMesh by_openmesh(*header, {});
-  PlyMesh by_ourselves(*header, {});
-  std::size_t end_of_one = 0;
-  std::size_t end_of_other = 0;
-  RC_ASSERT(read_ply_by_openmesh(source, *header, by_openmesh, end_of_one));
-  RC_ASSERT(read_ply_elements(source, *header, by_ourselves, end_of_other, diagnostics));
-  RC_ASSERT(bytes.find_first_not_of(" \n", end_of_one) == std::string::npos);
-  RC_ASSERT(bytes.find_first_not_of(" \n", end_of_other) == std::string::npos);
-  const grf::Scene scene = by_openmesh.take({}, diagnostics);
-  const grf::Scene expected = by_ourselves.take({}, diagnostics);
-  RC_ASSERT(scene == expected);
-  for (std::size_t i = 0; i < meshes_of(scene).front().geometry->positions.size(); ++i) {
-    RC_ASSERT(same_bits(meshes_of(scene).front().geometry->positions[i],
-                        meshes_of(expected).front().geometry->positions[i]));
-  }
 }
 
 RC_GTEST_PROP(PlyRoundTrip, AssimpReadsWhatIsWritten, ()) {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "converters/ply/ply_header.h"
-#include "converters/ply/ply_openmesh.h"
 #include "grf/keywords.h"
 #include "grf/read.h"
 #include "tests/converters/ply/ply_bytes.h"
@@ -233,39 +232,6 @@ TEST(Ply, CountsWhatItRoundsOrLeavesOut) {
   EXPECT_THAT(reading.text(), HasSubstr("1 face was left out: three corners or more were expected"));
   EXPECT_THAT(reading.text(), HasSubstr("2 edges were left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 colour has components below 0"));
-}
-
-/// Whether OpenMesh reads a file with such a header.
-bool goes_to_openmesh(const std::string& text) {
-  const PlySource source{std::make_shared<const std::string>(text), nullptr};
-  grf::Diagnostics diagnostics;
-  const auto header = read_ply_header(source, diagnostics);
-  if (!header) throw std::runtime_error(diagnostics.to_text());
-  return openmesh_reads(*header);
-}
-
-TEST(Ply, OpenMeshReadsWhatItTakesOverExactly) {
-  const std::string body = "end_header\n" + Square + std::string(100, ' ');
-  const std::string face = "element face 1\n" + Face;
-  const std::string uv = "property float s\nproperty float t\n";
-  EXPECT_TRUE(goes_to_openmesh(Begin + Vertices + face + body));
-  EXPECT_TRUE(
-      goes_to_openmesh(Begin + "comment x\n" + Vertices + uv + "property char quality\n" + face + body));
-  EXPECT_FALSE(goes_to_openmesh(Begin + Vertices + face + "comment last\n" + body));
-  EXPECT_FALSE(
-      goes_to_openmesh(Begin + Vertices + "element face 1\nproperty list uchar int vertex_index \n" + body));
-  EXPECT_FALSE(goes_to_openmesh(
-      Begin + Vertices + "property double nx\nproperty double ny\nproperty double nz\n" + face + body));
-  EXPECT_FALSE(goes_to_openmesh(
-      Begin + Vertices + "property float red\nproperty float green\nproperty float blue\n" + face + body));
-  EXPECT_FALSE(goes_to_openmesh(Begin + Vertices + "property float texture_u\nproperty float texture_v\n" +
-                                face + body));
-  EXPECT_FALSE(
-      goes_to_openmesh(Begin + Vertices + "element face 1\nproperty list int int vertex_index\n" + body));
-  EXPECT_FALSE(goes_to_openmesh(Begin + Vertices + face + "property int material_index\n" + body));
-  EXPECT_FALSE(goes_to_openmesh(Begin + Vertices + face + "property list uchar float texcoord\n" + body));
-  EXPECT_FALSE(goes_to_openmesh(Begin + face + Vertices + body));
-  EXPECT_FALSE(goes_to_openmesh(Begin + Vertices + face + "element tristrips 0\n" + Face + body));
 }
 
 TEST(Ply, ReadsLineEndsOfAllSystems) {
