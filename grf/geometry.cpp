@@ -63,13 +63,13 @@ void Geometry::free_spare_memory() {
   uvs.free_spare_memory();
 }
 
-Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world) {
-  const auto corners = geometry.face(face);
-  const Vec3d origin = Vec3d(geometry.positions[corners[0]]) * to_world;
+Vec3d doubled_area_vector(std::span<const std::uint32_t> face, std::span<const Vec3f> positions,
+                          const Matrix44d& to_world) {
+  const Vec3d origin = Vec3d(positions[face[0]]) * to_world;
   Vec3d sum(0);
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-    const Vec3d a = Vec3d(geometry.positions[corners[k]]) * to_world - origin;
-    const Vec3d b = Vec3d(geometry.positions[corners[k + 1]]) * to_world - origin;
+  for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+    const Vec3d a = Vec3d(positions[face[k]]) * to_world - origin;
+    const Vec3d b = Vec3d(positions[face[k + 1]]) * to_world - origin;
     sum += a.cross(b);
   }
   return sum;

@@ -94,7 +94,11 @@ struct Geometry {
 
 /// Twice the area of a face under a transform, as a vector along its normal (Newell's method), for any
 /// polygon.
-Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world);
+Vec3d doubled_area_vector(std::span<const std::uint32_t> face, std::span<const Vec3f> positions,
+                          const Matrix44d& to_world = {});
+inline Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world) {
+  return doubled_area_vector(geometry.face(face), geometry.positions, to_world);
+}
 
 /// Triangles that cover the faces of a geometry, face by face.
 class Triangulation {

@@ -9,7 +9,7 @@ namespace grf {
 namespace {
 
 /// Counts sets among corners.
-std::size_t count_sets(CornerSets& sets, const std::vector<std::uint32_t>& corners) {
+std::size_t count_sets(DisjointSets& sets, const std::vector<std::uint32_t>& corners) {
   std::vector<std::uint32_t> all;
   all.reserve(corners.size());
   for (const std::uint32_t corner : corners) all.push_back(sets.set_of(corner));
@@ -19,7 +19,7 @@ std::size_t count_sets(CornerSets& sets, const std::vector<std::uint32_t>& corne
 
 /// Vertices of more than one fan of faces, but for those in `left_out`.
 std::size_t count_nonmanifold_vertices(const Geometry& geometry, std::span<const std::uint32_t> places,
-                                       CornerSets& fans, const std::vector<bool>& left_out) {
+                                       DisjointSets& fans, const std::vector<bool>& left_out) {
   constexpr std::uint32_t None = ~0U;
   std::vector<std::uint32_t> fan_at(geometry.positions.size(), None);
   std::vector<bool> counted = left_out;
@@ -35,6 +35,11 @@ std::size_t count_nonmanifold_vertices(const Geometry& geometry, std::span<const
   return count;
 }
 
+/// Without places, each vertex has its own.
+std::uint32_t place_of(std::span<const std::uint32_t> places, std::uint32_t vertex) {
+  return places.empty() ? vertex : places[vertex];
+}
+
 /// Does something with each edge that has a length, in the order of faces and their corners.
 template <class Action>
 void for_each_face_edge(const Geometry& geometry, std::span<const std::uint32_t> places,
@@ -42,8 +47,8 @@ void for_each_face_edge(const Geometry& geometry, std::span<const std::uint32_t>
   for (std::uint32_t face = 0; face < geometry.face_count(); ++face) {
     const auto corners = geometry.face(face);
     for (std::uint32_t k = 0; k < corners.size(); ++k) {
-      const std::uint64_t a = places[corners[k]];
-      const std::uint64_t b = places[corners[(k + 1) % corners.size()]];
+      const std::uint64_t a = place_of(places, corners[k]);
+      const std::uint64_t b = place_of(places, corners[(k + 1) % corners.size()]);
       if (a == b) continue;
       action(FaceEdge{std::min(a, b) << 32U | std::max(a, b), face, geometry.face_offsets[face] + k});
     }
@@ -73,14 +78,14 @@ std::vector<FaceEdge> edges_of_faces(const Geometry& geometry, std::span<const s
   // Each is put where its lower place belongs, in a time that grows as their number: few are left to be
   // sorted there.
   const auto lower_place = [](const FaceEdge& edge) { return static_cast<std::size_t>(edge.places >> 32U); };
-  std::vector<std::size_t> ends(places.size() + 1);
+  std::vector<std::size_t> ends(geometry.positions.size() + 1);
   for_each_face_edge(geometry, places, [&](const FaceEdge& edge) { ++ends[lower_place(edge) + 1]; });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<FaceEdge> edges(ends.back());
   for_each_face_edge(geometry, places,
                      [&](const FaceEdge& edge) { edges[ends[lower_place(edge)]++] = edge; });
   auto begin = edges.begin();
-  for (std::size_t place = 0; place < places.size(); ++place) {
+  for (std::size_t place = 0; place + 1 < ends.size(); ++place) {
     const auto end = edges.begin() + static_cast<std::ptrdiff_t>(ends[place]);
     std::sort(begin, end, [](const FaceEdge& a, const FaceEdge& b) {
       return std::tie(a.places, a.corner) < std::tie(b.places, b.corner);
@@ -100,43 +105,36 @@ void for_each_edge(std::span<const FaceEdge> edges,
   }
 }
 
+SharedEdges::SharedEdges(const Geometry& geometry, std::span<const std::uint32_t> places)
+    : edges_(edges_of_faces(geometry, places)), edge_of_corner_(geometry.corners.size(), None) {
+  std::uint32_t first = 0;
+  for_each_edge(edges_, [&](std::span<const FaceEdge> of_faces) {
+    for (const FaceEdge& edge : of_faces) edge_of_corner_[edge.corner] = edge_count();
+    first_.push_back(first);
+    first += static_cast<std::uint32_t>(of_faces.size());
+  });
+}
+
 std::uint32_t end_corner(const Geometry& geometry, const FaceEdge& edge) {
   const std::uint32_t next = edge.corner + 1;
   return next == geometry.face_offsets[edge.face + 1] ? geometry.face_offsets[edge.face] : next;
 }
 
-CornerSets::CornerSets(std::size_t corners) : parent_(corners) {
-  std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t CornerSets::set_of(std::uint32_t corner) {
-  while (parent_[corner] != corner) {
-    parent_[corner] = parent_[parent_[corner]];  // halves the way for the next time
-    corner = parent_[corner];
-  }
-  return corner;
-}
-
-void CornerSets::join(std::uint32_t a, std::uint32_t b) {
-  a = set_of(a);
-  b = set_of(b);
-  parent_[std::max(a, b)] = std::min(a, b);
-}
-
-void CornerSets::join_at_edge(const Geometry& geometry, std::span<const std::uint32_t> places,
-                              const FaceEdge& a, const FaceEdge& b) {
-  const bool is_alike = places[geometry.corners[a.corner]] == places[geometry.corners[b.corner]];
+void join_at_edge(DisjointSets& corners, const Geometry& geometry, std::span<const std::uint32_t> places,
+                  const FaceEdge& a, const FaceEdge& b) {
+  const bool is_alike =
+      place_of(places, geometry.corners[a.corner]) == place_of(places, geometry.corners[b.corner]);
   const std::uint32_t end_a = end_corner(geometry, a);
   const std::uint32_t end_b = end_corner(geometry, b);
-  join(a.corner, is_alike ? b.corner : end_b);
-  join(end_a, is_alike ? end_b : b.corner);
+  corners.join(a.corner, is_alike ? b.corner : end_b);
+  corners.join(end_a, is_alike ? end_b : b.corner);
 }
 
 Topology topology_of(const Geometry& geometry) {
   const std::vector<std::uint32_t> places = first_at_place(geometry);
   const std::vector<FaceEdge> edges = edges_of_faces(geometry, places);
   Topology topology;
-  CornerSets fans(geometry.corners.size());
+  DisjointSets fans(geometry.corners.size());
   std::vector<bool> at_nonmanifold_edge(geometry.positions.size());
   std::vector<FaceEdge> boundary;
   for_each_edge(edges, [&](std::span<const FaceEdge> of_faces) {
@@ -147,7 +145,7 @@ Topology topology_of(const Geometry& geometry) {
       at_nonmanifold_edge[of_faces.front().places & 0xFFFFFFFFU] = true;
     }
     for (const FaceEdge& other : of_faces.subspan(1)) {
-      fans.join_at_edge(geometry, places, of_faces.front(), other);
+      join_at_edge(fans, geometry, places, of_faces.front(), other);
     }
   });
   topology.boundary_edges = boundary.size();

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "grf/disjoint_sets.h"
 #include "grf/geometry.h"
 
 namespace grf {
@@ -36,30 +37,43 @@ struct FaceEdge {
   std::uint32_t corner = 0;  ///< where it begins, an index of `Geometry::corners`
 };
 
-/// All edges that have a length, sorted: those between the same places follow each other, in the order of
-/// their faces.
+/// All edges that have a length, between the `places` of vertices (those of `first_at_place`, say; empty:
+/// each vertex is a place of its own). They are sorted: those between the same places follow each other, in
+/// the order of their faces.
 std::vector<FaceEdge> edges_of_faces(const Geometry& geometry, std::span<const std::uint32_t> places);
 
 /// Does something with each run of edges between the same places.
 void for_each_edge(std::span<const FaceEdge> edges,
                    const std::function<void(std::span<const FaceEdge> of_faces)>& action);
 
+/// The edges of a geometry with the faces that share each. An edge knows its faces, and no face its
+/// neighbours: pairs would be quadratic where many faces share one edge.
+class SharedEdges {
+ public:
+  /// `places`: see `edges_of_faces`.
+  SharedEdges(const Geometry& geometry, std::span<const std::uint32_t> places);
+
+  static constexpr std::uint32_t None = ~0U;
+
+  std::uint32_t edge_count() const { return static_cast<std::uint32_t>(first_.size()); }
+  /// The edge that begins in a corner, or None if it has no length.
+  std::uint32_t at_corner(std::uint32_t corner) const { return edge_of_corner_[corner]; }
+  std::span<const FaceEdge> faces_at(std::uint32_t edge) const {
+    const std::size_t last = edge + 1 < first_.size() ? first_[edge + 1] : edges_.size();
+    return std::span(edges_).subspan(first_[edge], last - first_[edge]);
+  }
+
+ private:
+  std::vector<FaceEdge> edges_;
+  std::vector<std::uint32_t> first_;  ///< by edge, the first of its faces in edges_
+  std::vector<std::uint32_t> edge_of_corner_;
+};
+
 /// The corner in which the edge ends.
 std::uint32_t end_corner(const Geometry& geometry, const FaceEdge& edge);
 
-/// Sets of corners: each is alone at first.
-class CornerSets {
- public:
-  explicit CornerSets(std::size_t corners);
-  void join(std::uint32_t a, std::uint32_t b);
-  /// Joins the corners of two faces at either end of an edge that they share.
-  void join_at_edge(const Geometry& geometry, std::span<const std::uint32_t> places, const FaceEdge& a,
-                    const FaceEdge& b);
-  /// One corner of each set stands for it.
-  std::uint32_t set_of(std::uint32_t corner);
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+/// Joins the corners of two faces at either end of an edge that they share, in sets of corners.
+void join_at_edge(DisjointSets& corners, const Geometry& geometry, std::span<const std::uint32_t> places,
+                  const FaceEdge& a, const FaceEdge& b);
 
 }  // namespace grf

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <span>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "grf/keywords.h"
+#include "grf/vertex_normals.h"
 
 namespace convert {
 namespace {
@@ -19,7 +19,7 @@ struct SceneCorner {
   aiMesh* mesh = nullptr;
   unsigned vertex = 0;
 
-  grf::Vec3d position() const {
+  grf::Vec3f position() const {
     const aiVector3D& v = mesh->mVertices[vertex];
     return {v.x, v.y, v.z};
   }
@@ -81,41 +81,36 @@ std::vector<SceneFace> faces_in_scene(const ThreeDsObject& object, std::span<aiM
   return found == faces.size() ? faces : std::vector<SceneFace>();
 }
 
-/// The normal of a face, as long as the angle at one of its corners, so that a flat surface counts the same
-/// however it is cut (Thuermer and Wuethrich 1998, "Computing vertex normals from polygonal facets").
-grf::Vec3d weighted_normal(const SceneFace& face, std::size_t corner) {
-  const grf::Vec3d p = face[corner].position();
-  const grf::Vec3d a = face[(corner + 1) % 3].position() - p;
-  const grf::Vec3d b = face[(corner + 2) % 3].position() - p;
-  const grf::Vec3d normal = a.cross(b);
-  return normal.normalized() * std::atan2(normal.length(), a.dot(b));
-}
-
 class Smoothing {
  public:
-  Smoothing(const ThreeDsObject& object, const std::vector<SceneFace>& faces)
-      : object_(object), faces_(faces) {
+  Smoothing(const ThreeDsObject& object, const std::vector<SceneFace>& faces) : object_(object) {
     std::map<std::tuple<float, float, float>, std::size_t> points;
     for (const grf::Vec3f& p : object.positions) {
       point_of_vertex_.push_back(points.emplace(std::tuple(p.x, p.y, p.z), points.size()).first->second);
     }
     corners_of_point_.resize(points.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) corners_of_point_[point_of(i, k)].emplace_back(i, k);
+      std::array<grf::Vec3f, 3> positions;
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners_of_point_[point_of(i, k)].emplace_back(i, k);
+        positions[k] = faces[i][k].position();
+      }
+      grf::weighted_normals(std::array{0U, 1U, 2U}, positions, weighted_normals_.emplace_back());
     }
   }
 
   /// Of no length for a corner that is not smooth.
-  grf::Vec3d normal(std::size_t face, std::size_t corner) {
+  grf::Vec3f normal(std::size_t face, std::size_t corner) {
     const std::uint32_t groups = object_.faces[face].groups;
-    if (groups == 0) return grf::Vec3d(0);
+    if (groups == 0) return grf::Vec3f(0);
     const std::size_t point = point_of(face, corner);
-    const auto [known, is_new] = normals_.emplace(std::pair(point, groups), grf::Vec3d(0));
+    const auto [known, is_new] = normals_.emplace(std::pair(point, groups), grf::Vec3f(0));
     if (is_new) {
+      grf::Vec3d sum(0);
       for (const auto& [other, k] : corners_of_point_[point]) {
-        if ((object_.faces[other].groups & groups) != 0) known->second += weighted_normal(faces_[other], k);
+        if ((object_.faces[other].groups & groups) != 0) sum += weighted_normals_[other][k];
       }
-      known->second.normalize();
+      known->second = grf::unit_normal(sum).value_or(grf::Vec3f(0));
     }
     return known->second;
   }
@@ -126,17 +121,17 @@ class Smoothing {
   }
 
   const ThreeDsObject& object_;
-  const std::vector<SceneFace>& faces_;
   std::vector<std::size_t> point_of_vertex_;
+  std::vector<std::vector<grf::Vec3d>> weighted_normals_;  // by face and corner
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> corners_of_point_;
-  std::map<std::pair<std::size_t, std::uint32_t>, grf::Vec3d> normals_;
+  std::map<std::pair<std::size_t, std::uint32_t>, grf::Vec3f> normals_;
 };
 
 void set_normals(const ThreeDsObject& object, const std::vector<SceneFace>& faces) {
   Smoothing smoothing(object, faces);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const grf::Vec3f normal(smoothing.normal(i, k));
+      const grf::Vec3f normal = smoothing.normal(i, k);
       faces[i][k].mesh->mNormals[faces[i][k].vertex] = {normal.x, normal.y, normal.z};
     }
   }

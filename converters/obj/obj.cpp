@@ -15,7 +15,7 @@
 #include "converters/obj/obj_text.h"
 #include "converters/obj/obj_writer.h"
 #include "converters/scene_parts.h"
-#include "converters/smooth_normals.h"
+#include "converters/smoothing_groups.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 
@@ -62,7 +62,7 @@ class ObjReader {
   grf::Diagnostics& diagnostics_;
   ObjMaterials materials_;
   ObjText text_;
-  SmoothNormals smooth_normals_;
+  SmoothingGroups smoothing_groups_;
   Losses losses_;
   std::vector<grf::Block> meshes_;
   std::vector<std::uint32_t> vertices_;          // of the face being read
@@ -105,7 +105,7 @@ void ObjReader::smooth() {
     if (group == 0) continue;
     vertices_.clear();
     for (const std::uint32_t corner : text_.face(face)) vertices_.push_back(text_.corners[corner].vertex);
-    smooth_normals_.add_face(group, vertices_, text_.positions);
+    smoothing_groups_.add_face(group, vertices_, text_.positions);
   }
 }
 
@@ -157,7 +157,7 @@ Corner ObjReader::corner_of(const ObjCorner& indices, const UvTransform& uv, std
   if (indices.normal != ObjCorner::None) {
     corner.normal = text_.normals[indices.normal];
   } else if (group != 0) {
-    corner.normal = smooth_normals_.normal(group, indices.vertex);
+    corner.normal = smoothing_groups_.normal(group, indices.vertex);
   }
   return corner;
 }

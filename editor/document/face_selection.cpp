@@ -10,38 +10,6 @@
 namespace editor {
 namespace {
 
-/// The edges of a mesh with the faces that share each. An edge knows its faces, and no face its neighbours:
-/// pairs would be quadratic where many faces share one edge.
-class SharedEdges {
- public:
-  explicit SharedEdges(const grf::Mesh& mesh)
-      : edges_(grf::edges_of_faces(*mesh.geometry, grf::first_at_place(*mesh.geometry))),
-        edge_of_corner_(mesh.geometry->corners.size(), None) {
-    std::uint32_t first = 0;
-    grf::for_each_edge(edges_, [&](std::span<const grf::FaceEdge> of_faces) {
-      for (const grf::FaceEdge& edge : of_faces) edge_of_corner_[edge.corner] = edge_count();
-      first_.push_back(first);
-      first += static_cast<std::uint32_t>(of_faces.size());
-    });
-  }
-
-  /// What an edge without length is.
-  static constexpr std::uint32_t None = ~0U;
-
-  std::uint32_t edge_count() const { return static_cast<std::uint32_t>(first_.size()); }
-  /// The edge that begins in a corner, or None.
-  std::uint32_t at_corner(std::uint32_t corner) const { return edge_of_corner_[corner]; }
-  std::span<const grf::FaceEdge> faces_at(std::uint32_t edge) const {
-    const std::size_t last = edge + 1 < first_.size() ? first_[edge + 1] : edges_.size();
-    return std::span(edges_).subspan(first_[edge], last - first_[edge]);
-  }
-
- private:
-  std::vector<grf::FaceEdge> edges_;
-  std::vector<std::uint32_t> first_;  ///< by edge, the first of its faces in edges_
-  std::vector<std::uint32_t> edge_of_corner_;
-};
-
 /// Spreads a selection over the edges of a mesh.
 class Spread {
  public:
@@ -49,7 +17,7 @@ class Spread {
       : mesh_(mesh),
         geometry_(&geometry),
         selection_(&selection),
-        edges_(geometry),
+        edges_(*geometry.geometry, grf::first_at_place(*geometry.geometry)),
         unselected_(edges_.edge_count()) {
     for (std::uint32_t edge = 0; edge < edges_.edge_count(); ++edge) {
       for (const grf::FaceEdge& of_face : edges_.faces_at(edge)) {
@@ -84,7 +52,7 @@ class Spread {
     for (std::uint32_t corner = geometry_->geometry->face_offsets[face];
          corner < geometry_->geometry->face_offsets[face + 1]; ++corner) {
       const std::uint32_t edge = edges_.at_corner(corner);
-      if (edge != SharedEdges::None) action(edge);
+      if (edge != grf::SharedEdges::None) action(edge);
     }
   }
 
@@ -97,7 +65,7 @@ class Spread {
   std::uint32_t mesh_;
   const grf::Mesh* geometry_;
   FaceSelection* selection_;
-  SharedEdges edges_;
+  grf::SharedEdges edges_;
   std::vector<std::uint32_t> unselected_;  ///< by edge, how many of its faces are not selected
   std::vector<std::uint32_t> front_;       ///< selected faces from which to go on
 };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "grf/summary.h"
+#include "grf/topology.h"
 
 namespace editor {
 namespace {
@@ -104,17 +105,10 @@ void MeshGeometry::cut_faces(const grf::Mesh& mesh) {
 }
 
 void MeshGeometry::find_edges(const grf::Mesh& mesh) {
-  edges_.reserve(mesh.geometry->corners.size());
-  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    const auto face = mesh.face(i);
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const std::uint32_t a = face[k];
-      const std::uint32_t b = face[k + 1 < face.size() ? k + 1 : 0];
-      edges_.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  std::sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  grf::for_each_edge(grf::edges_of_faces(*mesh.geometry, {}), [&](std::span<const grf::FaceEdge> of_faces) {
+    const std::uint64_t ends = of_faces.front().places;
+    edges_.push_back({static_cast<std::uint32_t>(ends >> 32U), static_cast<std::uint32_t>(ends)});
+  });
 }
 
 void MeshGeometry::enclose_triangles() {

@@ -12,13 +12,13 @@ ENDINGS = (".cpp", ".h", ".glsl")
 # Folders (or what the path of a file begins with) and how likely a mistake is made there; the longest counts.
 PLACES = {
     "grf/": 1,
+    "grf/vertex_normals": 3,
     "renderer/": 1,
     "renderer/reflectance/": 3,
     "renderer/transport/": 3,
     "converters/": 1,
     "converters/mesh_builder": 3,
     "converters/mesh_operations/": 3,
-    "converters/smooth_normals": 3,
     "converters/bare_faces": 3,
     "converters/world_meshes": 3,
     "editor/document/": 1,

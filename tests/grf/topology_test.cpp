@@ -1,6 +1,8 @@
 #include "grf/topology.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +27,21 @@ TEST(Topology, OfAClosedSurfaceIsSound) {
   EXPECT_EQ(cube.boundary_loops, 0U);
   EXPECT_EQ(cube.nonmanifold_edges, 0U);
   EXPECT_EQ(cube.nonmanifold_vertices, 0U);
+}
+
+TEST(Topology, FindsEdgesBetweenPlacesOrVertices) {
+  Geometry two_squares;
+  two_squares.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                           {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
+  two_squares.add_face(std::array{0U, 1U, 2U, 3U});
+  two_squares.add_face(std::array{4U, 5U, 6U, 7U});
+  const auto count = [&](const std::vector<std::uint32_t>& places) {
+    std::size_t edges = 0;
+    for_each_edge(edges_of_faces(two_squares, places), [&](std::span<const FaceEdge>) { ++edges; });
+    return edges;
+  };
+  EXPECT_EQ(count({}), 8U);
+  EXPECT_EQ(count(first_at_place(two_squares)), 7U);
 }
 
 TEST(Topology, CountsHolesAsLoops) {

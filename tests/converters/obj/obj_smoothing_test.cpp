@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "converters/smooth_normals.h"
 #include "tests/converters/reading.h"
 
 namespace convert {
@@ -74,40 +73,6 @@ TEST(SmoothingGroups, LeaveNormalsAsTheyAre) {
 TEST(SmoothingGroups, WithoutAreaGiveNoNormal) {
   const grf::Mesh mesh = mesh_of("v 0 0 0\nv 1 0 0\nv 2 0 0\ns 1\nf 1 2 3\n");
   EXPECT_TRUE(mesh.geometry->normals.empty());
-}
-
-TEST(SmoothNormals, DoNotDependOnHowAPolygonIsCut) {
-  const std::vector<grf::Vec3f> cube = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  const auto normal_at = [&](const std::vector<std::vector<std::uint32_t>>& faces) {
-    SmoothNormals normals;
-    for (const auto& face : faces) normals.add_face(1, face, cube);
-    return *normals.normal(1, 6);
-  };
-  const grf::Vec3f diagonal = grf::Vec3f(1, 1, 1).normalized();
-  expect_near(normal_at({{4, 5, 6, 7}, {1, 2, 6, 5}, {2, 3, 7, 6}}), diagonal);
-  expect_near(normal_at({{4, 5, 6}, {4, 6, 7}, {1, 2, 6, 5}, {2, 3, 7}, {2, 7, 6}}), diagonal);
-}
-
-TEST(SmoothNormals, CountTheInsideOfACornerThatPointsInwards) {
-  // An arrow whose notch has an angle of 270 degrees, and a wall on one of its edges.
-  const std::vector<grf::Vec3f> positions = {{0, 0, 0}, {-1, -1, 0}, {2, 0, 0}, {-1, 1, 0}, {-1, -1, 1}};
-  SmoothNormals normals;
-  normals.add_face(1, std::vector<std::uint32_t>{0, 1, 2, 3}, positions);
-  normals.add_face(1, std::vector<std::uint32_t>{1, 0, 4}, positions);
-  const grf::Vec3f wall = grf::Vec3f(1, -1, 0).normalized();
-  const float wall_angle = std::acos(grf::Vec3f(-1, -1, 0).dot({-1, -1, 1}) / std::sqrt(6.0F));
-  const float notch_angle = 1.5F * std::acos(-1.0F);
-  expect_near(*normals.normal(1, 0), (grf::Vec3f(0, 0, 1) * notch_angle + wall * wall_angle).normalized());
-}
-
-TEST(SmoothNormals, OfFacesBackToBackAreNone) {
-  const std::vector<grf::Vec3f> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  SmoothNormals normals;
-  normals.add_face(1, std::vector<std::uint32_t>{0, 1, 2}, positions);
-  normals.add_face(1, std::vector<std::uint32_t>{2, 1, 0}, positions);
-  EXPECT_FALSE(normals.normal(1, 0).has_value());
-  EXPECT_FALSE(normals.normal(2, 0).has_value());
 }
 
 }  // namespace

@@ -4,16 +4,16 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <vector>
 
 #include "grf/math.h"
 
 namespace convert {
 
 /// Normals for formats that say by smoothing groups which faces go smoothly into each other. At a vertex, all
-/// faces of a group share one normal: the mean of their own, weighted by their angles there (Thuermer and
-/// Wuethrich 1998), so that it does not depend on how a polygon is cut. Faces of other groups at the same
-/// vertex have another one.
-class SmoothNormals {
+/// faces of a group share one normal, of which `grf/vertex_normals.h` says how it is made. Faces of other
+/// groups at the same vertex have another one.
+class SmoothingGroups {
  public:
   /// A face of a group: indices of its corners' positions.
   void add_face(std::uint32_t group, std::span<const std::uint32_t> vertices,
@@ -24,6 +24,7 @@ class SmoothNormals {
 
  private:
   std::unordered_map<std::uint64_t, grf::Vec3d> sums_;  // by group and vertex
+  std::vector<grf::Vec3d> of_face_;
 };
 
 }  // namespace convert

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace grf {
+
+/// Disjoint sets of the numbers below a count (union-find). Each number is alone at first.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = set_of(a);
+    b = set_of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  /// The least member stands for the set.
+  std::uint32_t set_of(std::uint32_t member) {
+    while (parent_[member] != member) {
+      parent_[member] = parent_[parent_[member]];  // halves the path for the next time
+      member = parent_[member];
+    }
+    return member;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace grf
