@@ -1,5 +1,6 @@
 #include "converters/command/arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -54,11 +55,20 @@ void add_mesh_options(CLI::App& app, Arguments& arguments) {
       "--weld", arguments.weld,
       "Merge vertices nearer than this, in the units of the meshes as they are read (0: those at one "
       "place)");
-  app.add_flag("--triangulate", arguments.triangulate, "Cut polygons into triangles");
+  app.add_option(
+         "--smooth", arguments.smooth,
+         "Move vertices towards their neighbours in so many steps (Taubin's smoothing), so that noise "
+         "goes but the size stays; boundaries are kept")
+      ->check(CLI::Range(0, 10'000));
   app.add_option(
       "--decimate", arguments.decimate,
       "Leave about this share of the triangles (over 0, up to 1): holes, borders between materials and "
       "seams are kept, and the vertices that are left keep normals, colours and texture coordinates");
+  app.add_option(
+      "--subdivide", arguments.subdivide,
+      "loop:LEVELS, each triangle becomes four; or catmull-clark:LEVELS, each face becomes as many as it has "
+      "corners: so many times (1 if not given), towards a smooth surface; faces keep their materials");
+  app.add_flag("--triangulate", arguments.triangulate, "Cut polygons into triangles");
   app.add_option(
       "--normals", arguments.normals,
       "keep; smooth:ANGLE, new ones with creases where faces are turned by more than so many degrees; "
@@ -155,6 +165,26 @@ std::string set_normals(const std::string& text, MeshOperations& operations) {
   return {};
 }
 
+/// Takes what `--subdivide` says; what is wrong with it, or empty.
+std::string set_subdivision(const std::string& text, MeshOperations& operations) {
+  constexpr int MostLevels = 10;
+  if (text.empty()) return {};
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string scheme = text.substr(0, colon);
+  const std::string levels = colon == text.size() ? "1" : text.substr(colon + 1);
+  Subdivision subdivision;
+  const auto number = std::from_chars(levels.data(), levels.data() + levels.size(), subdivision.levels);
+  const bool has_levels = number.ec == std::errc() && number.ptr == levels.data() + levels.size() &&
+                          subdivision.levels >= 1 && subdivision.levels <= MostLevels;
+  if (!has_levels || (scheme != "loop" && scheme != "catmull-clark")) {
+    return fmt::format("--subdivide: found '{}', expected loop:LEVELS or catmull-clark:LEVELS, of 1 to {}",
+                       text, MostLevels);
+  }
+  subdivision.scheme = scheme == "loop" ? SubdivisionScheme::Loop : SubdivisionScheme::CatmullClark;
+  operations.subdivide = subdivision;
+  return {};
+}
+
 /// What is wrong with a number; empty if nothing is.
 std::string problem_of_numbers(const Arguments& arguments) {
   constexpr double Largest = std::numeric_limits<float>::max();
@@ -213,6 +243,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
     problem = "the file to write is missing (-o OUT)";
   } else {
     problem = problem_of_numbers(arguments);
+    if (problem.empty()) problem = set_subdivision(arguments.subdivide, options.each.operations);
     if (problem.empty()) problem = set_normals(arguments.normals, options.each.operations);
   }
   if (problem.empty()) options.each.placement = placement_of(arguments, problem);
@@ -232,6 +263,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   options.each.flat = arguments.flat;
   options.each.grf2008 = arguments.grf2008;
   options.each.operations.weld = arguments.weld;
+  options.each.operations.smooth = arguments.smooth;
   options.each.operations.triangulate = arguments.triangulate;
   options.each.operations.decimate = arguments.decimate;
   options.each.dry_run = arguments.dry_run;

@@ -22,11 +22,13 @@ struct Arguments {
   std::string to;
   std::string brdf;
   std::string normals = "keep";
+  std::string subdivide;
   std::string transform;
   std::string up = "y";
   double scale = 1;
   std::optional<double> weld;
   std::optional<double> decimate;
+  int smooth = 0;
   int jobs = 1;
   Limits limits;
   bool triangulate = false;

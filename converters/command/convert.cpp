@@ -199,7 +199,7 @@ ExitCode convert_file(const ConvertOptions& options) {
     grf::Scene scene = changed(std::move(input->scene), options, diagnostics);
     counts = counts_of(scene);
     const auto write = options.dry_run ? &try_to_write_all : &write_all;
-    files = write(scene, input->files, options, diagnostics);
+    if (diagnostics.error_count() == 0) files = write(scene, input->files, options, diagnostics);
   }
   print(diagnostics, options.quiet);
   if (!files) return ExitCode::BadInput;

@@ -8,10 +8,13 @@
 
 #include "converters/mesh_operations/decimate.h"
 #include "converters/mesh_operations/normals.h"
+#include "converters/mesh_operations/smooth.h"
+#include "converters/mesh_operations/subdivide.h"
 #include "converters/mesh_operations/triangulate.h"
 #include "converters/mesh_operations/weld.h"
 #include "converters/scene_parts.h"
 #include "converters/wording.h"
+#include "grf/topology.h"
 
 namespace convert {
 namespace {
@@ -30,8 +33,13 @@ class Operator {
     unused_vertices_ += count_unused_vertices(*shared);
     grf::Mesh& mesh = shared.edit();
     if (operations_.weld) weld_mesh(mesh, *operations_.weld);
-    if (operations_.triangulate) mesh = triangulated(mesh);
+    if (operations_.smooth > 0 || operations_.subdivide) {
+      nonmanifold_edges_ += mesh.geometry.topology().nonmanifold_edges;
+    }
+    if (operations_.smooth > 0) mesh = smoothed(mesh, operations_.smooth);
     if (operations_.decimate) decimate_mesh(mesh, *operations_.decimate);
+    if (operations_.subdivide) subdivide_mesh(mesh, *operations_.subdivide);
+    if (operations_.triangulate) mesh = triangulated(mesh);
     if (operations_.normals == Normals::Flat) mesh = with_flat_faces(mesh);
     if (operations_.normals == Normals::Smooth) mesh = with_smooth_normals(mesh, operations_.crease);
   }
@@ -49,6 +57,18 @@ class Operator {
                        fmt::format("{} welded", counted(merged_vertices_, "vertex was", "vertices were")));
     }
     if (operations_.decimate) report_decimation(location, diagnostics);
+    if (operations_.subdivide) {
+      diagnostics.note(location, fmt::format("{} {}",
+                                             counted(faces_before_, "face was subdivided into",
+                                                     "faces were subdivided into"),
+                                             faces_after_));
+    }
+    lose(lost_irradiance_, "vertex lost its irradiance", "vertices lost their irradiance",
+         "the mesh was subdivided");
+    if (nonmanifold_edges_ > 0) {
+      diagnostics.warning(location, fmt::format("{} kept sharp: more than two faces share each",
+                                                counted(nonmanifold_edges_, "edge was", "edges were")));
+    }
   }
 
  private:
@@ -71,6 +91,15 @@ class Operator {
     triangles_after_ += left;
     triangles_left_alone_ += decimated.triangles_left_alone;
     mesh = std::move(decimated.mesh);
+  }
+
+  void subdivide_mesh(grf::Mesh& mesh, const Subdivision& subdivision) {
+    for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
+      if (mesh.irradiance->has(i)) ++lost_irradiance_;
+    }
+    faces_before_ += mesh.face_count();
+    mesh = subdivided(mesh, subdivision);
+    faces_after_ += mesh.face_count();
   }
 
   void report_decimation(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const {
@@ -98,13 +127,32 @@ class Operator {
   std::size_t triangles_left_alone_ = 0;
   std::size_t meshes_held_ = 0;
   std::size_t triangles_held_ = 0;
+  std::size_t faces_before_ = 0;
+  std::size_t faces_after_ = 0;
+  std::size_t nonmanifold_edges_ = 0;
+  std::size_t lost_irradiance_ = 0;
 };
+
+bool has_room_for_faces(const MeshOperations& operations, grf::Scene& scene,
+                        const grf::SourceLocation& location, grf::Diagnostics& diagnostics) {
+  double most = 0;
+  for_each_mesh(scene.contents, [&](grf::Shared<grf::Mesh>& mesh) {
+    if (operations.subdivide) most = std::max(most, faces_after(*mesh, *operations.subdivide));
+  });
+  if (most <= MostSubdividedFaces) return true;
+  diagnostics.error(location,
+                    fmt::format("a mesh would have {:.3g} faces once it is subdivided, and can have "
+                                "{:.3g}: ask for fewer levels",
+                                most, MostSubdividedFaces));
+  return false;
+}
 
 }  // namespace
 
 void apply(const MeshOperations& operations, grf::Scene& scene, const grf::SourceLocation& location,
            grf::Diagnostics& diagnostics) {
   if (!operations.any()) return;
+  if (!has_room_for_faces(operations, scene, location, diagnostics)) return;
   Operator each(operations);
   for_each_mesh(scene.contents, [&each](grf::Shared<grf::Mesh>& mesh) { each.run(mesh); });
   each.report(location, diagnostics);

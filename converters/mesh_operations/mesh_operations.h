@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "converters/mesh_operations/subdivide.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -16,17 +17,22 @@ enum class Normals {
 
 /// In this order they are done.
 struct MeshOperations {
-  std::optional<double> weld;  ///< distance, in the units of each mesh
-  bool triangulate = false;
+  std::optional<double> weld;      ///< distance, in the units of each mesh
+  int smooth = 0;                  ///< steps
   std::optional<double> decimate;  ///< share of the triangles that is to be left, over 0, up to 1
+  std::optional<Subdivision> subdivide;
+  bool triangulate = false;
   Normals normals = Normals::Keep;
   double crease = 0;  ///< radians, for smooth normals
 
-  bool any() const { return weld || triangulate || decimate || normals != Normals::Keep; }
+  bool any() const {
+    return weld || smooth > 0 || decimate || subdivide || triangulate || normals != Normals::Keep;
+  }
 };
 
 /// Does that to all meshes and mesh lights of the scene, of which none is in an included file, and says what
-/// was lost and what could not be done, in one line a kind.
+/// was lost and what could not be done, in one line a kind. A mesh that would have too many faces once it is
+/// subdivided is an error, and no mesh is changed then.
 void apply(const MeshOperations& operations, grf::Scene& scene, const grf::SourceLocation& location,
            grf::Diagnostics& diagnostics);
 

@@ -13,6 +13,16 @@ namespace convert {
 /// coordinates and irradiance, bit for bit.
 std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh);
 
+/// For each vertex, the first one at the same place with the same value of one kind.
+template <class Value>
+std::vector<std::uint32_t> first_with_value(const grf::Geometry& geometry,
+                                            grf::OptionalVertexValues<Value> grf::Geometry::*values) {
+  grf::MeshDraft of_one_kind;
+  of_one_kind.positions = geometry.positions;
+  of_one_kind.*values = geometry.*values;
+  return first_alike(of_one_kind);
+}
+
 /// Faces of a mesh with other corners, before they are a mesh themselves. The name, the comments and the
 /// surfaces are those of the mesh.
 class Rebuild {

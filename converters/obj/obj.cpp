@@ -24,7 +24,7 @@ namespace {
 
 // Elements come behind vertices, so that none is first. NFF files begin with the same letters: a `v` without
 // numbers, an `s` with four.
-bool sniff(std::string_view first_bytes) {
+bool sniff_obj(std::string_view first_bytes) {
   constexpr std::array<std::string_view, 7> FirstKeywords = {"vt", "vn", "vp", "o", "g", "mtllib", "usemtl"};
   StatementReader reader(std::make_shared<const std::string>(to_utf8(first_bytes)), nullptr);
   Statement first;
@@ -210,7 +210,7 @@ Format obj_format() {
   format.name = "obj";
   format.title = "Wavefront OBJ with MTL materials";
   format.extensions = {"obj"};
-  format.sniff = sniff;
+  format.sniff = sniff_obj;
   format.read = read_obj;
   format.write = write_obj;
   format.keeps =

@@ -47,7 +47,7 @@ std::optional<Header> parse_header(std::string_view word) {
   return header;
 }
 
-bool sniff(std::string_view first_bytes) {
+bool sniff_off(std::string_view first_bytes) {
   StatementReader reader(std::make_shared<const std::string>(to_utf8(first_bytes)), nullptr);
   Statement first;
   return reader.next(first) && parse_header(first.keyword).has_value();
@@ -305,7 +305,7 @@ Format off_format() {
   format.name = "off";
   format.title = "Object File Format (Geomview)";
   format.extensions = {"off"};
-  format.sniff = sniff;
+  format.sniff = sniff_off;
   format.read = read_off;
   format.keeps = "polygons, shared vertices, normals, texture coordinates, colours of vertices and faces";
   format.loses = "lines, points, transparency, colours by number, vertices without faces, binary files";

@@ -1,4 +1,5 @@
 // What `grfconvert` does to meshes and to the scene as a whole on the way.
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,29 @@ TEST(GrfconvertMeshes, AreDecimated) {
   EXPECT_NEAR(after["area"].get<double>(), before["area"].get<double>(), 0.01 * before["area"].get<double>());
   EXPECT_EQ(after["boundary_loops"], before["boundary_loops"]);
   EXPECT_EQ(after["nonmanifold_edges"], 0);
+}
+
+TEST(GrfconvertMeshes, AreSubdivided) {
+  EXPECT_EQ(converted(Square, {"--subdivide", "catmull-clark:3"})["faces"], 64);
+  EXPECT_EQ(converted(Square, {"--subdivide", "catmull-clark"})["faces"], 4);
+  const json loop = converted(Square, {"--subdivide", "loop:2"});
+  EXPECT_EQ(loop["faces"], 32);
+  EXPECT_EQ(loop["boundary_edges"], 16);
+  const TemporaryFolder folder;
+  const test::Outcome outcome = grfconvert({Bunny, "-o", folder.path("out.grf"), "--subdivide", "loop:10"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("bunny.obj: error: a mesh would have 7.31e+10 faces once it is subdivided"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out.grf")));
+}
+
+TEST(GrfconvertMeshes, AreSmoothed) {
+  // Four triangles around a tip, which has no other neighbours than the boundary.
+  const std::string tip =
+      "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+  const double factor = 0.5 * (1 + 1 / 1.9);
+  EXPECT_NEAR(converted(tip, {"--smooth", "2"})["bounds"]["max"][2].get<double>(), factor * factor, 1e-6);
+  EXPECT_EQ(converted(tip, {"--smooth", "0"})["bounds"]["max"][2], 1);
 }
 
 TEST(GrfconvertMeshes, GetNormals) {

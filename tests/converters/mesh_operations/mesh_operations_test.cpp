@@ -1,5 +1,6 @@
 #include "converters/mesh_operations/mesh_operations.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -91,6 +92,62 @@ TEST(MeshOperations, SayWhatCannotBeDecimated) {
   EXPECT_THAT(
       diagnostics.to_text(),
       HasSubstr("1 mesh has more triangles than asked by 2: holes, borders, seams and shape are kept"));
+}
+
+TEST(MeshOperations, SmoothSubdivideAndCutInThisOrder) {
+  grf::Scene scene;
+  scene.contents.blocks.emplace_back();
+  grf::MeshDraft bent(sheet(2));
+  bent.positions[4].z = 1;  // in the middle
+  bent.irradiance.set(0, grf::Colour(1));
+  scene.contents.blocks[0].content = grf::Shared<grf::Mesh>(bent);
+  MeshOperations operations;
+  operations.smooth = 1;
+  operations.subdivide = Subdivision{SubdivisionScheme::CatmullClark, 1};
+  operations.triangulate = true;
+  grf::Diagnostics diagnostics;
+  apply(operations, scene, {}, diagnostics);
+  const grf::Mesh mesh = meshes_of(scene).front();
+  EXPECT_EQ(mesh.face_count(), 8U * 3U * 2U);
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("note: 8 faces were subdivided into 24\n"));
+  EXPECT_THAT(diagnostics.losses(), ElementsAre("1 vertex lost its irradiance: the mesh was subdivided"));
+  // One step of Taubin's leaves (1 - 0.5) (1 + 1/1.9) of the height. Of the six faces around it a third of
+  // that is the height of each middle: (F + N + 4 P)/6, where N = 0.
+  const float height = 0.5F * (1 + 1 / 1.9F);
+  float highest = 0;
+  for (const grf::Vec3f& p : mesh.geometry->positions) highest = std::max(highest, p.z);
+  EXPECT_NEAR(highest, height * (1 / 3.0F + 4) / 6, 1e-6F);
+}
+
+TEST(MeshOperations, SayWhichEdgesHaveMoreThanTwoFaces) {
+  const std::string book =
+      "begin mesh begin vertexs (0,0,0) (1,0,0) (0,1,0) (0,-1,0) (0,0,1) end vertexs begin faces (0,1,2) "
+      "(0,1,3) "
+      "(0,1,4) end faces end mesh";
+  for (const bool is_subdivided : {true, false}) {
+    grf::Scene scene = scene_of_text(book);
+    MeshOperations operations;
+    operations.smooth = 2;
+    if (is_subdivided) operations.subdivide = Subdivision{SubdivisionScheme::Loop, 2};
+    grf::Diagnostics diagnostics;
+    apply(operations, scene, {}, diagnostics);
+    EXPECT_THAT(diagnostics.to_text(),
+                HasSubstr("warning: 1 edge was kept sharp: more than two faces share each\n"));
+  }
+}
+
+TEST(MeshOperations, RefuseTooManyFaces) {
+  grf::Scene scene = scene_of_text("begin mesh " + Square + "end mesh");
+  const grf::Scene before = scene;
+  MeshOperations operations;
+  operations.subdivide = Subdivision{SubdivisionScheme::CatmullClark, 15};
+  grf::Diagnostics diagnostics;
+  apply(operations, scene, {}, diagnostics);
+  EXPECT_THAT(
+      diagnostics.to_text(),
+      HasSubstr("error: a mesh would have 1.07e+09 faces once it is subdivided, and can have 1e+09: ask "
+                "for fewer levels"));
+  EXPECT_EQ(scene, before);
 }
 
 TEST(MeshOperations, LeaveASceneAsItIsWhereThereAreNone) {
