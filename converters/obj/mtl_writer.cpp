@@ -89,7 +89,7 @@ MtlWriter::MtlWriter(const grf::Scene& scene, const WorldMeshes& meshes) {
     }
   }
   if (returns_to_plain(meshes)) keys.emplace_back();
-  add_materials(std::move(keys));
+  add_materials(keys);
 }
 
 /// Whether faces without a material come after others, so that they need the name of one.
@@ -132,7 +132,7 @@ void MtlWriter::find_definitions(const grf::Scene& scene) {
 }
 
 // In the order of the definitions, since the terms of a sum are to stand before it; then what has no name.
-void MtlWriter::add_materials(std::vector<Key> keys) {
+void MtlWriter::add_materials(const std::vector<Key>& keys) {
   std::unordered_map<const grf::BrdfModel*, std::vector<const Key*>> keys_of_brdf;
   for (const Key& key : keys) keys_of_brdf[key.brdf].push_back(&key);
   std::unordered_set<const grf::BrdfModel*> added;

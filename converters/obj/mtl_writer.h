@@ -65,7 +65,7 @@ class MtlWriter {
   static bool returns_to_plain(const WorldMeshes& meshes);
   static Key key_of(const WorldSurface& surface, bool is_light);
   void find_definitions(const grf::Scene& scene);
-  void add_materials(std::vector<Key> keys);
+  void add_materials(const std::vector<Key>& keys);
   void add(const Key& key, const std::string& name);
   std::optional<grf::BrdfModel> with_named_terms(const Key& key) const;
   BrdfParts parts_of(const grf::BrdfModel& brdf, const std::vector<const grf::BrdfModel*>& terms) const;

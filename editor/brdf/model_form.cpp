@@ -55,7 +55,8 @@ ModelForm::ModelForm(std::vector<grf::ModelInfo> infos, QString kind, QWidget* p
   message_->setAccessibleName("What is wrong with the " + kind_);
   column->addWidget(message_);
   column->addStretch(1);
-  show_models({});
+  refresh();
+  show_mistakes();  // there are none, without a model; to check is for what derives from this
 }
 
 void ModelForm::build_chooser() {
@@ -92,13 +93,13 @@ const grf::ModelInfo* ModelForm::info() const { return grf::find_model(infos_, c
 void ModelForm::show_models(std::vector<grf::BrdfModel> models) {
   models_ = std::move(models);
   refresh();
-  show_mistakes();
+  check_models();
 }
 
 void ModelForm::show_definitions(Definitions definitions) {
   definitions_ = std::move(definitions);
   refresh();
-  show_mistakes();
+  check_models();
 }
 
 void ModelForm::choose(int index) {
@@ -176,7 +177,7 @@ void ModelForm::change(const grf::ParameterInfo& parameter, const grf::Value& va
 
 void ModelForm::apply(bool is_done) {
   refresh();
-  show_mistakes();
+  check_models();
   if (mistakes_.empty()) report(is_done);
 }
 
@@ -239,7 +240,7 @@ void ModelForm::refresh_extras() {
   }
 }
 
-void ModelForm::show_mistakes() {
+void ModelForm::check_models() {
   mistakes_.clear();
   for (const grf::BrdfModel& model : models_) {
     for (const QString& mistake : check(model)) {
@@ -247,6 +248,10 @@ void ModelForm::show_mistakes() {
         mistakes_.push_back(mistake);
     }
   }
+  show_mistakes();
+}
+
+void ModelForm::show_mistakes() {
   QStringList lines;
   for (const QString& mistake : mistakes_) lines << mistake;
   for (ParameterRow* row : rows_) {

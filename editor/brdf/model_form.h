@@ -56,6 +56,7 @@ class ModelForm : public QWidget {
   void refresh();
   void refresh_extras();
   void apply(bool is_done);
+  void check_models();
   void show_mistakes();
   void change(const grf::ParameterInfo& parameter, const grf::Value& value, bool is_done);
   /// The model that all have in common, or null.

@@ -10,8 +10,6 @@
 namespace grf {
 namespace {
 
-using testing::ElementsAre;
-
 struct Placed {
   std::string definition;  ///< empty for a mesh that stands in the scene
   Vec3d place;

@@ -103,7 +103,7 @@ Block SceneGenerator::block(int depth) {
   return block;
 }
 
-Use SceneGenerator::use(std::vector<std::string> names) { return {{one_of(names), {}}}; }
+Use SceneGenerator::use(const std::vector<std::string>& names) { return {{one_of(names), {}}}; }
 
 Params SceneGenerator::params() {
   Params params;

@@ -28,7 +28,7 @@ class SceneGenerator {
   Transform transform(int depth);
   DefinitionScope definitions(int depth);
   Include include(int depth);
-  Use use(std::vector<std::string> names);
+  Use use(const std::vector<std::string>& names);
   Params params();
   Mesh mesh();
   MeshLight mesh_light();

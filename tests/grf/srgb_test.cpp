@@ -12,7 +12,8 @@ TEST(Srgb, IsTheStandardsCurve) {
 }
 
 TEST(Srgb, IsUndoneByItsInverse) {
-  for (double linear = 0; linear <= 1; linear += 1.0 / 1024) {
+  for (int step = 0; step <= 1024; ++step) {
+    const double linear = step / 1024.0;
     EXPECT_NEAR(grf::srgb_decoded(grf::srgb_encoded(linear)), linear, 1e-7);
     const auto single = static_cast<float>(linear);
     EXPECT_NEAR(grf::srgb_decoded(grf::srgb_encoded(single)), single, 1e-6);

@@ -27,8 +27,9 @@ double long_sum(long double g, long double b) {
   const long double centre = low;
   const long double width = 14 * std::sqrt(centre) + 60;
   long double sum = 0;
-  for (long double m = std::max(1.0L, centre - width); m <= centre + width; ++m)
-    sum += std::exp(log_of_term(m, g, b));
+  const auto last = static_cast<long>(centre + width);
+  for (auto m = static_cast<long>(std::max(1.0L, centre - width)); m <= last; ++m)
+    sum += std::exp(log_of_term(static_cast<long double>(m), g, b));
   return static_cast<double>(sum);
 }
 
@@ -39,7 +40,8 @@ struct SeriesPoint {
 /// From nearly smooth to very rough, on both branches of the sum, down to values that a float still has.
 std::vector<SeriesPoint> series_points() {
   std::vector<SeriesPoint> points;
-  for (double g = 1e-6; g < 1.1e6; g *= 1.7782794100389228) {
+  for (int quarter = -24; quarter <= 24; ++quarter) {
+    const double g = std::pow(10, quarter / 4.0);
     for (const double slope : {0.0, 1e-6, 1e-3, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0}) {
       const double b = slope * std::max(g, 1.0);
       const double sum = long_sum(g, b);
@@ -75,9 +77,11 @@ TEST(KirchhoffSeries, TendsToItsAsymptotes) {
 }
 
 TEST(LambertW, SolvesItsEquation) {
-  for (double x = -60; x < 1e6; x += 0.37 + std::abs(x) / 50) {
+  double x = -60;
+  while (x < 1e6) {
     const double w = HeFormula<double>().lambert_w(x);
     ASSERT_NEAR(w + std::log(w), x, 1e-13 * std::max(1.0, std::abs(x))) << x;
+    x += 0.37 + std::abs(x) / 50;
   }
 }
 

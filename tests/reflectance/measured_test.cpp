@@ -229,7 +229,7 @@ TEST(Measured, IsNearTheBrdfThatWasTabulated) {
   const reflectance::Brdf brdf = test::brdf_of("blinn n=20 ks=0.3 kd=0.3");
   const reflectance::Brdf table = test::brdf_of("table of blinn n=20 ks=0.3 kd=0.3");
   for (const double theta : {0.0, 20.0, 50.0, 75.0}) {
-    for (double phi = 0; phi < 180; phi += 17) {
+    for (int phi = 0; phi < 180; phi += 17) {
       const Vec3f u = test::direction(40, 25);
       const Vec3f v = test::direction(theta, phi);
       const float expected = evaluate(brdf, u, v).x;

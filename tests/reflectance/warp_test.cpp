@@ -15,7 +15,6 @@ namespace {
 
 using reflectance::BilinearPatch;
 using reflectance::Brdf;
-using reflectance::Uniforms;
 using reflectance::Vec2f;
 using reflectance::Vec3f;
 using reflectance::WarpTrees;

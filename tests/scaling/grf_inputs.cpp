@@ -6,7 +6,7 @@ namespace scaling {
 namespace {
 
 Text same(std::string piece) {
-  return [=](std::size_t) { return piece; };
+  return [piece = std::move(piece)](std::size_t) { return piece; };
 }
 
 std::string square(const std::string& attributes = "") {

@@ -33,7 +33,7 @@ std::vector<Input> assimp_inputs();
 
 /// One piece of text for each number, after a beginning and before an end.
 inline Text pieces(std::string begin, Text piece, std::string end = "") {
-  return [=](std::size_t count) {
+  return [begin = std::move(begin), piece = std::move(piece), end = std::move(end)](std::size_t count) {
     std::string text = begin;
     for (std::size_t i = 0; i < count; ++i) text += piece(i);
     return text + end;
@@ -43,7 +43,7 @@ inline Text pieces(std::string begin, Text piece, std::string end = "") {
 /// Repeats one piece of text, after a beginning and before an end.
 inline Text copies(std::string begin, std::string piece, std::string end = "") {
   return pieces(
-      std::move(begin), [=](std::size_t) { return piece; }, std::move(end));
+      std::move(begin), [piece = std::move(piece)](std::size_t) { return piece; }, std::move(end));
 }
 
 /// Pieces with commas between them.

@@ -177,9 +177,9 @@ std::vector<Input> gltf_inputs() {
        }},
       {"images of one name", "gltf",
        [=](std::size_t n) {
-         const std::string image =
+         constexpr const char* Image =
              R"({"name":"wood","mimeType":"image/png","uri":"data:image/png;base64,iVBORw0KGgo="})";
-         return gltf(GltfAccessors + R"("images":[)" + listed(n, [=](std::size_t) { return image; }) +
+         return gltf(GltfAccessors + R"("images":[)" + listed(n, [](std::size_t) { return Image; }) +
                      R"(],"textures":[)" +
                      listed(n, [](std::size_t i) { return fmt::format(R"({{"source":{}}})", i); }) +
                      R"(],"materials":[)" +

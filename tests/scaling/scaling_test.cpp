@@ -70,6 +70,7 @@ std::vector<Station> all_stations() {
 #endif
       {"copy, compare and destroy", true,
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {
+         // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): how long it takes is the question
          const grf::Scene copy = scene;
          EXPECT_TRUE(copy == scene);
        }},

@@ -13,7 +13,6 @@ namespace {
 using test::box;
 using test::placed;
 using transport::CompiledScene;
-using transport::CompileSettings;
 using transport::Ray;
 using transport::Vec3f;
 

@@ -46,9 +46,7 @@ PlannedLook look_at_both() {
 /// What is seen of the middle of each of the two places. Under a background of 1 a diffuse surface sends
 /// its kd to the eye, and a mirror its ks.
 std::pair<Rgb, Rgb> left_and_right(const Image& image) {
-  const auto at = [&image](int x) {
-    return image.pixels[static_cast<std::size_t>(image.height / 2 * image.width + x)];
-  };
+  const auto at = [&image](int x) { return image.at(x, image.height / 2); };
   // The field of view of 45 degrees makes 8 rows 8.28 high at that distance, and each column 1.04 wide.
   return {at(12), at(19)};
 }

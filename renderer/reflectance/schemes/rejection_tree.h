@@ -129,7 +129,7 @@ class RejectionTree {
  private:
   CellRange whole() const { return {0, 0, resolution_, resolution_}; }
   void fill(const std::vector<float>& values, const DiscGrid& grid);
-  void split(std::size_t node, const CellRange& cells, const DiscGrid& grid, float most_tries);
+  void split(std::size_t index, const CellRange& cells, const DiscGrid& grid, float most_tries);
   Node measured(const CellRange& cells, const DiscGrid& grid) const;
 
   /// How many of `count` points each child gets.

@@ -109,7 +109,7 @@ std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal
     return sample_at(emitter, place, to_light.normalized(), density, chosen.emitter);
   }
   const SeenEmitter view(emitter, from);
-  Vec2d place;
+  Vec2d place(0);
   const float solid_angle = with_shape(emitter, view, [&](const auto& shape) {
     if (shape.solid_angle() > 0) place = shape.sample(xi);
     return shape.solid_angle();

@@ -108,7 +108,7 @@ void draw_panel(const Results& results, Light light, double left, double width, 
   const double bottom = Top + RowHeight * static_cast<double>(results.cases.size());
   const LogAxis axis = axis_for(results, light, left, left + width);
   svg.text({left, Top - 12}, LightNames[light], {13, "#111"});
-  for (double exponent = axis.low; exponent <= axis.high; ++exponent) {
+  for (int exponent = static_cast<int>(axis.low); exponent <= axis.high; ++exponent) {
     const double x = axis.place(std::pow(10, exponent));
     svg.line({x, Top}, {x, bottom}, {"#ddd", 1});
     svg.text({x, bottom + 15}, fmt::format("{:g}", std::pow(10, exponent)), {11, "#333", Anchor::Middle});

@@ -157,11 +157,11 @@ void Setting::measure_places(const Brdf& brdf, double albedo) {
 }
 
 void Setting::Estimate::add(const reflectance::DirectionSample& sample, double share) {
-  static const float Edge = std::cos(DiscRadius);
+  static const float edge = std::cos(DiscRadius);
   const Vec3f& v = sample.direction;
   const double weight = share * mean(sample.weight);
-  if (v.dot(setting_->axes_[0]) > Edge) sums_[Highlight] += weight;
-  if (v.dot(setting_->axes_[1]) > Edge) sums_[Beside] += weight;
+  if (v.dot(setting_->axes_[0]) > edge) sums_[Highlight] += weight;
+  if (v.dot(setting_->axes_[1]) > edge) sums_[Beside] += weight;
   sums_[Environment] += share * mean(sample.weight * setting_->surroundings_->radiance(v));
   places_[place_of(v)] += weight;
 }

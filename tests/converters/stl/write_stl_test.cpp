@@ -42,10 +42,11 @@ std::vector<Triangle> triangles_of(const grf::Scene& scene, grf::Diagnostics& di
     std::array<float, 12> numbers = {};
     std::memcpy(numbers.data(), bytes.data() + 84 + 50 * i, sizeof numbers);
     for (int k = 0; k < 3; ++k) {
-      triangles[i].normal[k] = numbers[static_cast<std::size_t>(k)];
-      triangles[i].a[k] = numbers[static_cast<std::size_t>(3 + k)];
-      triangles[i].b[k] = numbers[static_cast<std::size_t>(6 + k)];
-      triangles[i].c[k] = numbers[static_cast<std::size_t>(9 + k)];
+      const auto place = static_cast<std::size_t>(k);
+      triangles[i].normal[k] = numbers[place];
+      triangles[i].a[k] = numbers[place + 3];
+      triangles[i].b[k] = numbers[place + 6];
+      triangles[i].c[k] = numbers[place + 9];
     }
   }
   Assimp::Importer importer;

@@ -12,7 +12,6 @@
 namespace convert {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 

@@ -9,7 +9,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 Reading read_material(std::string_view fields) {
   return read_vrml97(shape(square(), "material DEF m Material { " + std::string(fields) + "}"));

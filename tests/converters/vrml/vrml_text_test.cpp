@@ -11,7 +11,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 
 /// The errors of a text that has some.
 std::string error_of(const Reading& reading) {
