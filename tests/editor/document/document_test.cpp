@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/document/light_edits.h"
 #include "grf/read.h"
 #include "grf/scene_path.h"
 #include "grf/write.h"
@@ -205,6 +206,33 @@ TEST(DocumentOfAFileThatIsIncludedTwice, IsEditedAtBothPlaces) {
   EXPECT_EQ(*saved, document.scene());
   document.undo_stack().undo();
   EXPECT_EQ(document.scene(), *scene);
+}
+
+TEST_F(Documents, BringBackTheGreySkyWhereTheFirstLightIsUndone) {
+  document_.take(scene_of(Scene), "", {});
+  const grf::Vec3f sky = document_.options().valid_options().background;
+  EXPECT_GT(sky.x, 0);
+  document_.replace("Add light", add_light(document_.scene(), grf::AreaLight()));
+  EXPECT_EQ(document_.options().valid_options().background, grf::Vec3f(0));
+  EXPECT_EQ(document_.undo_stack().count(), 1);
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.options().valid_options().background, sky);
+  EXPECT_TRUE(document_.objects().lights.empty());
+}
+
+TEST_F(Documents, EndStepsOfOptionsWhereAGestureEnds) {
+  const auto move_camera = [this](float x) {
+    options::RenderOptions now = document_.options().valid_options();
+    now.viewer = grf::Vec3f(x, 0, 0);
+    document_.options().set_options("Move the camera", now, "camera");
+  };
+  for (const float x : {1.0F, 2.0F}) move_camera(x);
+  EXPECT_EQ(document_.undo_stack().count(), 1);
+  document_.finish_gesture();
+  move_camera(3);
+  ASSERT_EQ(document_.undo_stack().count(), 2);
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.options().valid_options().viewer, grf::Vec3f(2, 0, 0));
 }
 
 }  // namespace
