@@ -37,10 +37,7 @@ RenderLink::RenderLink(Document& document, SceneView& view, RenderPanel& panel, 
   connect(&document_, &Document::taken, this, &RenderLink::take_scene);
   connect(&document_, &Document::changed, this, show_scene);
   connect(&document_, &Document::path_changed, this, show_scene);
-  connect(&document_.options(), &OpDocument::changed, this, [this] {
-    follow_view();
-    show_camera();
-  });
+  connect(&document_.options(), &OpDocument::changed, this, &RenderLink::show_camera);
   connect(&panel_, &RenderPanel::options_requested, this, &RenderLink::show_options);
   connect(&view_, &SceneView::camera_moved, this, &RenderLink::follow_view);
 }
