@@ -17,24 +17,6 @@ std::size_t count_sets(DisjointSets& sets, const std::vector<std::uint32_t>& cor
   return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
 }
 
-/// Vertices of more than one fan of faces, but for those in `left_out`.
-std::size_t count_nonmanifold_vertices(const Geometry& geometry, std::span<const std::uint32_t> places,
-                                       DisjointSets& fans, const std::vector<bool>& left_out) {
-  constexpr std::uint32_t None = ~0U;
-  std::vector<std::uint32_t> fan_at(geometry.positions.size(), None);
-  std::vector<bool> counted = left_out;
-  std::size_t count = 0;
-  for (std::uint32_t corner = 0; corner < geometry.corners.size(); ++corner) {
-    const std::uint32_t place = places[geometry.corners[corner]];
-    const std::uint32_t fan = fans.set_of(corner);
-    if (fan_at[place] == None) fan_at[place] = fan;
-    if (fan_at[place] == fan || counted[place]) continue;
-    counted[place] = true;
-    ++count;
-  }
-  return count;
-}
-
 /// Without places, each vertex has its own.
 std::uint32_t place_of(std::span<const std::uint32_t> places, std::uint32_t vertex) {
   return places.empty() ? vertex : places[vertex];
@@ -130,6 +112,20 @@ void join_at_edge(DisjointSets& corners, const Geometry& geometry, std::span<con
   corners.join(end_a, is_alike ? end_b : b.corner);
 }
 
+std::vector<bool> split_vertices(const Geometry& geometry, std::span<const std::uint32_t> places,
+                                 DisjointSets& fans) {
+  constexpr std::uint32_t None = ~0U;
+  std::vector<std::uint32_t> fan_at(geometry.positions.size(), None);
+  std::vector<bool> are_split(geometry.positions.size());
+  for (std::uint32_t corner = 0; corner < geometry.corners.size(); ++corner) {
+    const std::uint32_t place = place_of(places, geometry.corners[corner]);
+    const std::uint32_t fan = fans.set_of(corner);
+    if (fan_at[place] == None) fan_at[place] = fan;
+    if (fan_at[place] != fan) are_split[place] = true;
+  }
+  return are_split;
+}
+
 Topology topology_of(const Geometry& geometry) {
   const std::vector<std::uint32_t> places = first_at_place(geometry);
   const std::vector<FaceEdge> edges = edges_of_faces(geometry, places);
@@ -149,7 +145,10 @@ Topology topology_of(const Geometry& geometry) {
     }
   });
   topology.boundary_edges = boundary.size();
-  topology.nonmanifold_vertices = count_nonmanifold_vertices(geometry, places, fans, at_nonmanifold_edge);
+  const std::vector<bool> are_split = split_vertices(geometry, places, fans);
+  for (std::size_t i = 0; i < are_split.size(); ++i) {
+    if (are_split[i] && !at_nonmanifold_edge[i]) ++topology.nonmanifold_vertices;
+  }
   std::vector<std::uint32_t> begins;
   for (const FaceEdge& edge : boundary) {
     fans.join(edge.corner, end_corner(geometry, edge));

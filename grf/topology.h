@@ -76,4 +76,9 @@ std::uint32_t end_corner(const Geometry& geometry, const FaceEdge& edge);
 void join_at_edge(DisjointSets& corners, const Geometry& geometry, std::span<const std::uint32_t> places,
                   const FaceEdge& a, const FaceEdge& b);
 
+/// Finds the places at which parts of a surface meet that share no edge there: corners of more than one set
+/// of `fans`, which `join_at_edge` has joined, lie there. The result is indexed by places.
+std::vector<bool> split_vertices(const Geometry& geometry, std::span<const std::uint32_t> places,
+                                 DisjointSets& fans);
+
 }  // namespace grf

@@ -57,12 +57,9 @@ void EdgeRules::find_split_vertices(const grf::Geometry& geometry) {
       grf::join_at_edge(fans, geometry, ids_, faces.front(), other);
     }
   }
-  std::vector<std::uint32_t> fan_of_vertex(rules_.size(), grf::SharedEdges::None);
-  for (std::uint32_t corner = 0; corner < geometry.corners.size(); ++corner) {
-    const std::uint32_t vertex = id(geometry.corners[corner]);
-    const std::uint32_t fan = fans.set_of(corner);
-    if (fan_of_vertex[vertex] == grf::SharedEdges::None) fan_of_vertex[vertex] = fan;
-    if (fan_of_vertex[vertex] != fan) rules_[vertex] = Rule::Corner;
+  const std::vector<bool> are_split = grf::split_vertices(geometry, ids_, fans);
+  for (std::size_t i = 0; i < are_split.size(); ++i) {
+    if (are_split[i]) rules_[i] = Rule::Corner;
   }
 }
 
