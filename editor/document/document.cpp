@@ -53,19 +53,23 @@ class Document::Step : public QUndoCommand {
     const Change change = document_.change_of(patch_);
     patch_.revert(document_.scene_);
     document_.show_change(change, &*selection_);
+    if (takes_plain_sky_) document_.set_background(PlainSky);
   }
   void redo() override {
     follow_file();
     const Change change = document_.change_of(patch_);
     patch_.apply(document_.scene_);
     document_.show_change(change, nullptr);
+    takes_plain_sky_ = document_.take_plain_sky();
   }
   bool mergeWith(const QUndoCommand* other) override {
     const auto& later = static_cast<const Step&>(*other);
     const bool is_of_same_gesture = !key_.isEmpty() && key_ == later.key_ && gesture_ == later.gesture_ &&
                                     relocations_ == later.relocations_ && selection_ == later.selection_;
-    if (is_of_same_gesture) patch_.append(later.patch_);
-    return is_of_same_gesture;
+    if (!is_of_same_gesture) return false;
+    patch_.append(later.patch_);
+    takes_plain_sky_ = takes_plain_sky_ || later.takes_plain_sky_;
+    return true;
   }
 
  private:
@@ -82,6 +86,7 @@ class Document::Step : public QUndoCommand {
   QString key_;
   int gesture_;
   std::size_t relocations_;  // that it has followed
+  bool takes_plain_sky_ = false;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -106,7 +111,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   has_plain_sky_ = false;
   show(std::move(scene));
   options_.open_beside(path_);
-  give_plain_sky();
+  light_by_plain_sky();
   if (is_modified) undo_stack_.resetClean();
   emit path_changed();
   emit taken();
@@ -140,7 +145,7 @@ bool Document::save(const QString& path, grf::Diagnostics& diagnostics) {
   grf::Scene scene = scene_;
   grf::relocate(scene, from, path.toStdString(), copied);
   if (!grf::write(scene, path.toStdString(), diagnostics)) return false;
-  const bool keeps_options = options_.is_edited() || (path != path_ && !options_.op_text().text().empty());
+  const bool keeps_options = options_.is_edited() || (path != path_ && options_.is_from_file());
   if (keeps_options && !options_.save_beside(path, diagnostics)) return false;
   if (path != path_ || !copied.empty()) {
     path_ = path;
@@ -190,35 +195,31 @@ void Document::tell_of_places(std::size_t places) {
 }
 
 void Document::push(const QString& text, ScenePatch patch, const QString& key) {
-  if (patch.empty()) return;
-  if (!replaces_plain_sky(patch)) {
-    undo_stack_.push(new Step(*this, text, std::move(patch), key));
-    return;
-  }
-  undo_stack_.beginMacro(text);
-  undo_stack_.push(new Step(*this, text, std::move(patch), {}));
-  options::RenderOptions without_sky = options_.valid_options();
-  without_sky.background = grf::Vec3f(0);
-  options_.set_options(text, without_sky);
-  undo_stack_.endMacro();
+  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key));
+}
+
+/// The sky is no edit of the author's, who need not save it.
+void Document::set_background(const grf::Vec3f& radiance) {
+  options::RenderOptions now = options_.valid_options();
+  now.background = radiance;
+  options_.follow(now);
 }
 
 /// A model without lights would be black; a scene that says how it is rendered is as its author wants it.
-void Document::give_plain_sky() {
-  options::RenderOptions lit = options_.valid_options();
-  const bool is_dark = lit.environment.empty() && lit.background == grf::Vec3f(0) && objects_->faces > 0 &&
+void Document::light_by_plain_sky() {
+  const options::RenderOptions& now = options_.valid_options();
+  const bool is_dark = now.environment.empty() && now.background == grf::Vec3f(0) && objects_->faces > 0 &&
                        emitters_of(*objects_).empty();
   has_plain_sky_ = is_dark && (path_.isEmpty() || !QFileInfo::exists(options_.path()));
-  if (!has_plain_sky_) return;
-  lit.background = PlainSky;
-  options_.follow(lit);
+  if (has_plain_sky_) set_background(PlainSky);
 }
 
-bool Document::replaces_plain_sky(const ScenePatch& patch) const {
-  if (!has_plain_sky_ || options_.valid_options().background != PlainSky) return false;
-  grf::Scene scene = scene_;
-  patch.apply(scene);
-  return !emitters_of(objects_of(scene, path_.toStdString())).empty();
+/// Takes the sky away where something else emits now; false if there is nothing to take.
+bool Document::take_plain_sky() {
+  const bool is_replaced =
+      has_plain_sky_ && options_.valid_options().background == PlainSky && !emitters_of(*objects_).empty();
+  if (is_replaced) set_background(grf::Vec3f(0));
+  return is_replaced;
 }
 
 void Document::finish_gesture() {

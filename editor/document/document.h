@@ -105,8 +105,9 @@ class Document : public QObject {
 
   void tell_of_places(std::size_t places);
   void push(const QString& text, ScenePatch patch, const QString& key);
-  void give_plain_sky();
-  bool replaces_plain_sky(const ScenePatch& patch) const;
+  void set_background(const grf::Vec3f& radiance);
+  void light_by_plain_sky();
+  bool take_plain_sky();
   void show(grf::Scene scene);
   void show_change(const Change& change, const FaceSelection* selection);
   FaceSelection carried_over(const SceneObjects& before) const;
@@ -121,7 +122,7 @@ class Document : public QObject {
   std::vector<Relocation> relocations_;  ///< since the first step
   int gesture_ = 0;
   QUndoStack undo_stack_;
-  OpDocument options_{undo_stack_};
+  OpDocument options_{&undo_stack_};
   bool has_plain_sky_ = false;
 };
 

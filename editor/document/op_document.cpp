@@ -80,16 +80,10 @@ class OpDocument::Edit : public QUndoCommand {
   int step_;
 };
 
-OpDocument::OpDocument(QUndoStack* stack, QObject* parent)
-    : QObject(parent), stack_(stack != nullptr ? stack : &own_stack_) {
+OpDocument::OpDocument(QUndoStack* project, QObject* parent)
+    : QObject(parent), stack_(project != nullptr ? project : &own_stack_) {
   check();
 }
-
-OpDocument::OpDocument(QObject* parent) : OpDocument(nullptr, parent) {}
-
-OpDocument::OpDocument(QUndoStack& project, QObject* parent) : OpDocument(&project, parent) {}
-
-OpDocument::~OpDocument() = default;
 
 bool OpDocument::open(const QString& path, grf::Diagnostics& diagnostics) {
   const auto text = grf::read_file(path.toStdString(), diagnostics);
@@ -107,34 +101,33 @@ void OpDocument::open_beside(const QString& scene_path) {
   const QString path = scene_path.isEmpty() ? QString() : op_file_beside(scene_path);
   grf::Diagnostics problems;
   const auto text = QFileInfo::exists(path) ? grf::read_file(path.toStdString(), problems) : nullptr;
-  start(text ? *text : std::string(), path);
-  if (problems.error_count() > 0) diagnostics_ = problems;
+  start(text ? *text : std::string(), path, problems);
 }
 
-void OpDocument::start(const std::string& text, const QString& path) {
-  path_ = path;
-  read_text_ = text;
-  is_edited_ = false;
-  text_ = OpText(text);
-  valid_options_ = with_absolute_paths(text_.options(), op_naming_path(path_));
-  if (!is_in_project()) own_stack_.clear();
-  finish_step();
-  take(text);
+void OpDocument::start(const std::string& text, const QString& path, const grf::Diagnostics& problems) {
+  own_stack_.clear();
+  valid_options_ = with_absolute_paths(OpText(text).options(), op_naming_path(path));
+  take_file(text, path);
+  if (problems.error_count() > 0) diagnostics_ = problems;
   emit path_changed();
 }
 
-bool OpDocument::save(const QString& path, grf::Diagnostics& diagnostics) {
-  const std::string text = is_in_project() ? moved(text_.text(), path_, path) : text_.text();
-  if (!grf::replace_file(path.toStdString(), text, diagnostics)) return false;
-  if (is_in_project() && path != path_) return true;  // a copy
+void OpDocument::take_file(const std::string& text, const QString& path) {
   path_ = path;
   read_text_ = text;
   is_edited_ = false;
   own_stack_.setClean();
   finish_step();
-  check();
-  emit path_changed();
-  emit changed();
+  take(text);
+}
+
+bool OpDocument::save(const QString& path, grf::Diagnostics& diagnostics) {
+  const std::string text = is_in_project() ? moved(text_.text(), path_, path) : text_.text();
+  if (!grf::replace_file(path.toStdString(), text, diagnostics)) return false;
+  const bool is_other = path != path_;
+  if (is_other && is_in_project()) return true;  // a copy
+  take_file(text, path);
+  if (is_other) emit path_changed();
   return true;
 }
 
@@ -146,16 +139,13 @@ bool OpDocument::save_beside(const QString& scene_path, grf::Diagnostics& diagno
     if (!there) return false;
     if (path != path_ || *there != read_text_) before = *there;
   }
-  RenderOptions wanted = with_absolute_paths(valid_options_, op_naming_path(path_));
+  RenderOptions wanted = valid_options_;
   wanted.scene = QFileInfo(scene_path).absoluteFilePath().toStdString();
   const auto text = op_text_of(wanted, path, before, diagnostics);
   if (!text || !grf::replace_file(path.toStdString(), *text, diagnostics)) return false;
-  path_ = path;
-  read_text_ = *text;
-  is_edited_ = false;
-  finish_step();
-  take(*text);
-  emit path_changed();
+  const bool is_other = path != path_;
+  take_file(*text, path);
+  if (is_other) emit path_changed();
   return true;
 }
 
@@ -185,8 +175,7 @@ void OpDocument::follow(const RenderOptions& wanted) {
 /// Options whose values cannot be written in an OP file stay as they are.
 std::optional<OpText> OpDocument::text_with(const RenderOptions& wanted) const {
   grf::Diagnostics unheard;
-  const QString path = op_naming_path(path_);
-  const auto text = op_text_of(with_absolute_paths(wanted, path), path, text_.text(), unheard);
+  const auto text = op_text_of(wanted, op_naming_path(path_), text_.text(), unheard);
   return text ? std::optional(OpText(*text)) : std::nullopt;
 }
 
@@ -204,24 +193,17 @@ void OpDocument::take(const std::string& text) {
 /// The options of a project need not say what is rendered, so that they are read as though they did, where
 /// no line gets another number.
 void OpDocument::check() {
-  diagnostics_ = {};
-  const std::string path =
-      (path_.isEmpty() ? op_naming_path(path_) : QFileInfo(path_).absoluteFilePath()).toStdString();
-  const std::string text = text_.text();
-  const auto read = [&](const std::string& behind, grf::Diagnostics& diagnostics) {
-    return options::read_op_text(path, std::make_shared<const std::string>(text + behind), diagnostics);
+  const std::string path = QFileInfo(op_naming_path(path_)).absoluteFilePath().toStdString();
+  const auto read = [&](const char* behind) {
+    diagnostics_ = {};
+    return options::read_op_text(path, std::make_shared<const std::string>(text_.text() + behind),
+                                 diagnostics_);
   };
   const bool names_scene = text_.words_of(*options::find_option("BPT_Scene")).has_value();
-  grf::Diagnostics in_project;
-  auto valid = read(names_scene ? "" : "\nBPT_Scene untitled.grf\n", in_project);
-  if (valid && !names_scene) valid->scene.clear();
-  if (is_in_project()) {
-    render_options_ = valid;
-    diagnostics_ = std::move(in_project);
-  } else {
-    render_options_ = read("", diagnostics_);
-  }
-  if (valid) valid_options_ = std::move(*valid);
+  render_options_ = read(names_scene ? "" : "\nBPT_Scene untitled.grf\n");
+  if (render_options_ && !names_scene) render_options_->scene.clear();
+  if (render_options_) valid_options_ = *render_options_;
+  if (!names_scene && !is_in_project()) render_options_ = read("");
   if (render_options_) options::warn_of_unused_options(*render_options_, diagnostics_);
 }
 

@@ -18,10 +18,8 @@ class OpDocument : public QObject {
   Q_OBJECT
 
  public:
-  /// With steps of undo of its own, or with those of a project, which outlives it.
-  explicit OpDocument(QObject* parent = nullptr);
-  explicit OpDocument(QUndoStack& project, QObject* parent = nullptr);
-  ~OpDocument() override;
+  /// The steps of undo are among those of a project, which outlives it, or are its own.
+  explicit OpDocument(QUndoStack* project = nullptr, QObject* parent = nullptr);
 
   /// The text of the file, in place of what is there: in a project, a step of undo. False, and nothing
   /// happens, if it cannot be read.
@@ -34,27 +32,32 @@ class OpDocument : public QObject {
   /// Writes the options to the file beside a scene, and names the scene there. What was changed in that file
   /// since it was read stays, but for options that are others here. False after an error.
   bool save_beside(const QString& scene_path, grf::Diagnostics& diagnostics);
-  /// A new text that has no file yet, such as that of a scene's default options.
-  void start(const std::string& text, const QString& path = {});
+  /// Takes a text as though it had been read, such as that of a scene's default options, which has no file
+  /// yet. `problems` are said in place of what is wrong with the text.
+  void start(const std::string& text, const QString& path = {}, const grf::Diagnostics& problems = {});
 
   const QString& path() const { return path_; }
   const options::OpText& op_text() const { return text_; }
-  /// What can be made of the text, also if something is wrong with it.
+  /// The options are what can be made of the text, also if something is wrong with it.
   options::RenderOptions partial_options() const { return text_.options(); }
-  /// Nothing if there are errors, such as that no scene is named, which a project's options need not. Paths
-  /// are as `read_op_file` makes them.
+  /// The options are nothing if the text has errors, such as that no scene is named, which a project's
+  /// options need not. Paths are as `read_op_file` makes them.
   const std::optional<options::RenderOptions>& render_options() const { return render_options_; }
-  /// The options of the last text that had no errors, but perhaps no scene.
+  /// The options are those of the last text that had no errors, but perhaps no scene. Their paths are
+  /// absolute.
   const options::RenderOptions& valid_options() const { return valid_options_; }
   /// Errors, and warnings of options that have no effect.
   const grf::Diagnostics& diagnostics() const { return diagnostics_; }
-  /// Whether a step changed the text since it was read or saved.
+  /// Whether the text has to be written to keep the options of a scene that is saved under its own name, or
+  /// under another one.
   bool is_edited() const { return is_edited_; }
+  bool is_from_file() const { return !read_text_.empty(); }
   bool is_in_project() const { return stack_ != &own_stack_; }
 
   /// Words of an option; none: it is not given. Edits of one option are one step of undo until `finish_step`.
   void set_words(const options::OptionInfo& option, const QStringList& words);
-  /// As text fields have it, with `\n` at the end of each line. Edits of one line are one step, likewise.
+  /// Takes a text as text fields have it, with `\n` at the end of each line. Edits of one line are one step,
+  /// likewise.
   void set_plain_text(const QString& plain);
   /// Changes those options that differ from `valid_options`. Steps with one key are one, likewise; an empty
   /// key is like no other.
@@ -72,11 +75,11 @@ class OpDocument : public QObject {
  private:
   class Edit;
 
-  OpDocument(QUndoStack* stack, QObject* parent);
-
   std::optional<options::OpText> text_with(const options::RenderOptions& wanted) const;
   void push(const options::OpText& text, const QString& title, const QString& key);
   void take(const std::string& text);
+  /// Takes a text that is the same as that of its file.
+  void take_file(const std::string& text, const QString& path);
   void check();
 
   QUndoStack own_stack_;

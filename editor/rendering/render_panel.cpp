@@ -242,8 +242,7 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   say(tr("Preview"));
-  preview_.restart(
-      {scene_, path_.toStdString(), with_absolute_paths(options_.valid_options(), path_), view_});
+  preview_.restart({scene_, path_.toStdString(), options_.valid_options(), view_});
   update_actions();
 }
 
@@ -275,7 +274,7 @@ void RenderPanel::keep_op_file() {
   }
   // What is wrong with it was said when the scene was opened.
   auto there = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), diagnostics);
-  RenderOptions now = with_absolute_paths(options_.valid_options(), path_);
+  RenderOptions now = options_.valid_options();
   if (there) now.scene = there->scene;
   if (!there || !(*there == now)) emit op_file_differs(op_file);
 }

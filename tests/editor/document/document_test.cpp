@@ -1,5 +1,7 @@
 #include "editor/document/document.h"
 
+#include <QDir>
+#include <QFile>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -9,6 +11,7 @@
 #include "grf/read.h"
 #include "grf/scene_path.h"
 #include "grf/write.h"
+#include "renderer/options/op_file.h"
 #include "tests/editor/scene_of.h"
 #include "tests/support/temporary_folder.h"
 
@@ -218,6 +221,41 @@ TEST_F(Documents, BringBackTheGreySkyWhereTheFirstLightIsUndone) {
   document_.undo_stack().undo();
   EXPECT_EQ(document_.options().valid_options().background, sky);
   EXPECT_TRUE(document_.objects().lights.empty());
+}
+
+TEST_F(Documents, WriteNoOptionsThatNobodyGave) {
+  const test::TemporaryFolder folder;
+  grf::Diagnostics diagnostics;
+  document_.take(scene_of(Scene), "", {});
+  ASSERT_TRUE(document_.save(QString::fromStdString(folder.path("dark.grf")), diagnostics));
+  document_.replace("Add light", add_light(document_.scene(), grf::AreaLight()));
+  ASSERT_TRUE(document_.save(QString::fromStdString(folder.path("dark.grf")), diagnostics));
+  EXPECT_FALSE(QFile::exists(QString::fromStdString(folder.path("dark.op"))));
+}
+
+TEST_F(Documents, TakeOptionsAlongToAnotherFolder) {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder other;
+  grf::Diagnostics diagnostics;
+  folder.add("scene.op", "# mine\nBPT_Depth 3\nBPT_EM_Background sky.exr\n");
+  document_.take(scene_of(Scene), QString::fromStdString(folder.path("scene.grf")), {});
+  ASSERT_TRUE(document_.save(QString::fromStdString(other.path("scene.grf")), diagnostics))
+      << diagnostics.to_text();
+  const auto read = options::read_op_file(other.path("scene.op"), diagnostics);
+  ASSERT_TRUE(read) << diagnostics.to_text();
+  EXPECT_EQ(read->depth, 3);
+  EXPECT_EQ(read->environment, folder.path("sky.exr"));
+  EXPECT_THAT(test::bytes_of(other.path("scene.op")), HasSubstr("# mine"));
+}
+
+TEST_F(Documents, SayWhyOptionsCannotBeRead) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(QDir().mkdir(QString::fromStdString(folder.path("scene.op"))));
+  std::size_t errors = 0;
+  QObject::connect(&document_.options(), &OpDocument::path_changed,
+                   [&] { errors = document_.options().diagnostics().error_count(); });
+  document_.take(scene_of(Scene), QString::fromStdString(folder.path("scene.grf")), {});
+  EXPECT_EQ(errors, 1U);
 }
 
 TEST_F(Documents, EndStepsOfOptionsWhereAGestureEnds) {
