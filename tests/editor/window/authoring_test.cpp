@@ -223,6 +223,31 @@ TEST_F(Authoring, WritesAnOpFileByTheGenerator) {
   generator->close();
 }
 
+TEST_F(Authoring, ShowsTheOptionsOfTheSceneInTheGenerator) {
+  folder_.add("one.op", "BPT_Depth 3\n");
+  folder_.add("two.op", "BPT_Depth 9\n");
+  for (const char* file : {"one.grf", "two.grf"}) {
+    QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path(file));
+  }
+  open(path("one.grf"));
+  window_.render_panel().options_action()->trigger();
+  OpDocument& text = window_.render_link().options_window()->editor().document();
+  options::RenderOptions now = document().options().valid_options();
+  now.samples = 12;
+  document().options().set_options("In the dock", now);
+  EXPECT_EQ(text.valid_options().samples, 12) << "which the dock changed";
+  const options::OptionInfo& depth = *options::find_option("BPT_Depth");
+  text.set_words(depth, {"4"});
+  EXPECT_EQ(document().options().valid_options().samples, 12) << "which the window left alone";
+  EXPECT_EQ(document().options().valid_options().depth, 4);
+  document().undo_stack().undo();
+  EXPECT_EQ(text.op_text().words_of(depth)->front(), "3");
+  document().undo_stack().undo();
+  open(path("two.grf"));
+  EXPECT_EQ(text.valid_options().depth, 9);
+  window_.render_link().options_window()->close();
+}
+
 TEST_F(Authoring, ListsWhatIsWrongWithAFileThatIsNotOpened) {
   open(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf");
   const grf::Scene before = document().scene();
