@@ -8,9 +8,9 @@
 
 namespace convert {
 
-/// What an averaging of neighbours may do at the vertices and edges of a surface: smooth it inside, but leave
-/// its boundaries to themselves. Edges of one face are boundaries, and edges of more than two faces, which
-/// are no part of a manifold, are treated like them: both are sharp.
+/// The edge rules say what subdivision and smoothing may do at the vertices and edges of a surface: average
+/// neighbours inside, but leave its boundaries to themselves. Edges of one face are boundaries, and edges of
+/// more than two faces, which are no part of a manifold, are treated like them: both are sharp.
 class EdgeRules {
  public:
   enum class Rule : std::uint8_t {
@@ -19,11 +19,12 @@ class EdgeRules {
     Corner   ///< any other number, or parts of the surface that share no edge there
   };
 
-  /// Of the surface itself. Vertices whose entry in `places` is the same are one.
+  /// These rules are those of the surface itself. Vertices whose entry in `places` is the same are one.
   EdgeRules(const grf::Geometry& geometry, std::span<const std::uint32_t> places);
 
-  /// Of a value, such as texture coordinates, that vertices at one place may have several of: those with one
-  /// entry in `values` have one of them. The two sides of a seam are sharp edges between corners.
+  /// These rules are those of a value, such as texture coordinates, of which a place may have several, one on
+  /// each side of a seam: vertices whose entry in `values` is the same have one value. The two sides of a
+  /// seam are sharp edges between corners.
   EdgeRules(const grf::Geometry& geometry, std::span<const std::uint32_t> values, const EdgeRules& surface);
 
   const grf::SharedEdges& edges() const { return edges_; }

@@ -19,7 +19,7 @@ class OptionsEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// Of a project's options, which outlive it, or of a file of its own.
+  /// The editor is that of a project's options, which outlive it, or of an OP file of its own.
   explicit OptionsEditor(OpDocument* project, QWidget* parent = nullptr);
   explicit OptionsEditor(QWidget* parent = nullptr) : OptionsEditor(nullptr, parent) {}
 

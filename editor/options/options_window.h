@@ -13,7 +13,8 @@ class OptionsWindow : public QMainWindow {
 
  public:
   explicit OptionsWindow(QWidget* parent = nullptr) : OptionsWindow(nullptr, parent) {}
-  /// Of a project, whose steps and files are its own: closing asks nothing.
+  /// The window edits a project's options, which outlive it. Closing it asks nothing, since the project saves
+  /// them.
   explicit OptionsWindow(OpDocument* project, QWidget* parent = nullptr);
 
   OptionsEditor& editor() { return *editor_; }

@@ -29,14 +29,14 @@ class RenderPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// Of these options, which outlive it: it shows them, and its controls edit them.
+  /// The panel shows these options, which outlive it, and its controls edit them.
   explicit RenderPanel(OpDocument& options, const QString& program = bundled_program("bpt"),
                        QWidget* parent = nullptr);
 
   /// The scene as it is now, and its file; a preview that is on shows it.
   void set_scene(grf::Scene scene, const QString& path);
-  /// Where previews see the scene from, more exactly than the options say; the next change of the options
-  /// shows it, and counts alone once it gives another camera.
+  /// Previews see the scene from this view, which is more exact than the options' camera. It is shown with
+  /// the next change of the options, and counts until they give another camera.
   void set_view(const transport::View& view) { view_ = view; }
 
   Preview& preview() { return preview_; }

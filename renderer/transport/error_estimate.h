@@ -19,7 +19,8 @@ struct ErrorSums {
   /// The part of the error that is of second order, e^2 / (1 + e): what is divided by is itself uncertain.
   double doubt = 0;
 
-  /// What `errors` and `squares` would be if no pixel at an edge had less than a part of a binomial variance.
+  /// The possible errors are what `errors` and `squares` would be if no pixel at an edge had less than a part
+  /// of the variance of a binomial distribution.
   struct Possible {
     double errors = 0;
     double squares = 0;
