@@ -101,7 +101,7 @@ TEST(MeshEquality, ComparesTheSurfacesOfFacesAndNotTheirList) {
   blue.colour = Colour(0, 0, 1);
   const std::uint32_t corners[] = {0, 1, 2};
   MeshDraft a;
-  a.positions.resize(3);
+  a.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
   MeshDraft b = a;
   a.surfaces = {Surface(), red, blue};
   a.add_face(corners, 1);
