@@ -1,6 +1,7 @@
 #include "editor/document/scene_places.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -386,20 +387,23 @@ std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Di
 FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
                             const FaceSelection& selection) {
   FaceSelection faces = selection;
-  std::map<WrittenPlace, std::vector<std::uint32_t>> selected;
+  // Together first: a file that is included thousands of times may be selected at each of its places.
+  std::map<WrittenPlace, std::vector<bool>> selected;
   for (const std::uint32_t mesh : selection.meshes()) {
-    if (const auto place = written_place(scene, objects.meshes[mesh].path)) selected[*place].push_back(mesh);
+    const auto place = written_place(scene, objects.meshes[mesh].path);
+    if (!place) continue;
+    const std::vector<bool>& of_mesh = selection.of_mesh(mesh);
+    std::vector<bool>& of_place = selected[*place];
+    of_place.resize(std::max(of_place.size(), of_mesh.size()));
+    std::transform(of_mesh.begin(), of_mesh.end(), of_place.begin(), of_place.begin(), std::logical_or<>());
   }
   if (selected.empty()) return faces;
   for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
     const auto place = written_place(scene, objects.meshes[i].path);
     const auto same = place ? selected.find(*place) : selected.end();
     if (same == selected.end()) continue;
-    for (const std::uint32_t mesh : same->second) {
-      const std::vector<bool>& of_mesh = selection.of_mesh(mesh);
-      for (std::uint32_t face = 0; face < of_mesh.size(); ++face) {
-        if (of_mesh[face]) faces.set({i, face});
-      }
+    for (std::uint32_t face = 0; face < same->second.size(); ++face) {
+      if (same->second[face]) faces.set({i, face});
     }
   }
   return faces;
