@@ -7,6 +7,8 @@
 #include <QMatrix3x3>
 #include <QMatrix4x4>
 
+#include "renderer/reflectance/shader.h"
+
 namespace editor {
 namespace {
 
@@ -308,13 +310,10 @@ void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& ste
 QOpenGLShaderProgram* PicturePainter::brdf_program(std::size_t model) {
   auto& program = brdfs_[model];
   if (program != nullptr) return program.get();
-  const ModelShader& shader = model_shaders()[model];
+  const reflectance::FormulaShader shader = reflectance::formula_shader(
+      model, [](std::size_t k) { return "parameter(" + std::to_string(k) + ")"; });
   QByteArray text = "#version 330 core\n" + shader_text("view/picture.glsl");
-  for (const char* shared :
-       {"glsl_functions", "float_functions", "common", "fresnel", "beckmann", "refraction", "kirchhoff"}) {
-    text += shader_text(QString("reflectance/%1.glsl").arg(shared));
-  }
-  text += shader_text(QString("reflectance/%1.glsl").arg(QString::fromStdString(shader.keyword)));
+  text += QByteArray::fromStdString(shader.functions);
   text += shader_text("view/brdf_parameters.glsl");
   text += "vec3 model(vec3 u, vec3 v) { return " + QByteArray::fromStdString(shader.call) + "; }\n";
   text += shader_text("view/sky.glsl") + shader_text("view/brdf.frag");
@@ -322,7 +321,7 @@ QOpenGLShaderProgram* PicturePainter::brdf_program(std::size_t model) {
   const bool is_made = program->addShaderFromSourceCode(
                            QOpenGLShader::Vertex, "#version 330 core\n" + shader_text("view/screen.vert")) &&
                        program->addShaderFromSourceCode(QOpenGLShader::Fragment, text) && program->link();
-  if (!is_made) qFatal("%s: %s", shader.keyword.c_str(), qPrintable(program->log()));
+  if (!is_made) qFatal("%s: %s", std::string(shader.keyword).c_str(), qPrintable(program->log()));
   return program.get();
 }
 

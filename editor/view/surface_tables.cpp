@@ -6,10 +6,8 @@
 #include <optional>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "renderer/reflectance/brdf.h"
-#include "renderer/reflectance/each_type.h"
+#include "renderer/reflectance/shader.h"
 
 namespace editor {
 namespace {
@@ -19,39 +17,6 @@ using reflectance::Rgb;
 constexpr std::size_t FormulaCount = std::variant_size_v<reflectance::FormulaBrdf>;
 
 Imath::V4f row(const Rgb& rgb, float w) { return {rgb.x, rgb.y, rgb.z, w}; }
-
-template <class Model>
-std::string argument(std::size_t k, float Model::*) {
-  return fmt::format("parameter({}).x", k);
-}
-template <class Model>
-std::string argument(std::size_t k, Rgb Model::*) {
-  return fmt::format("parameter({})", k);
-}
-template <class Model>
-std::string argument(std::size_t k, int Model::*) {
-  return fmt::format("int(parameter({}).x)", k);
-}
-template <class Model>
-std::string argument(std::size_t k, bool Model::*) {
-  return fmt::format("(parameter({}).x != 0)", k);
-}
-
-/// The function has the keyword's name, and its arguments are the parameters in the order of the table.
-template <class Model>
-ModelShader shader_of() {
-  const auto table = Model::table();
-  std::string call = fmt::format("{}(u, v", table.keyword);
-  for (std::size_t k = 0; k < table.parameters.size(); ++k) {
-    call += ", " + std::visit([&](auto field) { return argument(k, field); }, table.parameters[k].field);
-  }
-  return {std::string(table.keyword), call + ")"};
-}
-
-Rgb shader_value(float value) { return Rgb(value); }
-Rgb shader_value(int value) { return Rgb(static_cast<float>(value)); }
-Rgb shader_value(bool value) { return Rgb(value ? 1.0F : 0.0F); }
-Rgb shader_value(const Rgb& value) { return value; }
 
 struct WeightedBrdf {
   float weight = 1;
@@ -112,18 +77,10 @@ class Builder {
 
   void add_term(const WeightedBrdf& term) {
     tables_.models.insert(term.brdf.index());
-    const std::size_t head = tables_.terms.size();
-    tables_.terms.emplace_back();
-    std::visit(
-        [this]<class Model>(const Model& model) {
-          for (const auto& parameter : Model::table().parameters) {
-            reflectance::visit_field(
-                parameter, [&](auto field) { tables_.terms.push_back(row(shader_value(model.*field), 0)); });
-          }
-        },
-        term.brdf);
-    const auto parameters = static_cast<float>(tables_.terms.size() - head - 1);
-    tables_.terms[head] = {term.weight, static_cast<float>(term.brdf.index()), parameters, 0};
+    const std::vector<Rgb> values = reflectance::shader_values(term.brdf);
+    tables_.terms.emplace_back(term.weight, static_cast<float>(term.brdf.index()),
+                               static_cast<float>(values.size()), 0);
+    for (const Rgb& value : values) tables_.terms.push_back(row(value, 0));
   }
 
   /// Returns where the values begin, or -1.
@@ -180,18 +137,6 @@ class Builder {
 };
 
 }  // namespace
-
-const std::vector<ModelShader>& model_shaders() {
-  static const std::vector<ModelShader> shaders = [] {
-    std::vector<ModelShader> all;
-    reflectance::EachType<reflectance::FormulaBrdf>::any([&](auto candidate) {
-      all.push_back(shader_of<decltype(candidate)>());
-      return false;
-    });
-    return all;
-  }();
-  return shaders;
-}
 
 SurfaceTables tables_of(const SceneObjects& objects) { return Builder().build(objects); }
 

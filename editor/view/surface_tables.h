@@ -13,15 +13,6 @@
 
 namespace editor {
 
-/// A BRDF model in the shaders' language.
-struct ModelShader {
-  std::string keyword;  ///< its formula is in KEYWORD.glsl
-  std::string call;     ///< of its function: directions u and v, and the values of its parameters
-};
-
-/// Of all models that are formulas, in the order of their numbers.
-const std::vector<ModelShader>& model_shaders();
-
 /// Faces of all meshes are numbered one after the other.
 struct SurfaceTables {
   /// So many values for the mirror part over the cosine of the angle of view, from 0 to 1.
@@ -35,7 +26,7 @@ struct SurfaceTables {
   /// these. Values of mirror parts are between.
   std::vector<Imath::V4f> terms;
   std::vector<std::string> textures;  ///< paths of images, by number
-  std::set<std::size_t> models;       ///< numbers of those that occur
+  std::set<std::size_t> models;       ///< numbers of those that occur: indices of FormulaBrdf
   std::set<std::string> not_shown;    ///< keywords of BRDFs that look matte instead
   float irradiance_scale = 1;         ///< makes bright places of the scene white
 };

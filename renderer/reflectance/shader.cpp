@@ -1,11 +1,13 @@
 #include "renderer/reflectance/shader.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "renderer/reflectance/each_type.h"
 #include "renderer/reflectance/glsl_texts.h"
 
 namespace reflectance {
@@ -13,6 +15,10 @@ namespace {
 
 /// OpenGL 3.3 promises 1024 numbers, of which other uniforms want some.
 constexpr std::size_t MostParameters = 224;
+
+/// The files that formulas share, each after those that it uses.
+constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",   "fresnel",
+                                    "beckmann",       "refraction",      "kirchhoff"};
 
 std::string_view text_of(std::string_view name) {
   const auto& texts = glsl_texts();
@@ -74,10 +80,7 @@ class Maker {
 
 std::string shader_functions(const std::vector<std::string_view>& keywords) {
   std::string text;
-  for (const char* shared :
-       {"glsl_functions", "float_functions", "common", "fresnel", "beckmann", "refraction", "kirchhoff"}) {
-    text += text_of(shared);
-  }
+  for (const std::string_view shared : SharedFiles) text += text_of(shared);
   for (const std::string_view keyword : keywords) text += text_of(keyword);
   return text;
 }
@@ -86,6 +89,30 @@ std::optional<Shader> shader_of(const Brdf& brdf) {
   Maker maker;
   if (!maker.add(brdf)) return std::nullopt;
   return std::move(maker).shader();
+}
+
+FormulaShader formula_shader(std::size_t formula, const ParameterText& parameter) {
+  FormulaShader shader;
+  EachType<FormulaBrdf>::any([&](auto candidate) {
+    if (FormulaBrdf(candidate).index() != formula) return false;
+    using Model = decltype(candidate);
+    const std::string_view keyword = Model::table().keyword;
+    shader = {keyword, shader_functions({keyword}), shader_call<Model>(parameter)};
+    return true;
+  });
+  return shader;
+}
+
+std::vector<Rgb> shader_values(const Brdf& brdf) {
+  return std::visit(
+      []<class Model>(const Model& model) {
+        if constexpr (std::is_same_v<Model, Combine> || std::is_same_v<Model, Measured>) {
+          return std::vector<Rgb>();
+        } else {
+          return shader_values<Model>(model);
+        }
+      },
+      static_cast<const AnyBrdf&>(brdf));
 }
 
 }  // namespace reflectance

@@ -32,6 +32,16 @@ std::string shader_functions(const std::vector<std::string_view>& keywords);
 /// The text of the k-th parameter's value, a vec3.
 using ParameterText = std::function<std::string(std::size_t)>;
 
+/// The GLSL of one model, for drawings that read the parameters of many BRDFs from a table.
+struct FormulaShader {
+  std::string_view keyword;
+  std::string functions;  ///< they come first
+  std::string call;       ///< the value for directions `u` and `v`, a vec3
+};
+
+/// The shader of the model that stands at this index in `FormulaBrdf`.
+FormulaShader formula_shader(std::size_t formula, const ParameterText& parameter);
+
 namespace detail {
 
 template <class Model>
@@ -84,5 +94,8 @@ std::vector<Rgb> shader_values(const Model& model) {
   }
   return values;
 }
+
+/// The same for a BRDF that is a formula; there are none for others.
+std::vector<Rgb> shader_values(const Brdf& brdf);
 
 }  // namespace reflectance

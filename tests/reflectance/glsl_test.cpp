@@ -1,7 +1,10 @@
 // The formulas are one text for two languages: here both run it over the same directions and parameters.
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/reflectance/glsl_texts.h"
 #include "renderer/reflectance/shader.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/glsl_context.h"
@@ -16,16 +19,18 @@ using test::Pair;
 /// A difference in 1/sr that no image shows: where the terms of a formula cancel, digits are lost in both.
 constexpr float Unseen = 1e-7F;
 
+/// As the 3D view draws the model.
 template <class Model>
-std::string call_of() {
-  return reflectance::shader_call<Model>([](std::size_t k) { return fmt::format("parameter({})", k); });
+reflectance::FormulaShader shader_of_model() {
+  return reflectance::formula_shader(reflectance::FormulaBrdf(Model()).index(),
+                                     [](std::size_t k) { return fmt::format("parameter({})", k); });
 }
 
-/// The call of the function for a model's Dirac part, for those whose formula is no constant: as `call_of`,
-/// without v and without the diffuse part, which is the last parameter.
+/// The call of the function for a model's Dirac part, for those whose formula is no constant: the model's
+/// own, without v and without the diffuse part, which is the last parameter.
 template <class Model>
 std::string mirror_call_of() {
-  std::string call = call_of<Model>();
+  std::string call = shader_of_model<Model>().call;
   const std::string keyword(Model::table().keyword);
   call.resize(call.rfind(", parameter"));
   return keyword + "_mirror(u" + call.substr(keyword.size() + 5) + ")";
@@ -64,8 +69,10 @@ float tolerance(std::string_view keyword) {
 template <class Model>
 void expect_same(const Triples<Model>& triples) {
   const std::string_view keyword = Model::table().keyword;
-  const std::vector<Rgb> shader = test::GlslContext().run(
-      reflectance::shader_functions({keyword}), call_of<Model>(), triples.u, triples.v, triples.parameters);
+  const reflectance::FormulaShader text = shader_of_model<Model>();
+  EXPECT_EQ(text.keyword, keyword);
+  const std::vector<Rgb> shader =
+      test::GlslContext().run(text.functions, text.call, triples.u, triples.v, triples.parameters);
   test::Failures failures;
   for (std::size_t i = 0; i < shader.size(); ++i) {
     const Model& model = triples.model_of(i);
@@ -111,9 +118,8 @@ void expect_mirror_is_what_cpp_is() {
   Triples<Model> triples;
   test::for_each_set<Model>(
       [&](const Model& model, std::span<const Pair> pairs) { triples.add(model, pairs.first(4)); });
-  const std::vector<Rgb> shader =
-      test::GlslContext().run(reflectance::shader_functions({Model::table().keyword}),
-                              mirror_call_of<Model>(), triples.u, triples.u, triples.parameters);
+  const std::vector<Rgb> shader = test::GlslContext().run(
+      shader_of_model<Model>().functions, mirror_call_of<Model>(), triples.u, triples.u, triples.parameters);
   test::Failures failures;
   for (std::size_t i = 0; i < shader.size(); ++i) {
     const Rgb expected = triples.model_of(i).mirror(triples.u[i]);
@@ -130,6 +136,17 @@ void expect_mirror_is_what_cpp_is() {
 TEST(GlslMirror, IsWhatCppsIs) {
   expect_mirror_is_what_cpp_is<reflectance::He>();
   expect_mirror_is_what_cpp_is<reflectance::Westin>();
+}
+
+/// A file that formulas come to share and that is not listed would be missing in the window only.
+TEST(GlslTexts, AreAModelsOrShared) {
+  const std::string shared = reflectance::shader_functions({});
+  for (const reflectance::GlslText& file : reflectance::glsl_texts()) {
+    EXPECT_FALSE(file.text.empty()) << file.name;
+    const bool is_a_models = std::ranges::any_of(
+        reflectance::brdf_infos(), [&](const grf::ModelInfo& info) { return info.keyword == file.name; });
+    EXPECT_NE(is_a_models, shared.find(file.text) != std::string::npos) << file.name;
+  }
 }
 
 /// All formulas in one text, weighted: names of functions must not clash.
