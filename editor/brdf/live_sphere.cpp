@@ -17,7 +17,8 @@ constexpr int LargestSide = 640;  // in pixels; larger ones are scaled
 
 }  // namespace
 
-LiveSphere::LiveSphere(QWidget* parent) : QWidget(parent) {
+LiveSphere::LiveSphere(QWidget* parent, const GraphicsDriver& driver)
+    : QWidget(parent), renderer_(SphereRenderer::Way::Best, driver) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Sphere with the BRDF");
@@ -28,6 +29,7 @@ LiveSphere::LiveSphere(QWidget* parent) : QWidget(parent) {
     show_image();
     emit shaded();
   });
+  connect(&renderer_, &SphereRenderer::warned, this, &LiveSphere::warned);
 }
 
 QSize LiveSphere::sizeHint() const { return {25 * Grid, 25 * Grid}; }

@@ -13,7 +13,7 @@ class LiveSphere : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LiveSphere(QWidget* parent = nullptr);
+  explicit LiveSphere(QWidget* parent = nullptr, const GraphicsDriver& driver = {});
 
   /// Null: none, and the hint is shown instead: why not, or what to do.
   void set_brdf(SharedBrdf brdf, const QString& hint = {});
@@ -32,6 +32,8 @@ class LiveSphere : public QWidget {
 
  signals:
   void shaded();
+  /// See SphereRenderer.
+  void warned(const QString& message);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -8,8 +8,8 @@ constexpr int FineSamples = 128;
 
 }  // namespace
 
-SphereRenderer::SphereRenderer(Way way, QObject* parent)
-    : QObject(parent), way_(way), thread_("sphere", [this] { shader_.reset(); }) {}
+SphereRenderer::SphereRenderer(Way way, const GraphicsDriver& driver, QObject* parent)
+    : QObject(parent), way_(way), driver_(driver), thread_("sphere", [this] { shader_.reset(); }) {}
 
 SphereRenderer::~SphereRenderer() { stop(); }
 
@@ -36,12 +36,25 @@ SphereImage SphereRenderer::picture(const SphereScene& scene, int samples, const
                                     QOpenGLContext* context) {
   if (way_ == Way::Best && !was_tried_) {
     was_tried_ = true;
-    if (context != nullptr) shader_ = SphereShader::create(*context);
+    if (context != nullptr) shader_ = SphereShader::create(*context, driver_);
   }
   if (shader_) {
     if (auto image = shader_->shade(scene, samples, stop)) return *std::move(image);
+    if (!shader_->refusal().isEmpty()) warn_of_refusal();
   }
   return shade_by_cpp(scene, samples, stop);
+}
+
+void SphereRenderer::warn_of_refusal() {
+  QMetaObject::invokeMethod(
+      this,
+      [this, why = shader_->refusal()] {
+        emit warned(
+            tr("The graphics driver refuses the shader of a BRDF, whose sphere is therefore shaded by "
+               "C++: %1")
+                .arg(why));
+      },
+      Qt::QueuedConnection);
 }
 
 void SphereRenderer::report(const SphereImage& image, bool is_final, int number) {

@@ -16,7 +16,7 @@ class SphereRenderer : public QObject {
  public:
   enum class Way { Best, CppAlone };
 
-  explicit SphereRenderer(Way way = Way::Best, QObject* parent = nullptr);
+  explicit SphereRenderer(Way way = Way::Best, const GraphicsDriver& driver = {}, QObject* parent = nullptr);
   ~SphereRenderer() override;
 
   void request(const SphereScene& scene);
@@ -26,12 +26,16 @@ class SphereRenderer : public QObject {
  signals:
   /// A first picture with few samples, then the final one.
   void shaded(const editor::SphereImage& image, bool is_final);
+  /// The graphics driver refuses the BRDF's shader, so C++ shades it; why, in words.
+  void warned(const QString& message);
 
  private:
   SphereImage picture(const SphereScene& scene, int samples, const StopFlag& stop, QOpenGLContext* context);
+  void warn_of_refusal();
   void report(const SphereImage& image, bool is_final, int number);
 
   Way way_;
+  const GraphicsDriver driver_;
   StopFlag stop_;
   int number_ = 0;  // of the latest request
   bool is_busy_ = false;

@@ -65,23 +65,25 @@ QByteArray sphere_text() {
 
 struct SphereShader::Parts {
   QOpenGLContext& context;
+  const GraphicsDriver driver;
   std::unique_ptr<QOpenGLVertexArrayObject> no_vertices;
   std::unique_ptr<QOpenGLFramebufferObject> target;
-  std::map<std::string, std::unique_ptr<QOpenGLShaderProgram>> programs;
+  std::map<std::string, CompiledProgram> programs;
+  QString refusal;
 
-  explicit Parts(QOpenGLContext& own_context) : context(own_context) {}
+  Parts(QOpenGLContext& own_context, const GraphicsDriver& own_driver)
+      : context(own_context), driver(own_driver) {}
 
-  /// Null if the driver refuses the text. Compiling takes long, so programs are kept.
-  QOpenGLShaderProgram* program_of(const std::string& brdf_text) {
+  /// Without a program if the driver refuses the text. Compiling takes long, so programs are kept.
+  const CompiledProgram& program_of(const std::string& brdf_text) {
     if (programs.size() > MostPrograms) programs.clear();
-    auto& program = programs[brdf_text];
-    if (program) return program->isLinked() ? program.get() : nullptr;
-    program = std::make_unique<QOpenGLShaderProgram>();
-    const QByteArray text = QByteArray("#version 330 core\n") + QByteArray::fromStdString(brdf_text) +
-                            MirrorText + sphere_text() + MainText;
-    program->addShaderFromSourceCode(QOpenGLShader::Vertex, VertexText);
-    program->addShaderFromSourceCode(QOpenGLShader::Fragment, text);
-    return program->link() ? program.get() : nullptr;
+    const auto [entry, is_new] = programs.try_emplace(brdf_text);
+    if (is_new) {
+      entry->second = driver.compile({VertexText, QByteArray("#version 330 core\n") +
+                                                      QByteArray::fromStdString(brdf_text) + MirrorText +
+                                                      sphere_text() + MainText});
+    }
+    return entry->second;
   }
 
   void draw(QOpenGLShaderProgram& program, const SphereScene& scene, const reflectance::Shader& shader,
@@ -144,8 +146,10 @@ struct SphereShader::Parts {
 SphereShader::SphereShader(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 SphereShader::~SphereShader() = default;
 
-std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context) {
-  auto parts = std::make_unique<Parts>(context);
+const QString& SphereShader::refusal() const { return parts_->refusal; }
+
+std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context, const GraphicsDriver& driver) {
+  auto parts = std::make_unique<Parts>(context, driver);
   parts->no_vertices = std::make_unique<QOpenGLVertexArrayObject>();
   if (!parts->no_vertices->create()) return nullptr;
   return std::unique_ptr<SphereShader>(new SphereShader(std::move(parts)));
@@ -153,16 +157,20 @@ std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context) {
 
 std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples, const StopFlag& stop) {
   const auto shader = reflectance::shader_of(*scene.brdf);
+  parts_->refusal.clear();
   if (!shader) return std::nullopt;
-  QOpenGLShaderProgram* program = parts_->program_of(shader->text);
-  if (program == nullptr) return std::nullopt;
+  const CompiledProgram& made = parts_->program_of(shader->text);
+  if (made.program == nullptr) {
+    parts_->refusal = first_line(made.log);
+    return std::nullopt;
+  }
   if (!parts_->target || parts_->target->width() != scene.side) {
     QOpenGLFramebufferObjectFormat format;
     format.setInternalTextureFormat(GL_RGBA32F);
     parts_->target = std::make_unique<QOpenGLFramebufferObject>(scene.side, scene.side, format);
     if (!parts_->target->isValid()) return std::nullopt;
   }
-  parts_->draw(*program, scene, *shader, samples, stop);
+  parts_->draw(*made.program, scene, *shader, samples, stop);
   return parts_->read(scene.side);
 }
 

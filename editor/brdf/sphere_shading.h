@@ -8,6 +8,7 @@
 
 #include "editor/brdf/background_job.h"
 #include "editor/brdf/lobe_curves.h"
+#include "editor/graphics/graphics_driver.h"
 
 class QOpenGLContext;
 
@@ -47,12 +48,14 @@ SphereImage shade_by_cpp(const SphereScene& scene, int samples, const StopFlag& 
 class SphereShader {
  public:
   /// The context is of OpenGL 3.3 or later. Null if it cannot draw.
-  static std::unique_ptr<SphereShader> create(QOpenGLContext& context);
+  static std::unique_ptr<SphereShader> create(QOpenGLContext& context, const GraphicsDriver& driver = {});
   ~SphereShader();
 
   /// Nothing for BRDFs that have no shader, and if the driver refuses it. Not all of it after the flag is
   /// set.
   std::optional<SphereImage> shade(const SphereScene& scene, int samples, const StopFlag& stop);
+  /// Why the driver refused the BRDF that was to be shaded last; empty: it did not.
+  const QString& refusal() const;
 
  private:
   struct Parts;

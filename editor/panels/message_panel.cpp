@@ -56,12 +56,21 @@ MessagePanel::MessagePanel(Document& document, grf::Catalogue catalogue, QWidget
   layout->addWidget(pages_, 1);
   connect(&check_, &SceneCheck::checked, this, &MessagePanel::show_all);
   connect(&document_, &Document::path_changed, this, [this] { show_diagnostics(document_.diagnostics()); });
+  connect(&document_, &Document::taken, this, [this] {
+    of_display_ = {};
+    show_all();
+  });
   connect(view_, &QListView::activated, this, &MessagePanel::go_to);
   show_all();
 }
 
 void MessagePanel::show_diagnostics(const grf::Diagnostics& diagnostics) {
   of_file_ = diagnostics;
+  show_all();
+}
+
+void MessagePanel::add_warning(const QString& message) {
+  of_display_.warning({}, message.toStdString());
   show_all();
 }
 
@@ -75,12 +84,14 @@ void MessagePanel::resizeEvent(QResizeEvent* event) {
 
 void MessagePanel::show_all() {
   std::vector<grf::Diagnostic> messages = of_file_.entries();
-  for (const grf::Diagnostic& found : check_.diagnostics().entries()) {
+  const auto add = [&messages](const grf::Diagnostic& found) {
     const bool is_known =
         std::any_of(messages.begin(), messages.end(),
                     [&found](const grf::Diagnostic& known) { return is_same(known, found); });
     if (!is_known) messages.push_back(found);
-  }
+  };
+  for (const grf::Diagnostic& found : check_.diagnostics().entries()) add(found);
+  for (const grf::Diagnostic& found : of_display_.entries()) add(found);
   std::stable_sort(messages.begin(), messages.end(), [](const grf::Diagnostic& a, const grf::Diagnostic& b) {
     return a.severity > b.severity;
   });

@@ -17,7 +17,8 @@ namespace editor {
 
 class MessageModel;
 
-/// What reading the open file said, and what is wrong with the scene as it is now.
+/// What reading the open file said, what is wrong with the scene as it is now, and what cannot be shown of
+/// it.
 class MessagePanel : public QWidget {
   Q_OBJECT
 
@@ -27,6 +28,9 @@ class MessagePanel : public QWidget {
 
   /// Shows what was said about another file, such as one that could not be opened, until the next one opens.
   void show_diagnostics(const grf::Diagnostics& diagnostics);
+  /// Adds what holds as long as this scene is shown, such as what the screen cannot do; once, if it is said
+  /// several times.
+  void add_warning(const QString& message);
 
   const SceneCheck& check() const { return check_; }
   std::size_t error_count() const { return errors_; }
@@ -52,6 +56,7 @@ class MessagePanel : public QWidget {
   Document& document_;
   SceneCheck check_;
   grf::Diagnostics of_file_;
+  grf::Diagnostics of_display_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
   MessageModel* model_;

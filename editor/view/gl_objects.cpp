@@ -61,28 +61,27 @@ void BufferTexture::bind(GLuint unit) const {
   gl_.glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
 }
 
-QByteArray shader_text(const QString& path) {
+QByteArray shader_text(const QStringList& names) {
   need_resources();
-  QFile file(":/" + path);
-  if (!file.open(QIODevice::ReadOnly)) qFatal("%s is not among the resources", qPrintable(path));
-  return file.readAll();
+  QByteArray text;
+  for (const QString& name : names) {
+    QFile file(":/view/" + name);
+    const bool is_there = file.open(QIODevice::ReadOnly);
+    Q_ASSERT(is_there);
+    if (is_there) text += file.readAll();
+  }
+  return text;
 }
 
-std::unique_ptr<QOpenGLShaderProgram> program_of(const QString& vertex, const QStringList& fragments,
-                                                 const QString& geometry) {
-  auto program = std::make_unique<QOpenGLShaderProgram>();
-  const auto add = [&program](QOpenGLShader::ShaderTypeBit type, const QStringList& names) {
-    QByteArray text = "#version 330 core\n";
-    for (const QString& name : names) text += shader_text("view/" + name);
-    if (!program->addShaderFromSourceCode(type, text)) {
-      qFatal("%s: %s", qPrintable(names.join(' ')), qPrintable(program->log()));
-    }
-  };
-  add(QOpenGLShader::Vertex, {vertex});
-  add(QOpenGLShader::Fragment, fragments);
-  if (!geometry.isEmpty()) add(QOpenGLShader::Geometry, {geometry});
-  if (!program->link()) qFatal("%s: %s", qPrintable(fragments.join(' ')), qPrintable(program->log()));
-  return program;
+std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, const QString& vertex,
+                                                 const QStringList& fragments, const QString& geometry) {
+  CompiledProgram made =
+      driver.compile({GlslVersion + shader_text({vertex}), GlslVersion + shader_text(fragments),
+                      geometry.isEmpty() ? QByteArray() : GlslVersion + shader_text({geometry})});
+  if (made.program == nullptr) {
+    throw ShaderRefused((fragments.join(' ') + ": " + first_line(made.log)).toStdString());
+  }
+  return std::move(made.program);
 }
 
 QMatrix4x4 to_qt(const grf::Matrix44d& matrix) {

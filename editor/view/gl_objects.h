@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include <QOpenGLFunctions_3_3_Core>
 
+#include "editor/graphics/graphics_driver.h"
 #include "grf/math.h"
 
 namespace editor {
@@ -57,13 +59,19 @@ class BufferTexture {
   GlObject texture_;
 };
 
+/// The driver refuses a shader without which nothing can be drawn.
+class ShaderRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A program of shaders that are files under :/view/: those of the fragment shader one after the other, and
-/// the geometry shader only if it is named. What is wrong with one is a bug, and ends the program with its
-/// log.
-std::unique_ptr<QOpenGLShaderProgram> program_of(const QString& vertex, const QStringList& fragments,
-                                                 const QString& geometry = {});
-/// The text of a shader file.
-QByteArray shader_text(const QString& path);
+/// the geometry shader only if it is named. Throws ShaderRefused.
+std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, const QString& vertex,
+                                                 const QStringList& fragments, const QString& geometry = {});
+/// These files under :/view/, one after the other.
+QByteArray shader_text(const QStringList& names);
+inline const QByteArray GlslVersion = "#version 330 core\n";
 
 /// Matrices as shaders take them.
 QMatrix4x4 to_qt(const grf::Matrix44d& matrix);

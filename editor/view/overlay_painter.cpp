@@ -19,9 +19,9 @@ const void* at(std::size_t bytes) { return reinterpret_cast<const void*>(bytes);
 
 }  // namespace
 
-OverlayPainter::OverlayPainter(Gl& gl)
+OverlayPainter::OverlayPainter(Gl& gl, const GraphicsDriver& driver)
     : gl_(gl),
-      program_(program_of("overlay.vert", {"overlay.frag"}, "overlay.geom")),
+      program_(program_of(driver, "overlay.vert", {"overlay.frag"}, "overlay.geom")),
       buffer_(gl, GlKind::Buffer),
       vertex_array_(gl, GlKind::VertexArray) {
   gl_.glBindVertexArray(vertex_array_.name());

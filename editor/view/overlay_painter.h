@@ -32,7 +32,7 @@ class OverlayPainter {
     double pixel_ratio = 1;
   };
 
-  explicit OverlayPainter(Gl& gl);
+  OverlayPainter(Gl& gl, const GraphicsDriver& driver);
 
   void draw(const OverlayLayer& layer, const ViewCamera& camera, const grf::Box3d& bounds,
             const Screen& screen);

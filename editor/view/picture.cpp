@@ -67,6 +67,32 @@ void Picture::begin_light() { begin(light_target_); }
 void Picture::begin_colour() { begin(colour_target_); }
 void Picture::begin_reading_faces() { begin(geometry_target_); }
 
+Picture::Rows Picture::read_rows(int first, int count) {
+  const std::size_t size = static_cast<std::size_t>(size_.width()) * static_cast<std::size_t>(count);
+  Rows rows{std::vector<std::array<GLuint, 2>>(size), std::vector<Imath::V4f>(size),
+            std::vector<Imath::V4f>(size), std::vector<Imath::V3f>(size)};
+  const auto read = [&](GLenum attachment, GLenum layout, GLenum type, void* values) {
+    gl_.glReadBuffer(attachment);
+    gl_.glReadPixels(0, first, size_.width(), count, layout, type, values);
+  };
+  gl_.glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  begin_geometry();
+  read(GL_COLOR_ATTACHMENT1, GL_RGBA, GL_FLOAT, rows.normals.data());
+  read(GL_COLOR_ATTACHMENT2, GL_RGBA, GL_FLOAT, rows.values.data());
+  read(GL_COLOR_ATTACHMENT0, GL_RG_INTEGER, GL_UNSIGNED_INT, rows.faces.data());
+  begin_light();
+  read(GL_COLOR_ATTACHMENT0, GL_RGB, GL_FLOAT, rows.light.data());
+  return rows;
+}
+
+void Picture::set_light(int first, const std::vector<Imath::V3f>& light) {
+  const auto count = static_cast<GLsizei>(light.size()) / size_.width();
+  gl_.glActiveTexture(GL_TEXTURE0);
+  gl_.glBindTexture(GL_TEXTURE_2D, light_.name());
+  gl_.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, size_.width(), count, GL_RGB, GL_FLOAT, light.data());
+}
+
 void Picture::bind_textures(GLuint first_unit) const {
   GLuint unit = GL_TEXTURE0 + first_unit;
   for (const GlObject* texture : {&faces_, &normals_, &values_, &uvs_, &depth_, &light_, &colour_}) {

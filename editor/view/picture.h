@@ -1,6 +1,10 @@
 #pragma once
 
 #include <QSize>
+#include <array>
+#include <vector>
+
+#include <ImathVec.h>
 
 #include "editor/view/gl_objects.h"
 
@@ -32,7 +36,18 @@ class Picture {
   void bind_textures(GLuint first_unit) const;
   /// Binds faces to be read.
   void begin_reading_faces();
-  GLuint colour_framebuffer() const { return colour_target_.name(); }
+
+  /// Some rows of what shading needs, pixel by pixel, from the bottom. Values are rgb, and normals as they
+  /// are encoded.
+  struct Rows {
+    std::vector<std::array<GLuint, 2>> faces;
+    std::vector<Imath::V4f> normals;
+    std::vector<Imath::V4f> values;
+    std::vector<Imath::V3f> light;
+  };
+  Rows read_rows(int first, int count);
+  /// Replaces the light of as many rows as these are.
+  void set_light(int first, const std::vector<Imath::V3f>& light);
 
  private:
   void make_texture(const GlObject& texture, GLenum format, GLenum layout, GLenum type, GLenum filter);

@@ -7,6 +7,7 @@
 #include <QMatrix3x3>
 #include <QMatrix4x4>
 
+#include "editor/view/light_by_cpp.h"
 #include "renderer/reflectance/shader.h"
 
 namespace editor {
@@ -17,6 +18,7 @@ constexpr std::size_t TrianglesPerStep = 20'000;
 constexpr std::size_t EdgesPerStep = 12'000;
 /// Rows of pixels of one step of a BRDF.
 constexpr int BrdfRows = 32;
+constexpr int RowsByCpp = 2;
 /// How far lines are drawn nearer than they are, so that faces beside them do not hide them.
 constexpr float Nearer = 2e-4F;
 
@@ -33,6 +35,9 @@ QMatrix3x3 camera_to_world(const ViewCamera& camera) {
   const auto matrix = to_qt(camera.world_to_camera().inverse());
   return matrix.toGenericMatrix<3, 3>();
 }
+
+/// Of a pixel and a pass.
+int sky_samples(const PictureRequest& request) { return request.is_quick ? 4 : 8; }
 
 QVector4D premultiplied(const QColor& colour) {
   const float a = colour.alphaF();
@@ -52,13 +57,14 @@ void set_picture_units(QOpenGLShaderProgram& program) {
   }
 }
 
-PicturePainter::PicturePainter(Gl& gl) : gl_(gl), no_vertices_(gl, GlKind::VertexArray) {
-  geometry_ = program_of("geometry.vert", {"geometry.frag"});
-  shade_ = program_of("screen.vert", {"picture.glsl", "shade.frag"});
-  texture_ = program_of("screen.vert", {"picture.glsl", "texture.frag"});
-  resolve_ = program_of("screen.vert", {"picture.glsl", "sky.glsl", "resolve.frag"});
-  lines_ = program_of("lines.vert", {"lines.frag"});
-  normals_ = program_of("normals.vert", {"lines.frag"}, "normals.geom");
+PicturePainter::PicturePainter(Gl& gl, const GraphicsDriver& driver)
+    : gl_(gl), driver_(driver), no_vertices_(gl, GlKind::VertexArray) {
+  geometry_ = program_of(driver, "geometry.vert", {"geometry.frag"});
+  shade_ = program_of(driver, "screen.vert", {"picture.glsl", "shade.frag"});
+  texture_ = program_of(driver, "screen.vert", {"picture.glsl", "texture.frag"});
+  resolve_ = program_of(driver, "screen.vert", {"picture.glsl", "sky.glsl", "resolve.frag"});
+  lines_ = program_of(driver, "lines.vert", {"lines.frag"});
+  normals_ = program_of(driver, "normals.vert", {"lines.frag"}, "normals.geom");
 }
 
 MeshBuffers* PicturePainter::Job::mesh(std::size_t instance) const {
@@ -300,29 +306,30 @@ void PicturePainter::paint_normals(const Job& job, bool of_faces) {
 
 void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
   for (const std::size_t model : job->scene.tables().models) {
-    for (int row = 0; row < job->picture.size().height(); row += BrdfRows) {
-      steps.emplace_back([this, job, model, row] { paint_brdf(*job, model, row); });
+    const bool is_refused = brdf_program(model) == nullptr;
+    for (int row = 0; row < job->picture.size().height(); row += is_refused ? RowsByCpp : BrdfRows) {
+      steps.emplace_back([this, job, model, row, is_refused] {
+        is_refused ? paint_brdf_by_cpp(*job, model, row) : paint_brdf(*job, model, row);
+      });
     }
   }
   steps.emplace_back([this, job] { resolve(*job); });
 }
 
 QOpenGLShaderProgram* PicturePainter::brdf_program(std::size_t model) {
-  auto& program = brdfs_[model];
-  if (program != nullptr) return program.get();
+  const auto [entry, is_new] = brdfs_.try_emplace(model);
+  if (!is_new) return entry->second.get();
   const reflectance::FormulaShader shader = reflectance::formula_shader(
       model, [](std::size_t k) { return "parameter(" + std::to_string(k) + ")"; });
-  QByteArray text = "#version 330 core\n" + shader_text("view/picture.glsl");
-  text += QByteArray::fromStdString(shader.functions);
-  text += shader_text("view/brdf_parameters.glsl");
-  text += "vec3 model(vec3 u, vec3 v) { return " + QByteArray::fromStdString(shader.call) + "; }\n";
-  text += shader_text("view/sky.glsl") + shader_text("view/brdf.frag");
-  program = std::make_unique<QOpenGLShaderProgram>();
-  const bool is_made = program->addShaderFromSourceCode(
-                           QOpenGLShader::Vertex, "#version 330 core\n" + shader_text("view/screen.vert")) &&
-                       program->addShaderFromSourceCode(QOpenGLShader::Fragment, text) && program->link();
-  if (!is_made) qFatal("%s: %s", std::string(shader.keyword).c_str(), qPrintable(program->log()));
-  return program.get();
+  const QByteArray text = GlslVersion + shader_text({"picture.glsl"}) +
+                          QByteArray::fromStdString(shader.functions) +
+                          shader_text({"brdf_parameters.glsl"}) + "vec3 model(vec3 u, vec3 v) { return " +
+                          QByteArray::fromStdString(shader.call) + "; }\n" +
+                          shader_text({"sky.glsl", "reflected_light.glsl", "brdf.frag"});
+  CompiledProgram made = driver_.compile({GlslVersion + shader_text({"screen.vert"}), text});
+  if (made.program == nullptr) refused_.emplace(shader.keyword, first_line(made.log));
+  entry->second = std::move(made.program);
+  return entry->second.get();
 }
 
 void PicturePainter::set_eye(QOpenGLShaderProgram& program, const Job& job) {
@@ -345,12 +352,23 @@ void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row
   gl_.glBlendFunc(GL_ONE, GL_ONE);
   program.bind();
   program.setUniformValue("model_number", static_cast<GLint>(model));
-  program.setUniformValue("sky_samples", job.request.is_quick ? 4 : 8);
+  program.setUniformValue("sky_samples", sky_samples(job.request));
   program.setUniformValue("pass", job.request.pass);
   set_eye(program, job);
   cover(program, job);
   gl_.glDisable(GL_BLEND);
   gl_.glDisable(GL_SCISSOR_TEST);
+}
+
+void PicturePainter::paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row) {
+  LightByCpp light;
+  light.model = model;
+  light.samples = sky_samples(job.request);
+  light.first_sample = job.request.pass * light.samples;
+  light.camera = job.request.camera;
+  light.aspect = job.request.aspect;
+  const int rows = std::min(RowsByCpp, job.picture.size().height() - first_row);
+  add_light_by_cpp(light, job.scene.tables(), job.picture, first_row, rows);
 }
 
 void PicturePainter::resolve(const Job& job) {

@@ -44,10 +44,15 @@ class PicturePainter {
  public:
   using Step = std::function<void()>;
 
-  explicit PicturePainter(Gl& gl);
+  /// Throws ShaderRefused.
+  PicturePainter(Gl& gl, const GraphicsDriver& driver);
 
   /// What is to be done, in this order. Scene and picture have to stay until then.
   std::vector<Step> steps(SceneBuffers& scene, Picture& picture, const PictureRequest& request);
+
+  /// BRDF models, by their keyword, whose shader the driver refuses, and why. Light that they reflect is
+  /// computed by C++.
+  const std::map<std::string, QString>& refused() const { return refused_; }
 
  private:
   /// Some of the triangles or edges of an instance.
@@ -76,18 +81,22 @@ class PicturePainter {
   void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);
   void add_line_steps(const SharedJob& job, std::vector<Step>& steps);
   void paint_brdf(const Job& job, std::size_t model, int first_row);
+  static void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row);
   void resolve(const Job& job);
   void paint_edges(const Job& job, const Runs& runs, bool are_triangles);
   void paint_points(const Job& job);
   void paint_normals(const Job& job, bool of_faces);
   void cover(QOpenGLShaderProgram& program, const Job& job);
   void set_eye(QOpenGLShaderProgram& program, const Job& job);
+  /// Null if the driver refuses it.
   QOpenGLShaderProgram* brdf_program(std::size_t model);
 
   Gl& gl_;
+  const GraphicsDriver driver_;
   GlObject no_vertices_;
   std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, resolve_, lines_, normals_;
   std::map<std::size_t, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
+  std::map<std::string, QString> refused_;
 };
 
 /// Tells a program that starts with picture.glsl which texture units its tables have.

@@ -20,10 +20,11 @@ bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent)
+SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver)
     : QWidget(parent),
       objects_(std::make_shared<const SceneObjects>()),
-      selection_(std::make_shared<const FaceSelection>()) {
+      selection_(std::make_shared<const FaceSelection>()),
+      renderer_(driver) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -44,6 +45,7 @@ SceneView::SceneView(QWidget* parent)
   connect(&renderer_, &ViewRenderer::drawn, this, &SceneView::take_image);
   connect(&renderer_, &ViewRenderer::selected, this, &SceneView::take_region);
   connect(&renderer_, &ViewRenderer::message, this, &SceneView::message);
+  connect(&renderer_, &ViewRenderer::warned, this, &SceneView::warned);
 }
 
 void SceneView::show(const SceneObjects& objects) {

@@ -37,7 +37,7 @@ class SceneView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SceneView(QWidget* parent = nullptr);
+  explicit SceneView(QWidget* parent = nullptr, const GraphicsDriver& driver = {});
 
   using QWidget::show;
   /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.
@@ -88,6 +88,8 @@ class SceneView : public QWidget {
   void hovered(const QString& text);
   /// Something cannot be shown as it is, such as a texture.
   void message(const QString& text);
+  /// See ViewRenderer.
+  void warned(const QString& text);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

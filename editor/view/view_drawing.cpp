@@ -10,13 +10,13 @@ QVector3D rgb(const QColor& colour) { return {colour.redF(), colour.greenF(), co
 
 }  // namespace
 
-ViewDrawing::ViewDrawing(Gl& gl)
+ViewDrawing::ViewDrawing(Gl& gl, const GraphicsDriver& driver)
     : gl_(gl),
       scene_(gl),
-      pictures_(gl, scene_),
-      overlay_(gl),
+      pictures_(gl, driver, scene_),
+      overlay_(gl, driver),
       no_vertices_(gl, GlKind::VertexArray),
-      compose_(program_of("screen.vert", {"picture.glsl", "compose.frag"})) {}
+      compose_(program_of(driver, "screen.vert", {"picture.glsl", "compose.frag"})) {}
 
 void ViewDrawing::show(const ViewState& state) {
   load(state);

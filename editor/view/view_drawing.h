@@ -17,7 +17,8 @@ namespace editor {
 /// and destroyed while its context is current.
 class ViewDrawing {
  public:
-  explicit ViewDrawing(Gl& gl);
+  /// Throws ShaderRefused.
+  ViewDrawing(Gl& gl, const GraphicsDriver& driver);
 
   /// From now on this is to be seen; there is a picture of it at once, perhaps a quick one.
   void show(const ViewState& state);
@@ -32,6 +33,9 @@ class ViewDrawing {
   bool is_slow() const { return pictures_.is_slow(); }
   /// Keywords of BRDFs that are shown as another one.
   const std::set<std::string>& not_shown() const { return scene_.tables().not_shown; }
+
+  /// BRDF models whose shader the driver refuses, and why. They are shown by C++.
+  const std::map<std::string, QString>& refused() const { return pictures_.refused(); }
 
   /// What there is, with the selection and what is drawn over it.
   QImage image();

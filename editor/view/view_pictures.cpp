@@ -22,9 +22,9 @@ double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.ns
 
 }  // namespace
 
-ViewPictures::ViewPictures(Gl& gl, SceneBuffers& scene)
-    : gl_(gl), scene_(scene), painter_(gl), no_vertices_(gl, GlKind::VertexArray) {
-  accumulate_ = program_of("screen.vert", {"picture.glsl", "accumulate.frag"});
+ViewPictures::ViewPictures(Gl& gl, const GraphicsDriver& driver, SceneBuffers& scene)
+    : gl_(gl), scene_(scene), painter_(gl, driver), no_vertices_(gl, GlKind::VertexArray) {
+  accumulate_ = program_of(driver, "screen.vert", {"picture.glsl", "accumulate.frag"});
 }
 
 void ViewPictures::request(const PictureRequest& request, const QSize& size) {

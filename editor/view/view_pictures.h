@@ -20,7 +20,7 @@ struct FacePixel {
 /// follows, in slices of time; then more of it, each moved by parts of a pixel, that smooth its edges.
 class ViewPictures {
  public:
-  ViewPictures(Gl& gl, SceneBuffers& scene);
+  ViewPictures(Gl& gl, const GraphicsDriver& driver, SceneBuffers& scene);
 
   /// What is to be seen, by pictures of this size in pixels.
   void request(const PictureRequest& request, const QSize& size);
@@ -45,6 +45,9 @@ class ViewPictures {
 
   /// Draws what there is into the framebuffer that is bound. The program is compose.frag.
   void bind_shown(QOpenGLShaderProgram& compose);
+
+  /// BRDF models whose shader the driver refuses, and why. See PicturePainter.
+  const std::map<std::string, QString>& refused() const { return painter_.refused(); }
 
   /// What is in the pixels of a rectangle of the full picture, from its lower left corner, row by row.
   std::vector<FacePixel> faces_in(const QRect& rectangle);

@@ -16,8 +16,8 @@ constexpr std::chrono::milliseconds RestTime{50};
 
 }  // namespace
 
-ViewRenderer::ViewRenderer(QObject* parent)
-    : QObject(parent), thread_("view", [this] { drawing_.reset(); }) {}
+ViewRenderer::ViewRenderer(const GraphicsDriver& driver, QObject* parent)
+    : QObject(parent), driver_(driver), thread_("view", [this] { drawing_.reset(); }) {}
 
 ViewRenderer::~ViewRenderer() {
   {
@@ -50,20 +50,24 @@ void ViewRenderer::start() {
   thread_.run([this](QOpenGLContext* context) { run(context); });
 }
 
-void ViewRenderer::run(QOpenGLContext* context) {
+void ViewRenderer::make_drawing(QOpenGLContext* context) {
   auto* gl = context != nullptr ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
-  if (gl == nullptr) {
-    QMetaObject::invokeMethod(
-        this, [this] { emit message(tr("The 3D view needs OpenGL 3.3, which this screen has not.")); },
-        Qt::QueuedConnection);
-    return;
-  }
+  if (gl == nullptr) return warn(tr("The 3D view needs OpenGL 3.3, which this screen has not."));
   gl->initializeOpenGLFunctions();
-  drawing_ = std::make_unique<ViewDrawing>(*gl);
+  try {
+    drawing_ = std::make_unique<ViewDrawing>(*gl, driver_);
+  } catch (const ShaderRefused& refused) {
+    warn(tr("The 3D view cannot draw, since the graphics driver refuses a shader: %1").arg(refused.what()));
+  }
+}
+
+void ViewRenderer::run(QOpenGLContext* context) {
+  make_drawing(context);
   for (;;) {
     const Orders orders = next_orders();
     if (orders.is_end) return;
     if (orders.region) select_in_thread(*orders.region);
+    if (drawing_ == nullptr) continue;
     if (orders.state) show_in_thread(*orders.state);
     if (orders.empty() && drawing_->work([this] { return has_orders(); })) tell_image();
   }
@@ -73,7 +77,7 @@ void ViewRenderer::run(QOpenGLContext* context) {
 ViewRenderer::Orders ViewRenderer::next_orders() {
   std::unique_lock lock(mutex_);
   const auto are_there = [this] { return !orders_.empty(); };
-  const bool has_picture = drawing_->state().objects != nullptr;
+  const bool has_picture = drawing_ != nullptr && drawing_->state().objects != nullptr;
   if (!has_picture || drawing_->is_done()) {
     ordered_.wait(lock, are_there);
   } else if (drawing_->is_slow() && !drawing_->is_full()) {
@@ -95,17 +99,34 @@ void ViewRenderer::show_in_thread(const ViewState& state) {
       (state.objects != before.objects || state.request.style.mode != before.request.style.mode);
   drawing_->show(state);
   tell_image();
-  if (!tells_of_models || drawing_->not_shown().empty()) return;
+  if (tells_of_models) tell_of_models();
+}
+
+void ViewRenderer::tell_of_models() {
+  for (const auto& [keyword, why] : drawing_->refused()) {
+    warn(
+        tr("The graphics driver refuses the shader of the BRDF %1, which the 3D view therefore shows by C++, "
+           "more slowly: %2")
+            .arg(QString::fromStdString(keyword), why));
+  }
+  if (drawing_->not_shown().empty()) return;
   const QString text = tr("Shown as matte: %1.").arg(QString::fromStdString(*drawing_->not_shown().begin()));
   QMetaObject::invokeMethod(
       this, [this, text] { emit message(text); }, Qt::QueuedConnection);
 }
 
+void ViewRenderer::warn(const QString& text) {
+  QMetaObject::invokeMethod(
+      this, [this, text] { emit warned(text); }, Qt::QueuedConnection);
+}
+
 void ViewRenderer::select_in_thread(const ViewRegion& region) {
-  show_in_thread(region.state);
+  // What nobody sees is hidden to nobody.
+  const bool selects_through = region.selects_through || drawing_ == nullptr;
+  if (drawing_ != nullptr) show_in_thread(region.state);
   const ViewState& state = region.state;
   const SeenScene seen{*state.objects, state.shapes, state.request.camera, state.size};
-  const FaceSelection selection = region.selects_through
+  const FaceSelection selection = selects_through
                                       ? all_in_region(seen, region.polygon)
                                       : seen_in_region(seen, region.polygon, [this](const QRect& rectangle) {
                                           return drawing_->faces_in(rectangle);

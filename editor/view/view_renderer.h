@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "editor/graphics/graphics_driver.h"
 #include "editor/graphics/graphics_thread.h"
 #include "editor/view/view_state.h"
 
@@ -36,7 +37,7 @@ class ViewRenderer : public QObject {
   Q_OBJECT
 
  public:
-  explicit ViewRenderer(QObject* parent = nullptr);
+  explicit ViewRenderer(const GraphicsDriver& driver = {}, QObject* parent = nullptr);
   ~ViewRenderer() override;
 
   void show(const ViewState& state);
@@ -49,6 +50,8 @@ class ViewRenderer : public QObject {
   void selected(const editor::FaceSelection& selection, std::int64_t state);
   /// Something cannot be shown as it is.
   void message(const QString& text);
+  /// The scene is drawn otherwise than the driver should, which holds as long as it is shown.
+  void warned(const QString& text);
 
  private:
   /// What the thread is to do next.
@@ -64,17 +67,21 @@ class ViewRenderer : public QObject {
 
   // In the thread.
   void run(QOpenGLContext* context);
+  void make_drawing(QOpenGLContext* context);
   Orders next_orders();
   bool has_orders();
   void show_in_thread(const ViewState& state);
   void select_in_thread(const ViewRegion& region);
   void tell_image();
+  void tell_of_models();
+  void warn(const QString& text);
 
+  const GraphicsDriver driver_;
   std::mutex mutex_;
   std::condition_variable ordered_;
   Orders orders_;  // by the mutex
   bool is_running_ = false;
-  std::unique_ptr<ViewDrawing> drawing_;  // of the thread
+  std::unique_ptr<ViewDrawing> drawing_;  // of the thread; null: nothing can be drawn
   GraphicsThread thread_;
 };
 

@@ -18,6 +18,7 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/brdf/brdf_editor.h"
+#include "editor/brdf/live_sphere.h"
 #include "editor/controls/tab_order.h"
 #include "editor/image/image_browser.h"
 #include "editor/image/image_server.h"
@@ -189,6 +190,8 @@ void MainWindow::connect_files() {
 void MainWindow::connect_panels() {
   connect(view_, &SceneView::hovered, status_, &StatusLine::show_hovered);
   connect(view_, &SceneView::message, this, &MainWindow::tell);
+  connect(view_, &SceneView::warned, messages_, &MessagePanel::add_warning);
+  connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
   connect(view_link_, &ViewLink::failed, this, &MainWindow::fail);
   connect(view_link_, &ViewLink::told, this, &MainWindow::tell);
   connect(brdf_link_, &BrdfLink::failed, this, &MainWindow::fail);

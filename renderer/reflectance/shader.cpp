@@ -76,6 +76,11 @@ class Maker {
   std::vector<Rgb> parameters_;
 };
 
+void assign_value(float& field, const Rgb& value) { field = value.x; }
+void assign_value(Rgb& field, const Rgb& value) { field = value; }
+void assign_value(int& field, const Rgb& value) { field = static_cast<int>(value.x); }
+void assign_value(bool& field, const Rgb& value) { field = value.x != 0; }
+
 }  // namespace
 
 std::string shader_functions(const std::vector<std::string_view>& keywords) {
@@ -113,6 +118,21 @@ std::vector<Rgb> shader_values(const Brdf& brdf) {
         }
       },
       static_cast<const AnyBrdf&>(brdf));
+}
+
+Brdf brdf_of_values(std::size_t formula, std::span<const Rgb> values) {
+  Brdf brdf;
+  EachType<FormulaBrdf>::any([&](auto model) {
+    if (FormulaBrdf(model).index() != formula) return false;
+    std::size_t k = 0;
+    for (const auto& parameter : decltype(model)::table().parameters) {
+      visit_field(parameter, [&](auto field) { assign_value(model.*field, values[k]); });
+      ++k;
+    }
+    brdf = model;
+    return true;
+  });
+  return brdf;
 }
 
 }  // namespace reflectance

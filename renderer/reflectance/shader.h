@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -97,5 +98,8 @@ std::vector<Rgb> shader_values(const Model& model) {
 
 /// The same for a BRDF that is a formula; there are none for others.
 std::vector<Rgb> shader_values(const Brdf& brdf);
+
+/// The BRDF whose shader has these values: of the model that stands at this index in `FormulaBrdf`.
+Brdf brdf_of_values(std::size_t formula, std::span<const Rgb> values);
 
 }  // namespace reflectance

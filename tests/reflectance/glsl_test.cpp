@@ -113,6 +113,19 @@ TYPED_TEST(Glsl, IsWhatCppIsForRandomParameters) {
   expect_same(triples);
 }
 
+/// So C++ can evaluate what a shader would.
+TYPED_TEST(Glsl, ValuesMakeTheModelAgain) {
+  test::for_each_set<TypeParam>([](const TypeParam& model, std::span<const Pair> pairs) {
+    const std::size_t formula = reflectance::FormulaBrdf(model).index();
+    const reflectance::Brdf made =
+        reflectance::brdf_of_values(formula, reflectance::shader_values(reflectance::Brdf(model)));
+    ASSERT_EQ(made.index(), formula);
+    for (const Pair& pair : pairs.first(4)) {
+      EXPECT_EQ(reflectance::evaluate(made, pair.u, pair.v), model.evaluate(pair.u, pair.v));
+    }
+  });
+}
+
 template <class Model>
 void expect_mirror_is_what_cpp_is() {
   Triples<Model> triples;

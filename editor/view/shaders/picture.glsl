@@ -1,4 +1,5 @@
 // Reads what geometry.frag wrote, and what the scene says of its faces.
+#define real float
 uniform usampler2D faces;
 uniform sampler2D normals;
 uniform sampler2D values;

@@ -1,9 +1,9 @@
-// Brighter upwards, with a large soft lamp: radiance.
+// Brighter upwards, with a large soft lamp: radiance. In the common subset of GLSL and C++.
 vec3 sky(vec3 d) {
-  float height = 0.5 + 0.5 * d.y;
+  real height = 0.5 + 0.5 * d.y;
   vec3 open = mix(vec3(0.15, 0.145, 0.14), vec3(0.42, 0.47, 0.55), smoothstep(0.3, 0.75, height));
-  float lamp = max(dot(d, vec3(-0.424, 0.742, 0.519)), 0);
-  float lamp2 = lamp * lamp;
-  float lamp8 = lamp2 * lamp2 * lamp2 * lamp2;
-  return open + vec3(3.4, 3.2, 3) * lamp8 * lamp8 * lamp8;
+  real lamp = max(dot(d, vec3(-0.424, 0.742, 0.519)), 0.0);
+  real lamp2 = lamp * lamp;
+  real lamp8 = lamp2 * lamp2 * lamp2 * lamp2;
+  return open + vec3(3.4, 3.2, 3) * (lamp8 * lamp8 * lamp8);
 }

@@ -68,6 +68,33 @@ TEST(SphereShader, LeavesMeasurementsToCpp) {
   EXPECT_EQ(shade_by_cpp(scene, 16, {}).radiance.size(), 32U * 32U);
 }
 
+TEST(LiveSphere, IsShadedByCppWhereTheDriverRefuses) {
+  GraphicsDriver driver;
+  driver.compile = [](const ShaderTexts& texts) -> CompiledProgram {
+    if (texts.fragment.contains("vec3 ward(")) return {nullptr, "0:1(1): error: no such thing\nmore"};
+    return compile_program(texts);
+  };
+  LiveSphere sphere(nullptr, driver);
+  QSignalSpy warned(&sphere, &LiveSphere::warned);
+  const auto shows = [&](const char* text, bool is_by_glsl) {
+    sphere.set_brdf(made_brdf_of(text));
+    return QTest::qWaitFor(
+        [&] {
+          return !sphere.is_busy() && sphere.image().side > 0 && sphere.image().is_by_glsl == is_by_glsl;
+        },
+        20000);
+  };
+  sphere.resize(120, 120);
+  sphere.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&sphere));
+  EXPECT_TRUE(shows("phong", true));
+  EXPECT_TRUE(warned.isEmpty());
+  EXPECT_TRUE(shows("ward", false));
+  ASSERT_FALSE(warned.isEmpty());
+  EXPECT_THAT(warned[0][0].toString().toStdString(),
+              testing::EndsWith("by C++: 0:1(1): error: no such thing"));
+}
+
 TEST(Displayed, IsEncodedAsSrgbWithExposure) {
   SphereImage image;
   image.side = 9;

@@ -49,6 +49,17 @@ TEST_F(MessagePanels, CheckTheSceneAfterEdits) {
   EXPECT_EQ(panel_.error_count(), 0U);
 }
 
+TEST_F(MessagePanels, SayOnceWhatTheScreenCannotDoUntilAnotherSceneOpens) {
+  const std::size_t before = panel_.warning_count();
+  panel_.add_warning("the driver refuses a shader");
+  panel_.add_warning("the driver refuses a shader");
+  panel_.add_warning("a texture is too large");
+  EXPECT_EQ(panel_.warning_count(), before + 2);
+  document_.take(scene_of(PanelScene), {}, {});
+  wait();
+  EXPECT_EQ(panel_.warning_count(), before);
+}
+
 TEST_F(MessagePanels, LeadToWhatWasWrittenThere) {
   grf::Diagnostics diagnostics;
   grf::SourceLocation location = document_.objects().meshes[1].mesh->surfaces.back().location;

@@ -62,7 +62,9 @@ inline editor::ViewCamera front_camera(double distance = 8) {
 /// A view of 800 x 600 pixels.
 class ShownView {
  public:
-  explicit ShownView(const editor::SceneObjects& objects, const editor::ViewCamera& camera = front_camera()) {
+  explicit ShownView(const editor::SceneObjects& objects, const editor::ViewCamera& camera = front_camera(),
+                     const editor::GraphicsDriver& driver = {})
+      : view(nullptr, driver) {
     view.resize(800, 600);
     view.set_camera(camera);
     view.set_grid(false);

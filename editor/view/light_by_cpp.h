@@ -1,0 +1,25 @@
+// What shaders/brdf.frag computes, without the driver.
+#pragma once
+
+#include <cstddef>
+
+#include "editor/view/picture.h"
+#include "editor/view/surface_tables.h"
+#include "editor/view/view_camera.h"
+
+namespace editor {
+
+/// The light that the surfaces of one BRDF model reflect.
+struct LightByCpp {
+  std::size_t model = 0;  ///< its number in the tables
+  int samples = 8;        ///< directions to the sky
+  int first_sample = 0;
+  ViewCamera camera;
+  double aspect = 1;
+};
+
+/// Adds it to some rows of a picture, of which all besides light is there.
+void add_light_by_cpp(const LightByCpp& light, const SurfaceTables& tables, Picture& picture, int first_row,
+                      int rows);
+
+}  // namespace editor

@@ -1,0 +1,73 @@
+// What a BRDF reflects of a light at the viewer's head and of a sky, in the common subset of GLSL and C++: see
+// light_by_cpp.cpp. `model(u, v)` is the BRDF, and `sky(d)` stands before this text.
+
+// The start of a pixel's numbers in [0,1), which fill the square evenly (Roberts 2018, "The unreasonable
+// effectiveness of quasirandom sequences").
+vec2 pixel_start(uint x, uint y) {
+  uint h = x * 1973u + y * 9277u;
+  h = (h ^ 61u) ^ (h >> 16);
+  h *= 9u;
+  h = h ^ (h >> 4);
+  h *= 0x27d4eb2du;
+  h = h ^ (h >> 15);
+  return vec2(real(h & 0xffffu), real(h >> 16)) / 65536.0;
+}
+
+vec3 cosine_direction(vec2 xi) {
+  real r = sqrt(xi.x);
+  return vec3(r * cos(2 * PI * xi.y), r * sin(2 * PI * xi.y), sqrt(max(0.0, 1 - xi.x)));
+}
+
+vec3 lobe_direction(vec3 u, real exponent, vec2 xi) {
+  real below_one = -expm1(log1p(-xi.x) / (exponent + 1));
+  real sine = sqrt(below_one * (2 - below_one));
+  vec3 h = vec3(sine * cos(2 * PI * xi.y), sine * sin(2 * PI * xi.y), 1 - below_one);
+  return 2 * dot(u, h) * h - u;
+}
+
+real lobe_density(vec3 u, vec3 v, real exponent) {
+  vec3 h = normalize(u + v);
+  return (exponent + 1) / (2 * PI) * exp(-exponent / 2 * log1p(tan2_of_half(h))) / (4 * max(dot(u, h), 1e-4));
+}
+
+// Half of the directions are drawn by the cosine and half by the lobe, each weighed by both densities.
+vec3 sky_part(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int first_sample) {
+  vec3 sum = vec3(0, 0, 0);
+  for (int i = 0; i < samples; ++i) {
+    vec2 xi = fract(start + real(i / 2 + first_sample) * vec2(0.7548776662, 0.5698402910));
+    vec3 v = (i & 1) == 0 ? cosine_direction(xi) : lobe_direction(u, exponent, xi);
+    if (v.z <= 1e-4) continue;
+    real density = 0.5 * (v.z / PI + lobe_density(u, v, exponent));
+    sum += model(u, v) * sky(to_world * v) * (v.z / density);
+  }
+  return sum / real(samples);
+}
+
+vec3 reflected_light(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int first_sample) {
+  return model(u, u) * (1.6 * u.z) + sky_part(u, to_world, exponent, start, samples, first_sample);
+}
+
+// The tangent, the other direction along the surface, and the normal, in the camera's coordinates. The angle is
+// that of the tangent about the normal, over 2 pi and from 0 to 1.
+mat3 frame_about(vec3 n, real turned) {
+  real side = n.z >= 0 ? 1 : -1;
+  real a = -1 / (side + n.z);
+  real b = n.x * n.y * a;
+  vec3 x = vec3(1 + side * n.x * n.x * a, side * b, -side * n.x);
+  vec3 y = vec3(b, side + n.y * n.y * a, -n.y);
+  real angle = (turned - 0.5) * 6.28318531;
+  vec3 tangent = x * cos(angle) + y * sin(angle);
+  return mat3(tangent, cross(n, tangent), n);
+}
+
+// Towards the eye in that frame, not below the horizon, where interpolated normals may see it.
+vec3 local_eye(vec3 eye, mat3 frame) {
+  vec3 u = eye * frame;
+  return normalize(vec3(u.x, u.y, max(u.z, 1e-3)));
+}
+
+// Towards the eye in the camera's coordinates, from a place of the picture in pixels.
+vec3 eye_direction(vec2 place, vec2 size, vec2 tangents, bool is_parallel) {
+  vec2 aside = (place / size * 2 - vec2(1, 1)) * tangents;
+  return is_parallel ? vec3(0, 0, 1) : normalize(vec3(-aside.x, -aside.y, 1));
+}

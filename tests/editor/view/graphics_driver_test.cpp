@@ -1,0 +1,114 @@
+// What the view does where a graphics driver has less than it would like.
+#include <QImage>
+#include <QSignalSpy>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "tests/editor/view/shown_view.h"
+
+namespace editor {
+namespace {
+
+using test::ShownView;
+
+/// Refuses programs whose fragment shader has this in its text.
+GraphicsDriver driver_without(const QByteArray& text) {
+  GraphicsDriver driver;
+  driver.compile = [text](const ShaderTexts& texts) -> CompiledProgram {
+    if (texts.fragment.contains(text)) return {nullptr, "0:1(1): error: no such thing\nmore of it"};
+    return compile_program(texts);
+  };
+  return driver;
+}
+
+QStringList texts(const QSignalSpy& spy) {
+  QStringList all;
+  for (const auto& arguments : spy) all += arguments[0].toString();
+  return all;
+}
+
+ViewCamera seen_from_above() {
+  transport::View view;
+  view.eye = grf::Vec3d(2.5, 2, 4);
+  view.field_of_view = 40;
+  return ViewCamera(view);
+}
+
+QImage drawn(ShownView& shown) {
+  shown.view.set_mode(DisplayMode::Brdf);
+  EXPECT_TRUE(shown.complete());
+  return shown.view.grab().toImage();
+}
+
+/// How many pixels are far from each other, of those that are seen in either.
+double share_of_far_pixels(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      const int far = std::max(
+          {std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+      if (far > 2) ++count;
+    }
+  }
+  return double(count) / (a.width() * a.height());
+}
+
+class RefusedShader : public testing::TestWithParam<std::string> {};
+
+/// The picture is the one that the shader draws, parts of sums and colours of faces included.
+TEST_P(RefusedShader, IsDoneByCpp) {
+  const SceneObjects objects = test::objects_of_text(GetParam());
+  ShownView by_glsl(objects, seen_from_above());
+  const QImage expected = drawn(by_glsl);
+  ShownView by_cpp(objects, seen_from_above(), driver_without("vec3 ward("));
+  QSignalSpy warned(&by_cpp.view, &SceneView::warned);
+  const QImage image = drawn(by_cpp);
+  EXPECT_THAT(texts(warned), testing::Contains(testing::ResultOf(
+                                 [](const QString& text) { return text.toStdString(); },
+                                 testing::AllOf(testing::HasSubstr("BRDF ward"), testing::HasSubstr("by C++"),
+                                                testing::EndsWith("error: no such thing")))));
+  EXPECT_LT(share_of_far_pixels(image, expected), 0.002);
+  ShownView without(test::objects_of_text(test::cube_text("brdf diffuse kd=0")), seen_from_above());
+  EXPECT_GT(share_of_far_pixels(drawn(without), expected), 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Brdfs, RefusedShader,
+    testing::Values(test::cube_text("brdf ward sx=0.2 sy=0.1 ks=0.6 kd=(0.3,0.1,0.2)"),
+                    "def wide = brdf ward sx=0.3 ks=0.5 kd=0\ndef narrow = brdf phong n=20\nbegin\n" +
+                        test::cube_text("brdf combine 0.5 wide, 0.8 narrow") + "end\n"));
+
+TEST(RefusedShaders, OfOtherModelsAreNotMissed) {
+  ShownView shown(test::objects_of_text(test::cube_text("brdf phong n=20")), seen_from_above(),
+                  driver_without("vec3 ward("));
+  QSignalSpy warned(&shown.view, &SceneView::warned);
+  drawn(shown);
+  EXPECT_TRUE(warned.isEmpty());
+}
+
+/// Without a shader that all pictures need there is none, and the window goes on.
+TEST(RefusedShaders, OfTheViewItselfLeaveAMessage) {
+  SceneView view(nullptr, driver_without("background_top"));
+  QSignalSpy warned(&view, &SceneView::warned);
+  view.resize(300, 200);
+  view.set_camera(test::front_camera());
+  view.show(test::objects_of_text(test::cube_text()));
+  view.show();
+  ASSERT_TRUE(test::wait_for([&] { return !warned.isEmpty(); }));
+  EXPECT_THAT(texts(warned)[0].toStdString(),
+              testing::AllOf(testing::HasSubstr("compose.frag"), testing::HasSubstr("no such thing")));
+  QTest::mousePress(&view, Qt::LeftButton, Qt::ShiftModifier, {100, 50});
+  for (const QPoint& place : {QPoint(150, 100), QPoint(200, 150)}) {
+    QMouseEvent move(QEvent::MouseMove, QPointF(place), QPointF(place), Qt::NoButton, Qt::LeftButton,
+                     Qt::ShiftModifier);
+    QApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, {200, 150});
+  EXPECT_TRUE(test::wait_for([&] { return !view.is_selecting(); }, 5));
+}
+
+}  // namespace
+}  // namespace editor
