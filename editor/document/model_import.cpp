@@ -6,7 +6,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
-#include <QTimer>
 #include <QUuid>
 #include <QtConcurrent>
 #include <utility>
@@ -17,9 +16,6 @@
 
 namespace editor {
 namespace {
-
-/// Milliseconds that a process has to end by itself.
-constexpr int Patience = 2000;
 
 /// What `grfconvert` prints, of which only the severity has to be known.
 grf::Diagnostics diagnostics_of(const QString& printed) {
@@ -69,11 +65,7 @@ ModelImport::ModelImport(QString folder, QObject* parent) : QObject(parent), fol
 
 ModelImport::~ModelImport() {
   cancel();
-  for (QProcess* process : findChildren<QProcess*>()) {
-    if (process->waitForFinished(Patience)) continue;
-    process->kill();
-    process->waitForFinished();
-  }
+  for (ChildProcess* process : findChildren<ChildProcess*>()) process->finish();
 }
 
 QString ModelImport::default_folder() {
@@ -103,14 +95,12 @@ void ModelImport::start(const QString& file, const QStringList& options) {
 }
 
 void ModelImport::run(const QString& program, const QStringList& arguments) {
-  process_ = new QProcess(this);
-  connect(process_, &QProcess::finished, this, &ModelImport::read_output);
-  connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error != QProcess::FailedToStart) return;
-    const QString why = process_->errorString();
-    std::exchange(process_, nullptr)->deleteLater();
-    fail(tr("grfconvert cannot be started: %1").arg(why));
-  });
+  report_.clear();
+  messages_.clear();
+  process_ = new ChildProcess({}, this);
+  connect(process_, &ChildProcess::wrote, this, [this](const QByteArray& line) { report_ += line; });
+  connect(process_, &ChildProcess::logged, this, [this](const QByteArray& line) { messages_ += line; });
+  connect(process_, &ChildProcess::ended, this, &ModelImport::read_output);
   process_->start(program, arguments);
 }
 
@@ -123,24 +113,24 @@ void ModelImport::cancel() {
     return;
   }
   // It ends its own child, and removes what that began to write.
-  QProcess* process = std::exchange(process_, nullptr);
+  ChildProcess* process = std::exchange(process_, nullptr);
   process->disconnect(this);
-  connect(process, &QProcess::finished, process, [process, folder] {
+  connect(process, &ChildProcess::ended, process, [process, folder] {
     QDir(folder).removeRecursively();
     process->deleteLater();
   });
-  process->terminate();
-  QTimer::singleShot(Patience, process, &QProcess::kill);
+  process->cancel();
 }
 
-void ModelImport::read_output(int code, QProcess::ExitStatus status) {
-  const QString messages = QString::fromUtf8(process_->readAllStandardError());
-  const QByteArray report = process_->readAllStandardOutput();
+void ModelImport::read_output(const ChildEnd& end) {
   std::exchange(process_, nullptr)->deleteLater();
-  if (status == QProcess::CrashExit) return fail(tr("%1: grfconvert crashed").arg(file_));
-  if (code != 0)
+  const QString messages = QString::fromUtf8(messages_);
+  if (end.cause == ChildEnd::Cause::NotStarted)
+    return fail(tr("grfconvert cannot be started: %1").arg(end.why));
+  if (end.cause != ChildEnd::Cause::Returned) return fail(tr("%1: grfconvert crashed").arg(file_));
+  if (end.code != 0)
     return fail(messages.isEmpty() ? tr("%1: it cannot be read").arg(file_) : messages.trimmed());
-  reading_.setFuture(QtConcurrent::run(read_model, output_, losses_in(report), messages));
+  reading_.setFuture(QtConcurrent::run(read_model, output_, losses_in(report_), messages));
 }
 
 void ModelImport::fail(const QString& message) {

@@ -2,12 +2,12 @@
 
 #include <QFutureWatcher>
 #include <QObject>
-#include <QProcess>
 #include <QString>
 #include <QStringList>
 #include <memory>
 #include <vector>
 
+#include "editor/programs/child_process.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -48,13 +48,16 @@ class ModelImport : public QObject {
 
  private:
   void run(const QString& program, const QStringList& arguments);
-  void read_output(int code, QProcess::ExitStatus status);
+  void read_output(const ChildEnd& end);
   void fail(const QString& message);
 
   const QString folder_;
   QString file_;
   QString output_;
-  QProcess* process_ = nullptr;  ///< of what is being imported; others of its kind are coming to their end
+  QByteArray report_;
+  QByteArray messages_;
+  ChildProcess* process_ =
+      nullptr;  ///< of what is being imported; others of its kind are coming to their end
   QFutureWatcher<std::shared_ptr<const ImportedModel>> reading_;
 };
 

@@ -2,11 +2,11 @@
 
 #include <QByteArray>
 #include <QObject>
-#include <QProcess>
 #include <QString>
 #include <QStringList>
 
 #include "editor/programs/bundled_program.h"
+#include "editor/programs/child_process.h"
 
 namespace editor {
 
@@ -22,16 +22,13 @@ class RendererProcess : public QObject {
 
  public:
   explicit RendererProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr);
-  /// What still runs is asked to end, and ended if that takes more than some seconds.
-  ~RendererProcess() override;
-
   /// Why it cannot be run; empty: as far as is known it can.
   QString why_missing() const;
   void start(const QStringList& arguments);
   /// Asks for what there is so far. `ended` follows.
-  void interrupt();
+  void interrupt() { process_.interrupt(); }
   /// Ends it at once, with nothing kept. No signal comes.
-  void kill();
+  void kill() { process_.kill(); }
   /// What it said of its work since it was started.
   const QStringList& lines() const { return log_; }
 
@@ -43,15 +40,12 @@ class RendererProcess : public QObject {
   void ended(const editor::RendererEnd& end);
 
  private:
-  void read_reports();
-  void read_log();
   void log(const QByteArray& bytes);
-  void end(int exit_code, QProcess::ExitStatus status);
+  void end(const ChildEnd& end);
 
   const QString program_;
-  QProcess process_;
+  ChildProcess process_;
   QStringList log_;
-  bool is_to_end_ = false;
 };
 
 }  // namespace editor

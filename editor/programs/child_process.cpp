@@ -1,0 +1,103 @@
+#include "editor/programs/child_process.h"
+
+#include <csignal>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace editor {
+namespace {
+
+/// In the child, before the program begins.
+void prepare_child(const ChildManners& manners) {
+  static_cast<void>(::nice(manners.niceness));
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  const rlimit none = {0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const ChildManners& manners, QObject* parent)
+    : QObject(parent), manners_(manners) {
+  deadline_.setSingleShot(true);
+  connect(&deadline_, &QTimer::timeout, &process_, &QProcess::kill);
+  connect(&process_, &QProcess::started, this, [this] {
+    if (asked_ != 0) ask_to_end(asked_);
+  });
+  connect(&process_, &QProcess::readyReadStandardOutput, this, [this] { read_lines(false); });
+  connect(&process_, &QProcess::readyReadStandardError, this, [this] { read_lines(false); });
+  connect(&process_, &QProcess::finished, this, &ChildProcess::end);
+  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error != QProcess::FailedToStart) return;
+    deadline_.stop();
+    emit ended({ChildEnd::Cause::NotStarted, 0, process_.errorString()});
+  });
+  process_.setChildProcessModifier([manners] { prepare_child(manners); });
+}
+
+ChildProcess::~ChildProcess() {
+  blockSignals(true);
+  finish();
+  process_.disconnect(this);
+}
+
+void ChildProcess::start(const QString& program, const QStringList& arguments) {
+  asked_ = 0;
+  process_.start(program, arguments);
+}
+
+void ChildProcess::interrupt() { ask_to_end(SIGINT); }
+
+void ChildProcess::cancel() {
+  if (!is_running()) return;
+  ask_to_end(SIGTERM);
+  deadline_.start(manners_.patience);
+}
+
+void ChildProcess::finish() {
+  if (!is_running()) return;
+  cancel();
+  if (process_.state() == QProcess::Starting) process_.waitForStarted(manners_.patience);
+  if (process_.waitForFinished(manners_.patience)) return;
+  process_.kill();
+  process_.waitForFinished();
+}
+
+void ChildProcess::kill() {
+  const QSignalBlocker silence(process_);
+  deadline_.stop();
+  process_.kill();
+  process_.waitForFinished();
+}
+
+void ChildProcess::ask_to_end(int signal) {
+  asked_ = signal;
+  // One that is being started is asked as soon as it has.
+  if (process_.state() == QProcess::Running) ::kill(static_cast<pid_t>(process_.processId()), signal);
+}
+
+void ChildProcess::read_lines(bool are_last) {
+  process_.setReadChannel(QProcess::StandardOutput);
+  while (process_.canReadLine() || (are_last && process_.bytesAvailable() > 0))
+    emit wrote(process_.readLine());
+  process_.setReadChannel(QProcess::StandardError);
+  while (process_.canReadLine() || (are_last && process_.bytesAvailable() > 0))
+    emit logged(process_.readLine());
+}
+
+void ChildProcess::end(int code, QProcess::ExitStatus status) {
+  deadline_.stop();
+  read_lines(true);
+  ChildEnd end;
+  if (status == QProcess::CrashExit) {
+    // A program that has only just started does not yet know how to end in order.
+    end.cause = asked_ != 0 ? ChildEnd::Cause::Cancelled : ChildEnd::Cause::Crashed;
+  } else {
+    end.code = code;
+  }
+  emit ended(end);
+}
+
+}  // namespace editor
