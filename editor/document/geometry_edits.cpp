@@ -10,6 +10,8 @@
 
 #include "converters/mesh_operations/normals.h"
 #include "converters/mesh_operations/rebuild.h"
+#include "converters/mesh_operations/smooth.h"
+#include "converters/mesh_operations/subdivide.h"
 #include "editor/document/scene_places.h"
 #include "grf/scene_path.h"
 #include "grf/visit.h"
@@ -66,6 +68,16 @@ grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {
     const std::vector<bool>& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];
     *grf::find_mesh(scene, object.path) = edited_mesh(*object.mesh, of_mesh, edit);
+  }
+  return scene;
+}
+
+/// The scene, in which whole meshes are edited, and may have other faces then.
+grf::Scene with_edited_meshes(const SelectedFaces& faces, const MeshEdit& edit) {
+  grf::Scene scene = faces.scene;
+  for (const std::uint32_t i : at_all_places(faces.scene, faces.objects, faces.selection).meshes()) {
+    const MeshObject& object = faces.objects.meshes[i];
+    *grf::find_mesh(scene, object.path) = edit(*object.mesh);
   }
   return scene;
 }
@@ -153,6 +165,23 @@ grf::Scene with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour
     return edited;
   };
   return edited_scene(faces, edit);
+}
+
+grf::Scene with_subdivided_meshes(const SelectedFaces& faces, const convert::Subdivision& subdivision) {
+  return with_edited_meshes(
+      faces, [&subdivision](const grf::Mesh& mesh) { return convert::subdivided(mesh, subdivision); });
+}
+
+double faces_after(const SelectedFaces& faces, const convert::Subdivision& subdivision) {
+  double sum = 0;
+  for (const std::uint32_t i : at_all_places(faces.scene, faces.objects, faces.selection).meshes()) {
+    sum += convert::faces_after(*faces.objects.meshes[i].mesh, subdivision);
+  }
+  return sum;
+}
+
+grf::Scene with_smooth_meshes(const SelectedFaces& faces, int steps) {
+  return with_edited_meshes(faces, [steps](const grf::Mesh& mesh) { return convert::smoothed(mesh, steps); });
 }
 
 grf::Scene without_faces(const SelectedFaces& faces) {

@@ -10,6 +10,10 @@
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
+namespace convert {
+struct Subdivision;
+}
+
 namespace editor {
 
 /// The faces of a selection in a scene, of which the objects are.
@@ -32,6 +36,12 @@ grf::Scene flipped(const SelectedFaces& faces);
 grf::Scene with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour);
 /// Gives the faces' vertices an irradiance from all directions together, in W/m2, or none.
 grf::Scene with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance);
+/// With all faces of the meshes of these faces subdivided, see `convert::subdivided`.
+grf::Scene with_subdivided_meshes(const SelectedFaces& faces, const convert::Subdivision& subdivision);
+/// How many faces those meshes will have together.
+double faces_after(const SelectedFaces& faces, const convert::Subdivision& subdivision);
+/// With the meshes of these faces smoothed, see `convert::smoothed`.
+grf::Scene with_smooth_meshes(const SelectedFaces& faces, int steps);
 /// Without the faces. Meshes without faces go, and what uses them.
 grf::Scene without_faces(const SelectedFaces& faces);
 

@@ -32,6 +32,7 @@
 #include "editor/view/scene_view.h"
 #include "editor/window/brdf_link.h"
 #include "editor/window/file_actions.h"
+#include "editor/window/mesh_actions.h"
 #include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
 #include "editor/window/selection_actions.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   brdf_link_ = new BrdfLink(document_, *brdf_editor_, this);
   view_actions_ = new ViewActions(*view_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
+  mesh_actions_ = new MeshActions(document_, *this);
   lay_out();
   make_menus();
   connect_files();
@@ -192,6 +194,8 @@ void MainWindow::connect_panels() {
   connect(view_, &SceneView::message, this, &MainWindow::tell);
   connect(view_, &SceneView::warned, messages_, &MessagePanel::add_warning);
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
+  connect(mesh_actions_, &MeshActions::told, this, &MainWindow::tell);
+  connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
   connect(view_link_, &ViewLink::failed, this, &MainWindow::fail);
   connect(view_link_, &ViewLink::told, this, &MainWindow::tell);
   connect(brdf_link_, &BrdfLink::failed, this, &MainWindow::fail);

@@ -24,6 +24,7 @@ class ImageBrowser;
 class ImageServer;
 class IrradianceBake;
 class LightPanel;
+class MeshActions;
 class MessagePanel;
 class NoticeBar;
 class RenderLink;
@@ -98,7 +99,6 @@ class MainWindow : public QMainWindow {
   void make_scene_menu();
   void make_window_menu();
   void make_help_menu();
-  void delete_faces();
   void add_observer();
 
   const grf::Catalogue catalogue_;
@@ -124,6 +124,7 @@ class MainWindow : public QMainWindow {
   BrdfLink* brdf_link_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
+  MeshActions* mesh_actions_ = nullptr;
   ImageServer* image_server_;
   IrradianceBake* bake_;
   ImageBrowser* images_ = nullptr;

@@ -13,7 +13,6 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/document/geometry_edits.h"
 #include "editor/document/light_edits.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
@@ -21,6 +20,7 @@
 #include "editor/window/actions.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
+#include "editor/window/mesh_actions.h"
 #include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
 #include "editor/window/selection_actions.h"
@@ -87,10 +87,7 @@ void MainWindow::make_edit_menu() {
   addActions({undo, redo});
   menu->addActions({undo, redo});
   menu->addSeparator();
-  menu->addAction(new_action(*this,
-                             {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
-                              tr("Takes the selected faces away; meshes without faces go, too")},
-                             [this] { delete_faces(); }));
+  menu->addAction(mesh_actions_->delete_faces());
 }
 
 void MainWindow::make_scene_menu() {
@@ -102,6 +99,9 @@ void MainWindow::make_scene_menu() {
   menu->addAction(new_action(
       *this, {tr("Add an &observer"), "observer", {}, tr("Puts an observer where the 3D view is seen from")},
       [this] { add_observer(); }));
+  menu->addSeparator();
+  menu->addActions(mesh_actions_->of_meshes());
+  menu->addSeparator();
   menu->addAction(new_action(*this,
                              {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
                               tr("Computes the irradiance at all vertices, and keeps it in the scene")},
@@ -160,12 +160,6 @@ void MainWindow::make_help_menu() {
         NoticeBar::Kind::Information,
         tr("wannabe %1, the scene editor of Granada. Apache-2.0.").arg(QApplication::applicationVersion()));
   }));
-}
-
-void MainWindow::delete_faces() {
-  if (document_.selection().empty()) return tell(tr("No face is selected"));
-  document_.replace(tr("Delete faces"),
-                    without_faces({document_.scene(), document_.objects(), document_.selection()}));
 }
 
 void MainWindow::add_observer() {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "converters/mesh_operations/subdivide.h"
 #include "editor/document/document.h"
 #include "grf/write.h"
 #include "tests/editor/scene_of.h"
@@ -112,6 +113,44 @@ TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
   EXPECT_TRUE(corner().geometry->colours.empty());
   common = common_vertices(document_.objects(), document_.selection());
   EXPECT_FALSE(common.colour || common.are_colours_mixed || common.irradiance);
+}
+
+TEST_F(GeometryEdits, SubdivideWholeMeshesOfSomeFaces) {
+  select({{1, 1}});
+  EXPECT_EQ(faces_after(selected(), {convert::SubdivisionScheme::CatmullClark, 1}), 8);
+  EXPECT_EQ(faces_after(selected(), {convert::SubdivisionScheme::Loop, 1}), 16);
+  take(with_subdivided_meshes(selected(), {convert::SubdivisionScheme::CatmullClark, 1}));
+  ASSERT_EQ(corner().face_count(), 8U);
+  for (std::size_t face = 0; face < 4; ++face) EXPECT_FALSE(corner().surface(face).brdf);
+  for (std::size_t face = 4; face < 8; ++face) {
+    ASSERT_TRUE(corner().surface(face).brdf);
+    EXPECT_EQ(std::get<grf::BrdfModel>(*corner().surface(face).brdf).keyword, "diffuse");
+  }
+  EXPECT_EQ(document_.objects().meshes[0].mesh->face_count(), 1U) << "of which no face is selected";
+  EXPECT_EQ(document_.selection().mesh_count(), 2U);
+  EXPECT_EQ(document_.selection().of_mesh(1).size(), 8U);
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.scene(), scene_of(SceneOfSquares));
+  EXPECT_TRUE(document_.selection().has({1, 1}));
+}
+
+/// A pyramid on a square: its apex is the one vertex inside, and the others stay, since they are the
+/// boundary. One step of Taubin's moves the apex by 0.5 of its height down and by mu = 1 / (0.1 - 2) of what
+/// is left up again.
+TEST_F(GeometryEdits, SmoothWholeMeshes) {
+  document_.take(scene_of("begin mesh begin vertexs\n"
+                          "(-1,-1,0) (1,-1,0) (1,1,0) (-1,1,0) (0,0,1)\n"
+                          "end vertexs begin faces (0,1,4) (1,2,4) brdf diffuse (2,3,4) (3,0,4) end faces "
+                          "end mesh"),
+                 {}, {});
+  select({{0, 2}});
+  take(with_smooth_meshes(selected(), 1));
+  const grf::Mesh& mesh = *document_.objects().meshes[0].mesh;
+  EXPECT_NEAR(mesh.geometry->positions[4].z, 0.5 * (1 + 1 / 1.9), 1e-6);
+  EXPECT_EQ(mesh.geometry->positions[0], grf::Vec3f(-1, -1, 0));
+  EXPECT_FALSE(mesh.surface(1).brdf);
+  EXPECT_TRUE(mesh.surface(2).brdf);
+  EXPECT_TRUE(document_.selection().has({0, 2}));
 }
 
 TEST_F(GeometryEdits, DeleteFacesAndMeshesWithoutAny) {

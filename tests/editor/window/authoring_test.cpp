@@ -93,6 +93,31 @@ void choose(QComboBox& list, const QString& text) {
   emit list.activated(index);
 }
 
+TEST_F(Authoring, SubdividesAndSmoothsAModel) {
+  open(BunnyFile);
+  ASSERT_EQ(document().objects().faces, 69666U);
+  const auto area = [this] { return document().objects().meshes[0].mesh->geometry.area(); };
+  const auto shown = [this] {
+    return QTest::qWaitFor([this] { return window_.view().is_complete(); }, Minute);
+  };
+  test::action(window_, "Subdivide (Loop)").trigger();
+  EXPECT_EQ(document().objects().faces, 4 * 69666U);
+  EXPECT_EQ(document().undo_stack().undoText(), "Subdivide");
+  const double rough = area();
+  test::action(window_, "Smooth vertices").trigger();
+  EXPECT_EQ(document().objects().faces, 4 * 69666U);
+  EXPECT_LT(area(), rough);
+  EXPECT_TRUE(shown());
+  document().undo_stack().undo();
+  document().undo_stack().undo();
+  EXPECT_EQ(document().objects().faces, 69666U);
+
+  document().clear();
+  test::action(window_, "Subdivide (Catmull-Clark)").trigger();
+  EXPECT_EQ(document().objects().faces, 0U);
+  EXPECT_FALSE(document().is_modified());
+}
+
 TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   open(BunnyFile);
   ASSERT_EQ(document().objects().faces, 69666U);
