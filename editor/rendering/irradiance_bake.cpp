@@ -8,7 +8,6 @@
 #include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 #include "grf/read.h"
-#include "grf/relocate.h"
 
 namespace editor {
 namespace {
@@ -57,13 +56,14 @@ void IrradianceBake::start(const grf::Scene& scene, const QString& path,
   }
   is_running_ = true;
   is_stopped_ = false;
-  path_ = naming_path(path);
+  const QString named = naming_path(path);
+  snapshot_ = scene;
   directions_ = directions;
   summary_.reset();
   result_ = {};
-  render_options = bake_options(std::move(render_options), path_, file("grf"));
+  render_options = bake_options(std::move(render_options), named, file("grf"));
   writing_.setFuture(
-      QtConcurrent::run([scene, render_options, from = path_, snapshot = file("grf"), op = file("op")] {
+      QtConcurrent::run([scene, render_options, from = named, snapshot = file("grf"), op = file("op")] {
         grf::Diagnostics diagnostics;
         const bool is_written = write_snapshot(scene, from, snapshot, diagnostics) &&
                                 write_op_file(render_options, op, diagnostics);
@@ -97,12 +97,11 @@ void IrradianceBake::end(const RendererEnd& end) {
   if (!end.problem.isEmpty()) return give_up(without_snapshot(end.problem));
   if (!summary_) return give_up(tr("stopped before there was irradiance"));
   result_ = {*summary_, without_snapshot(process_.lines().join('\n')), end.is_interrupted};
-  reading_.setFuture(QtConcurrent::run([from = file("igrf").toStdString(), to = path_.toStdString()] {
+  reading_.setFuture(QtConcurrent::run([file = file("igrf").toStdString(), snapshot = snapshot_] {
     grf::Diagnostics diagnostics;
     auto baked = std::make_shared<Baked>();
-    baked->scene = grf::read(from, diagnostics);
-    if (baked->scene) {
-      grf::relocate(*baked->scene, from, to);
+    if (const auto scene = grf::read(file, diagnostics)) {
+      baked->irradiance.emplace(snapshot, *scene);
     } else {
       baked->problem = text_of(diagnostics);
     }
@@ -111,14 +110,16 @@ void IrradianceBake::end(const RendererEnd& end) {
 }
 
 void IrradianceBake::finish() {
-  const Baked baked = std::move(*reading_.result());  // the future would keep the scene
-  if (!baked.scene) return give_up(without_snapshot(baked.problem));
+  const Baked baked = std::move(*reading_.result());  // the future would keep it
+  if (!baked.irradiance) return give_up(without_snapshot(baked.problem));
   is_running_ = false;
-  emit finished(*baked.scene, result_);
+  snapshot_ = {};
+  emit finished(*baked.irradiance, result_);
 }
 
 void IrradianceBake::give_up(const QString& why) {
   is_running_ = false;
+  snapshot_ = {};
   emit failed(why);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "editor/rendering/baked_irradiance.h"
 #include "editor/rendering/render_report.h"
 #include "editor/rendering/renderer_process.h"
 #include "grf/scene.h"
@@ -43,18 +44,15 @@ class IrradianceBake : public QObject {
 
  signals:
   void progressed(double done, std::optional<double> seconds_left);
-  /// The scene of `start` with irradiance, as one file that is named as it was: the blocks of included files
-  /// stand in the place of the include. A mesh that stands at several places by `use` has other irradiance at
-  /// each: it is written out for all places but the first, as definitions `name$2`, `name$3`, ..., of which
-  /// the messages tell.
-  void finished(const grf::Scene& scene, const editor::IrradianceBakeResult& result);
+  /// What is known of the scene of `start`, which may be another one by now.
+  void finished(const editor::BakedIrradiance& irradiance, const editor::IrradianceBakeResult& result);
   /// There is no irradiance, and why; a text without its stop.
   void failed(const QString& why);
 
  private:
-  /// A scene, or what is wrong with it.
+  /// What was found, or what is wrong with it.
   struct Baked {
-    std::optional<grf::Scene> scene;
+    std::optional<BakedIrradiance> irradiance;
     QString problem;
   };
 
@@ -70,7 +68,7 @@ class IrradianceBake : public QObject {
   QTemporaryDir folder_;
   bool is_running_ = false;
   bool is_stopped_ = false;
-  QString path_;
+  grf::Scene snapshot_;
   int directions_ = 0;
   QFutureWatcher<QString> writing_;
   QFutureWatcher<std::shared_ptr<Baked>> reading_;

@@ -21,6 +21,7 @@
 #include "editor/window/actions.h"
 #include "editor/window/scene_loader.h"
 #include "grf/read.h"
+#include "grf/text_file.h"
 
 namespace editor {
 namespace {
@@ -43,6 +44,12 @@ QString export_filter() {
 
 QString name_for_export(const Document& document) {
   return QFileInfo(document.path().isEmpty() ? "scene" : document.path()).completeBaseName();
+}
+
+/// The same name with the extension of files that may have irradiance.
+QString igrf_name(const QString& file) {
+  const QFileInfo info(file);
+  return info.dir().filePath(info.completeBaseName() + ".igrf");
 }
 
 }  // namespace
@@ -150,10 +157,14 @@ void FileActions::update_recent() {
 
 void FileActions::ask_where_to_save(const std::function<void()>& then) {
   const QString proposal = document_.path().isEmpty() ? QString("scene.grf") : document_.path();
+  const bool is_igrf = grf::has_irradiance(document_.scene().contents);
   QString file =
-      QFileDialog::getSaveFileName(&window_, tr("Save as"), proposal, tr("GRF scenes (*.grf *.igrf)"));
+      is_igrf
+          ? QFileDialog::getSaveFileName(&window_, tr("Save as: irradiance needs an IGRF file"),
+                                         igrf_name(proposal), tr("IGRF scenes (*.igrf)"))
+          : QFileDialog::getSaveFileName(&window_, tr("Save as"), proposal, tr("GRF scenes (*.grf *.igrf)"));
   if (file.isEmpty()) return;
-  if (!is_grf(file)) file += ".grf";
+  if (!is_grf(file)) file += is_igrf ? ".igrf" : ".grf";
   save_as(file);
   if (then && !document_.is_modified()) then();
 }
@@ -233,7 +244,10 @@ void FileActions::put_in_place(const Import& import, const std::function<void()>
 }
 
 void FileActions::save(const std::function<void()>& then) {
-  if (document_.path().isEmpty()) return ask_where_to_save(then);
+  // A file that had no irradiance is kept: scenes with it go beside.
+  const bool needs_igrf =
+      grf::has_irradiance(document_.scene().contents) && !grf::is_igrf_name(document_.path().toStdString());
+  if (document_.path().isEmpty() || needs_igrf) return ask_where_to_save(then);
   save_as(document_.path());
   if (then && !document_.is_modified()) then();
 }

@@ -28,6 +28,7 @@
 #include "editor/panels/surface_panel.h"
 #include "editor/programs/bundled_program.h"
 #include "editor/rendering/irradiance_bake.h"
+#include "editor/rendering/render_files.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/brdf_link.h"
@@ -229,13 +230,7 @@ void MainWindow::connect_panels() {
     status_->end_work();
     fail(why);
   });
-  connect(
-      bake_, &IrradianceBake::finished, this,
-      [this](const grf::Scene& scene, const IrradianceBakeResult& result) {
-        status_->end_work();
-        document_.replace(tr("Bake irradiance"), scene);
-        tell(result.messages.isEmpty() ? tr("Irradiance is at the vertices now") : result.messages.trimmed());
-      });
+  connect(bake_, &IrradianceBake::finished, this, &MainWindow::take_irradiance);
 }
 
 void MainWindow::connect_images() {
@@ -336,6 +331,28 @@ void MainWindow::bake() {
   options::RenderOptions bake_options = document_.options().valid_options();
   bake_options.samples.reset();  // those of a pixel say nothing of a vertex
   bake_->start(document_.scene(), document_.path(), bake_options);
+}
+
+void MainWindow::take_irradiance(const BakedIrradiance& irradiance, const IrradianceBakeResult& result) {
+  status_->end_work();
+  IrradiatedScene irradiated =
+      irradiance.applied_to(document_.scene(), naming_path(document_.path()).toStdString());
+  if (irradiated.meshes == 0) {
+    return fail(tr("The irradiance that was baked is left out: no mesh of its scene is as it was"));
+  }
+  document_.replace(tr("Bake irradiance"), std::move(irradiated.scene));
+  QStringList messages = {tr("Irradiance is at the vertices now. IGRF files keep it.")};
+  if (!result.messages.isEmpty()) messages << result.messages.trimmed();
+  if (irradiated.left_alone > 0) {
+    messages << tr("%n mesh(es) were edited meanwhile, and keep what they had.", nullptr,
+                   static_cast<int>(irradiated.left_alone));
+  }
+  if (irradiated.dissolved > 0) {
+    messages << tr(
+        "Files that are included several times get other light at each place, and are part of the "
+        "scene now.");
+  }
+  tell(messages.join('\n'));
 }
 
 void MainWindow::open(const QStringList& files) {

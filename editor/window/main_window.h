@@ -17,12 +17,14 @@ class QTabWidget;
 
 namespace editor {
 
+class BakedIrradiance;
 class BrdfEditor;
 class BrdfLink;
 class FileActions;
 class ImageBrowser;
 class ImageServer;
 class IrradianceBake;
+struct IrradianceBakeResult;
 class LightPanel;
 class MeshActions;
 class MessagePanel;
@@ -90,6 +92,7 @@ class MainWindow : public QMainWindow {
   void show_page(QWidget& page, const QString& title, const QString& tip);
   void show_source(const grf::SourceLocation& location);
   void bake();
+  void take_irradiance(const BakedIrradiance& irradiance, const IrradianceBakeResult& result);
   void recover(const LostWork& work);
 
   // main_window_menus.cpp

@@ -32,16 +32,24 @@ grf::UniqueNames defined_names(const grf::Scene& scene) {
   return names;
 }
 
-/// Walks through the blocks in the order of `grf::visit`, which is that of the bake's vertices.
+grf::Irradiance value_of(const Bake& bake, std::size_t vertex, const Matrix44d& to_mesh) {
+  if (bake.settings().directions == 0) return bake.irradiance(vertex);
+  std::vector<grf::DirectionalIrradiance> list;
+  for (const Vec3f& direction : bake.directions(vertex)) {
+    grf::Vec3d in_mesh;
+    to_mesh.multDirMatrix(grf::Vec3d(direction), in_mesh);
+    list.push_back({Vec3f(in_mesh.normalized()), bake.irradiance(vertex, static_cast<int>(list.size()))});
+  }
+  return list;
+}
+
+/// Walks through the blocks in the order of `grf::visit`.
 class IrradianceWriter {
  public:
-  IrradianceWriter(BakedScene& baked, const Bake& bake)
-      : baked_(baked), bake_(bake), names_(defined_names(baked.scene)) {}
+  IrradianceWriter(BakedScene& baked, const ArrivingIrradiance& arriving)
+      : baked_(baked), arriving_(arriving), names_(defined_names(baked.scene)) {}
 
-  void write() {
-    write(baked_.scene.contents, Matrix44d());
-    assert(next_ == bake_.vertex_count());
-  }
+  void write() { write(baked_.scene.contents, Matrix44d()); }
 
  private:
   /// What became of a definition in the places where it was used.
@@ -56,7 +64,7 @@ class IrradianceWriter {
       std::visit([&](auto& content) { write(content, to_world); }, block.content);
     }
   }
-  void write(Shared<Mesh>& mesh, const Matrix44d& to_world) { fill(mesh.edit(), to_world); }
+  void write(Shared<Mesh>& mesh, const Matrix44d& to_world) { fill(mesh, to_world); }
   void write(grf::MeshLight& light, const Matrix44d&) {
     if (!light.mesh->irradiance->empty()) light.mesh.edit().irradiance = {};
   }
@@ -66,41 +74,25 @@ class IrradianceWriter {
   void write(DefinitionScope& scope, const Matrix44d& to_world);
   void write(grf::Use& use, const Matrix44d& to_world);
   void write(grf::Include& include, const Matrix44d& to_world) {
-    write(include.contents.edit(), to_world);  // a flat scene has none
+    const Shared<BlockList> before = include.contents;
+    write(include.contents.edit(), to_world);
+    if (include.contents == before) include.contents = before;  // and is shared as it was
   }
   void write(grf::AreaLight&, const Matrix44d&) {}
   void write(grf::Params&, const Matrix44d&) {}
 
-  void fill(Mesh& mesh, const Matrix44d& to_world);
-  grf::Irradiance value_of(std::size_t vertex, const Matrix44d& to_mesh) const;
+  void fill(Shared<Mesh>& mesh, const Matrix44d& to_world);
   std::string free_name(const std::string& name, std::size_t number);
 
   BakedScene& baked_;
-  const Bake& bake_;
+  const ArrivingIrradiance& arriving_;
   grf::UniqueNames names_;
   /// What each name means, the innermost last.
   std::map<std::string, std::vector<Used>> in_scope_;
-  std::size_t next_ = 0;  ///< vertex of the bake
 };
 
-void IrradianceWriter::fill(Mesh& mesh, const Matrix44d& to_world) {
-  const Matrix44d to_mesh = to_world.inverse();
-  grf::VertexIrradiance irradiance;
-  for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i, ++next_) {
-    if (bake_.has_value(next_)) irradiance.set(i, value_of(next_, to_mesh));
-  }
-  mesh.irradiance = std::move(irradiance);
-}
-
-grf::Irradiance IrradianceWriter::value_of(std::size_t vertex, const Matrix44d& to_mesh) const {
-  if (bake_.settings().directions == 0) return bake_.irradiance(vertex);
-  std::vector<grf::DirectionalIrradiance> list;
-  for (const Vec3f& direction : bake_.directions(vertex)) {
-    grf::Vec3d in_mesh;
-    to_mesh.multDirMatrix(grf::Vec3d(direction), in_mesh);
-    list.push_back({Vec3f(in_mesh.normalized()), bake_.irradiance(vertex, static_cast<int>(list.size()))});
-  }
-  return list;
+void IrradianceWriter::fill(Shared<Mesh>& mesh, const Matrix44d& to_world) {
+  if (auto irradiance = arriving_(*mesh, to_world)) mesh.edit().irradiance = *std::move(irradiance);
 }
 
 std::string IrradianceWriter::free_name(const std::string& name, std::size_t number) {
@@ -110,9 +102,9 @@ std::string IrradianceWriter::free_name(const std::string& name, std::size_t num
 void IrradianceWriter::write(grf::Use& use, const Matrix44d& to_world) {
   Used& used = in_scope_.at(use.mesh.name).back();
   auto& mesh = std::get<Shared<Mesh>>(used.definition->body);
-  if (++used.places == 1) return fill(mesh.edit(), to_world);
+  if (++used.places == 1) return fill(mesh, to_world);
   Definition copy{free_name(use.mesh.name, used.places), mesh, {}, used.definition->location};
-  fill(std::get<Shared<Mesh>>(copy.body).edit(), to_world);
+  fill(std::get<Shared<Mesh>>(copy.body), to_world);
   use.mesh.name = copy.name;
   used.copies.push_back(std::move(copy));
 }
@@ -135,10 +127,24 @@ void IrradianceWriter::write(DefinitionScope& scope, const Matrix44d& to_world) 
 
 }  // namespace
 
-BakedScene with_irradiance(grf::Scene scene, const Bake& bake) {
+BakedScene with_irradiance(grf::Scene scene, const ArrivingIrradiance& arriving) {
   BakedScene baked;
   baked.scene = std::move(scene);
-  IrradianceWriter(baked, bake).write();
+  IrradianceWriter(baked, arriving).write();
+  return baked;
+}
+
+BakedScene with_irradiance(grf::Scene scene, const Bake& bake) {
+  std::size_t next = 0;  // vertex of the bake, whose order is that of the visit
+  BakedScene baked = with_irradiance(std::move(scene), [&](const Mesh& mesh, const Matrix44d& to_world) {
+    const Matrix44d to_mesh = to_world.inverse();
+    grf::VertexIrradiance irradiance;
+    for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i, ++next) {
+      if (bake.has_value(next)) irradiance.set(i, value_of(bake, next, to_mesh));
+    }
+    return std::optional(std::move(irradiance));
+  });
+  assert(next == bake.vertex_count());
   return baked;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
@@ -15,11 +17,20 @@ struct BakedScene {
   std::size_t copies = 0;         ///< that were made of them
 };
 
-/// Gives the vertices of a flat scene (`grf::flatten`) the irradiance of a bake that has ended, in place of
-/// what they had; those of lights have none. Directions are in the mesh's coordinates, as positions are.
+/// What arrives at the vertices of a mesh at one of its places, in the mesh's coordinates; nothing leaves
+/// what the mesh has.
+using ArrivingIrradiance = std::function<std::optional<grf::VertexIrradiance>(
+    const grf::Mesh& mesh, const grf::Matrix44d& to_world)>;
+
+/// Gives the vertices of a scene irradiance, mesh by mesh in the order of `grf::visit`, in place of what they
+/// had; those of lights have none.
 ///
 /// What arrives differs from place to place: of a mesh that is placed by `use` more than once, all places but
-/// the first get a copy, defined beside it as `name$2`, `name$3`, ...
+/// the first get a copy, defined beside it as `name$2`, `name$3`, ... Includes are kept, each with contents
+/// of its own.
+BakedScene with_irradiance(grf::Scene scene, const ArrivingIrradiance& arriving);
+
+/// The same for a flat scene (`grf::flatten`) and a bake of it that has ended.
 BakedScene with_irradiance(grf::Scene scene, const Bake& bake);
 
 /// False after an error if the copies that `with_irradiance` would make have more vertices than that, all

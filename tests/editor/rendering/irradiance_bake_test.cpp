@@ -35,8 +35,8 @@ class IrradianceBakeTest : public testing::Test {
  protected:
   IrradianceBakeTest() {
     QObject::connect(&bake_, &IrradianceBake::finished,
-                     [this](const grf::Scene& scene, const IrradianceBakeResult& result) {
-                       scene_ = scene;
+                     [this](const editor::BakedIrradiance& irradiance, const IrradianceBakeResult& result) {
+                       scene_ = irradiance.applied_to(edited_, folder_.path("scene.grf")).scene;
                        result_ = result;
                      });
     QObject::connect(&bake_, &IrradianceBake::failed,
@@ -47,6 +47,11 @@ class IrradianceBakeTest : public testing::Test {
   bool ends() {
     return QTest::qWaitFor([this] { return !bake_.is_running(); }, test::Minute);
   }
+  void bake(const grf::Scene& scene, const QString& file, const options::RenderOptions& options = {},
+            int directions = 0) {
+    edited_ = scene;
+    bake_.start(scene, file, options, directions);
+  }
   float irradiance(std::size_t vertex) {
     return std::get<grf::Colour>((*test::first_mesh(*scene_)->irradiance)[vertex]).x;
   }
@@ -54,6 +59,7 @@ class IrradianceBakeTest : public testing::Test {
   test::TemporaryFolder folder_;
   IrradianceBake bake_;
   const grf::Scene corner_ = test::scene_of_text(test::Corner);
+  grf::Scene edited_;  ///< the scene, once it is baked
   std::optional<grf::Scene> scene_;
   IrradianceBakeResult result_;
   std::string why_;
@@ -61,7 +67,7 @@ class IrradianceBakeTest : public testing::Test {
 
 TEST_F(IrradianceBakeTest, GivesTheSceneIrradianceAndChangesNothingElse) {
   QSignalSpy progress(&bake_, &IrradianceBake::progressed);
-  bake_.start(corner_, path("scene.grf"), with_samples(256));  // no such file
+  bake(corner_, path("scene.grf"), with_samples(256));  // no such file
   ASSERT_TRUE(ends());
   ASSERT_TRUE(scene_) << why_;
   EXPECT_EQ(without_irradiance(*scene_), corner_);
@@ -93,7 +99,7 @@ TEST_F(IrradianceBakeTest, NamesFilesAsTheSceneDoes) {
   mesh.surface_of_face.edit()[1] = 1;
   options::RenderOptions render_options = with_samples(4);
   render_options.environment = "maps/paper.pfm";
-  bake_.start(scene, path("scene.grf"), render_options);
+  bake(scene, path("scene.grf"), render_options);
   ASSERT_TRUE(ends());
   ASSERT_TRUE(scene_) << why_;
   EXPECT_EQ(without_irradiance(*scene_), scene);
@@ -104,13 +110,13 @@ TEST_F(IrradianceBakeTest, NamesFilesAsTheSceneDoes) {
 TEST_F(IrradianceBakeTest, HeedsTheOptions) {
   options::RenderOptions render_options;
   render_options.target_error = 0.05F;
-  bake_.start(corner_, {}, render_options);
+  bake(corner_, {}, render_options);
   ASSERT_TRUE(ends());
   ASSERT_TRUE(scene_) << why_;
   EXPECT_LE(*result_.summary.estimated_error, 0.05F);
   const double rough = result_.summary.samples;
   render_options.target_error = 0.01F;
-  bake_.start(corner_, {}, render_options, 3);
+  bake(corner_, {}, render_options, 3);
   ASSERT_TRUE(ends());
   EXPECT_LE(*result_.summary.estimated_error, 0.01F);
   EXPECT_GT(result_.summary.samples, 2 * rough);
@@ -124,7 +130,7 @@ TEST_F(IrradianceBakeTest, WritesRepeatedMeshesOutAndSaysSo) {
       "def tile = begin mesh brdf diffuse begin vertexs (0,0,1) (1,0,0) (0,0,0) end vertexs\n"
       "begin faces (0,1,2) end faces end mesh begin\n"
       "use tile transform translation (0,1,0) begin use tile end end\n");
-  bake_.start(scene, path("scene.grf"), with_samples(4));
+  bake(scene, path("scene.grf"), with_samples(4));
   ASSERT_TRUE(ends());
   ASSERT_TRUE(scene_) << why_;
   EXPECT_THAT(result_.messages.toStdString(), HasSubstr("copies of them are written out"));
@@ -133,7 +139,7 @@ TEST_F(IrradianceBakeTest, WritesRepeatedMeshesOutAndSaysSo) {
 
 TEST_F(IrradianceBakeTest, KeepsWhatThereIsWhenItIsStopped) {
   QSignalSpy progress(&bake_, &IrradianceBake::progressed);
-  bake_.start(corner_, path("scene.grf"), with_samples(2'000'000'000));
+  bake(corner_, path("scene.grf"), with_samples(2'000'000'000));
   ASSERT_TRUE(QTest::qWaitFor([&] { return progress.size() > 1; }, test::Minute));
   bake_.stop();
   ASSERT_TRUE(ends());
@@ -144,8 +150,8 @@ TEST_F(IrradianceBakeTest, KeepsWhatThereIsWhenItIsStopped) {
 }
 
 TEST_F(IrradianceBakeTest, CanBeStoppedAtOnce) {
-  bake_.start(corner_, path("scene.grf"), with_samples(2'000'000'000));
-  bake_.start(corner_, path("scene.grf"));
+  bake(corner_, path("scene.grf"), with_samples(2'000'000'000));
+  bake(corner_, path("scene.grf"));
   EXPECT_THAT(why_, HasSubstr("stop that first"));
   bake_.stop();
   ASSERT_TRUE(ends());
@@ -156,15 +162,15 @@ TEST_F(IrradianceBakeTest, CanBeStoppedAtOnce) {
 TEST_F(IrradianceBakeTest, SaysWhatIsWrongWithTheScene) {
   grf::Scene scene = corner_;
   test::first_mesh(scene).edit().surfaces[0].texture = grf::Texture{"lost.png", {}};
-  bake_.start(scene, path("scene.grf"));
+  bake(scene, path("scene.grf"));
   ASSERT_TRUE(ends());
   EXPECT_FALSE(scene_);
   EXPECT_THAT(why_, HasSubstr("error: cannot read '" + folder_.path("lost.png")));
   EXPECT_THAT(why_, Not(HasSubstr("scene.grf"))) << "which is the snapshot";
-  bake_.start(test::scene_of_text("light begin (0,0,1) (0,1,0) (1,0,0) end"), {});
+  bake(test::scene_of_text("light begin (0,0,1) (0,1,0) (1,0,0) end"), {});
   ASSERT_TRUE(ends());
   EXPECT_THAT(why_, HasSubstr("the scene has no mesh"));
-  bake_.start(corner_, {}, with_samples(4));
+  bake(corner_, {}, with_samples(4));
   ASSERT_TRUE(ends());
   EXPECT_TRUE(scene_) << "and bakes again: " << why_;
 }

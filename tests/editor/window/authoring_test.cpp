@@ -15,11 +15,13 @@
 #include "editor/brdf/brdf_editor.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/brdf_mime.h"
+#include "editor/document/light_edits.h"
 #include "editor/document/model_import.h"
 #include "editor/image/image_browser.h"
 #include "editor/options/options_window.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/surface_panel.h"
+#include "editor/rendering/irradiance_bake.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
@@ -347,6 +349,74 @@ class FileTyping {
  private:
   QTimer timer_;
 };
+
+/// A lit floor, half of which is in an included file.
+void add_lit_floor(const test::TemporaryFolder& folder) {
+  const std::string floor =
+      "begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs begin faces (0,1,2,3) end faces "
+      "end mesh\n";
+  folder.add("floor.grf", floor);
+  folder.add("scene.grf",
+             "light begin (0,0,1) (1,0,0) (0,1,0) end\ninclude \"floor.grf\"\n"
+             "transform translation (1,0,0) begin " +
+                 floor + "end\n");
+  folder.add("other.grf", "light begin (0,0,1) (1,0,0) (0,1,0) end\n" + floor);
+}
+
+std::size_t lit_vertices(const Document& document) {
+  std::size_t count = 0;
+  for (const MeshObject& object : document.objects().meshes) {
+    for (std::size_t i = 0; i < object.mesh->geometry->positions.size(); ++i) {
+      if (object.mesh->irradiance->has(i)) ++count;
+    }
+  }
+  return count;
+}
+
+TEST_F(Authoring, BakesIrradianceIntoTheSceneAsItIsAndSavesItAsIgrf) {
+  add_lit_floor(folder_);
+  open(path("scene.grf"));
+  test::action(window_, "Bake irradiance").trigger();
+  document().replace("Add an observer", add_observer(document().scene(), {0, 0, 5}));  // meanwhile
+  ASSERT_TRUE(QTest::qWaitFor([this] { return lit_vertices(document()) == 8; }, Minute));
+  EXPECT_EQ(document().objects().observers.size(), 1U);
+  EXPECT_EQ(document().undo_stack().undoText(), "Bake irradiance");
+  {
+    FileTyping accepts("");
+    test::action(window_, "Save").trigger();
+  }
+  EXPECT_EQ(document().path(), path("scene.igrf"));
+  EXPECT_FALSE(document().is_modified());
+  grf::Diagnostics diagnostics;
+  const auto saved = grf::read(folder_.path("scene.igrf"), diagnostics);
+  ASSERT_TRUE(saved) << diagnostics.to_text();
+  EXPECT_EQ(*saved, document().scene());
+  const auto& blocks = saved->contents.blocks;
+  EXPECT_TRUE(std::any_of(blocks.begin(), blocks.end(), [](const grf::Block& block) {
+    const auto* include = std::get_if<grf::Include>(&block.content);
+    return include != nullptr && include->file == "floor.igrf";
+  }));
+  EXPECT_TRUE(QFile::exists(path("floor.grf")));
+  document().undo_stack().undo();
+  EXPECT_EQ(lit_vertices(document()), 0U);
+}
+
+TEST_F(Authoring, GivesNoIrradianceToASceneThatWasOpenedMeanwhile) {
+  add_lit_floor(folder_);
+  open(path("scene.grf"));
+  test::action(window_, "Bake irradiance").trigger();
+  grf::Diagnostics diagnostics;
+  const auto other = grf::read(folder_.path("other.grf"), diagnostics);
+  ASSERT_TRUE(other) << diagnostics.to_text();
+  document().take(*other, path("other.grf"), {});
+  const auto* bake = window_.findChild<IrradianceBake*>();
+  ASSERT_NE(bake, nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([bake] { return !bake->is_running(); }, Minute));
+  EXPECT_EQ(document().scene(), *other);
+  EXPECT_EQ(document().path(), path("other.grf"));
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("irradiance that was baked is left out"));
+}
 
 TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
   QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));

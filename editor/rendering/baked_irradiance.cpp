@@ -1,0 +1,149 @@
+#include "editor/rendering/baked_irradiance.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "editor/document/scene_places.h"
+#include "grf/relocate.h"
+#include "grf/text_file.h"
+#include "grf/visit.h"
+#include "renderer/transport/baked_scene.h"
+
+namespace editor {
+namespace {
+
+std::vector<grf::Params> observers_of(const grf::Scene& scene) {
+  std::vector<grf::Params> observers;
+  grf::SceneVisitor visitor;
+  visitor.params = [&](const grf::Params& params, const grf::Placement&, const grf::Block&) {
+    if (!params.views.empty()) observers.push_back(params);
+  };
+  grf::visit(scene, visitor);
+  return observers;
+}
+
+using Counts = std::map<std::string, std::size_t>;
+
+/// Counts how often each file is included that was read.
+void count_includes(const grf::BlockList& list, Counts& counts) {
+  for (const grf::Block& block : list.blocks) {
+    if (const auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      count_includes(transform->body, counts);
+    } else if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
+      count_includes(scope->body, counts);
+    } else if (const auto* include = std::get_if<grf::Include>(&block.content)) {
+      if (!include->origin.path.empty()) ++counts[include->origin.path];
+      count_includes(*include->contents, counts);
+    }
+  }
+}
+
+/// A name for the IGRF file that an included file becomes, at which there is no file yet.
+std::string igrf_name(const std::string& file, const std::string& naming_file) {
+  const std::filesystem::path old = file;
+  std::filesystem::path name = old;
+  name.replace_extension(".igrf");
+  for (int i = 2; std::filesystem::exists(grf::path_beside(naming_file, name.string())); ++i) {
+    name = old.parent_path() / (old.stem().string() + "_" + std::to_string(i) + ".igrf");
+  }
+  return name.string();
+}
+
+/// Makes files of includes that hold irradiance such as can be written.
+class IncludeKeeper {
+ public:
+  explicit IncludeKeeper(const grf::BlockList& contents) { count_includes(contents, counts_); }
+
+  /// The file is that which names those that the list includes.
+  void keep(grf::BlockList& list, const std::string& naming_file) {
+    std::vector<grf::Block> blocks;
+    blocks.reserve(list.blocks.size());
+    for (grf::Block& block : list.blocks) {
+      if (auto* transform = std::get_if<grf::Transform>(&block.content)) keep(transform->body, naming_file);
+      if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) keep(scope->body, naming_file);
+      auto* include = std::get_if<grf::Include>(&block.content);
+      if (include == nullptr || !keep(*include, naming_file)) {
+        blocks.push_back(std::move(block));
+        continue;
+      }
+      ++dissolved_;
+      grf::Scene part;
+      part.contents.blocks.push_back(std::move(block));
+      part = grf::flatten(part, naming_file);
+      std::move(part.contents.blocks.begin(), part.contents.blocks.end(), std::back_inserter(blocks));
+    }
+    list.blocks = std::move(blocks);
+  }
+  std::size_t dissolved() const { return dissolved_; }
+
+ private:
+  /// Whether it has to be dissolved.
+  bool keep(grf::Include& include, const std::string& naming_file) {
+    grf::BlockList inside = *include.contents;
+    keep(inside, grf::path_beside(naming_file, include.file));
+    if (!(inside == *include.contents)) include.contents = std::move(inside);
+    if (!grf::has_irradiance(*include.contents)) return false;
+    const auto count = counts_.find(include.origin.path);
+    if (count != counts_.end() && count->second > 1) return true;
+    if (!grf::is_igrf_name(include.file)) include.file = igrf_name(include.file, naming_file);
+    return false;
+  }
+
+  Counts counts_;
+  std::size_t dissolved_ = 0;
+};
+
+}  // namespace
+
+BakedIrradiance::BakedIrradiance(const grf::Scene& snapshot, const grf::Scene& baked)
+    : observers_(observers_of(baked)) {
+  std::vector<grf::Shared<grf::VertexIrradiance>> irradiances;
+  grf::SceneVisitor collect;
+  collect.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
+    irradiances.push_back(mesh.irradiance);
+  };
+  grf::visit(baked, collect);
+  std::size_t next = 0;
+  grf::SceneVisitor match;
+  match.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    if (next < irradiances.size()) {
+      places_.emplace(&*mesh.geometry, Place{mesh.geometry, placement.to_world, irradiances[next]});
+    }
+    ++next;
+  };
+  grf::visit(snapshot, match);
+  if (next != irradiances.size()) places_.clear();
+}
+
+const BakedIrradiance::Place* BakedIrradiance::find(const grf::Mesh& mesh,
+                                                    const grf::Matrix44d& to_world) const {
+  const auto [begin, end] = places_.equal_range(&*mesh.geometry);
+  const auto place =
+      std::find_if(begin, end, [&](const auto& each) { return each.second.to_world == to_world; });
+  return place == end ? nullptr : &place->second;
+}
+
+IrradiatedScene BakedIrradiance::applied_to(grf::Scene scene, const std::string& path) const {
+  IrradiatedScene result;
+  const auto arriving = [&](const grf::Mesh& mesh,
+                            const grf::Matrix44d& to_world) -> std::optional<grf::VertexIrradiance> {
+    const Place* place = find(mesh, to_world);
+    ++(place == nullptr ? result.left_alone : result.meshes);
+    if (place == nullptr) return std::nullopt;
+    return *place->irradiance;
+  };
+  IncludeKeeper includes(scene.contents);
+  result.scene = transport::with_irradiance(std::move(scene), arriving).scene;
+  includes.keep(result.scene.contents, path);
+  result.dissolved = includes.dissolved();
+  if (result.meshes == 0 || !observers_of(result.scene).empty()) return result;
+  for (const grf::Params& observer : observers_) {
+    outermost_blocks(result.scene).blocks.emplace_back().content = observer;
+  }
+  return result;
+}
+
+}  // namespace editor

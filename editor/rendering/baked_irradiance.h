@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "grf/scene.h"
+
+namespace editor {
+
+/// A scene that has taken up irradiance.
+struct IrradiatedScene {
+  grf::Scene scene;
+  std::size_t meshes = 0;      ///< places of meshes that have got irradiance
+  std::size_t left_alone = 0;  ///< places of meshes that were not baked as they are now
+  std::size_t dissolved = 0;   ///< includes whose blocks stand in the scene itself now
+};
+
+/// What a bake found at the vertices of a snapshot, to be given to the scene as it is by now.
+class BakedIrradiance {
+ public:
+  BakedIrradiance() = default;
+  /// The second scene is the first with irradiance: includes may be dissolved in it, and meshes copied, but
+  /// their order is the same. Otherwise it is of no mesh.
+  BakedIrradiance(const grf::Scene& snapshot, const grf::Scene& baked);
+
+  /// Gives irradiance to each place of a mesh whose vertices and place are those of the snapshot. The path is
+  /// that of the scene's file.
+  ///
+  /// Includes stay: a file that comes to have irradiance gets a name that ends in `.igrf`. One that is
+  /// included at several places, where other light arrives, becomes part of the scene. A scene that names no
+  /// observer takes over that of the bake.
+  IrradiatedScene applied_to(grf::Scene scene, const std::string& path) const;
+
+ private:
+  /// A mesh at one of its places.
+  struct Place {
+    grf::SharedGeometry geometry;
+    grf::Matrix44d to_world;
+    grf::Shared<grf::VertexIrradiance> irradiance;
+  };
+
+  const Place* find(const grf::Mesh& mesh, const grf::Matrix44d& to_world) const;
+
+  std::multimap<const grf::Geometry*, Place> places_;
+  std::vector<grf::Params> observers_;
+};
+
+}  // namespace editor
