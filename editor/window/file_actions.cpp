@@ -89,6 +89,7 @@ FileActions::FileActions(Document& document, QWidget& window)
     : QObject(&window),
       document_(document),
       window_(window),
+      outside_(document, this),
       import_(std::make_unique<ModelImport>(ModelImport::default_folder())),
       reading_(std::make_unique<BackgroundJob<ReadScene>>(this)) {
   connect(import_.get(), &ModelImport::done, this,
@@ -125,6 +126,8 @@ void FileActions::make_actions() {
   add(tr("&Save"), "save", QKeySequence::Save, tr("Save the scene"), [this] { save(); });
   add(tr("Save &as..."), {}, QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"),
       [this] { ask_where_to_save({}); });
+  add(tr("Re&vert"), {}, QKeySequence("Ctrl+Shift+R"),
+      tr("Read the scene's file again, as it was saved last"), [this] { revert(); });
   add(tr("&Export..."), {}, QKeySequence("Ctrl+E"), tr("Write the scene in another format"), [this] {
     const QString file =
         QFileDialog::getSaveFileName(&window_, tr("Export"), name_for_export(document_), export_filter());
@@ -140,7 +143,7 @@ void FileActions::fill(QMenu& menu) {
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::update_recent);
   update_recent();
   for (int i = 2; i < actions_.size(); ++i) {
-    if (i == 3 || i == 5) menu.addSeparator();
+    if (i == 3 || i == 6) menu.addSeparator();
     menu.addAction(actions_[i]);
   }
 }
@@ -252,7 +255,36 @@ void FileActions::save(const std::function<void()>& then) {
   if (then && !document_.is_modified()) then();
 }
 
+/// What is named as it was would be written over what the document has not read.
+bool FileActions::may_overwrite() {
+  const QStringList changed = outside_.files();
+  if (changed.isEmpty()) return true;
+  QMessageBox question(QMessageBox::Warning, tr("Changed by another program"),
+                       tr("%1 was changed by another program since it was read.").arg(changed.join(", ")),
+                       QMessageBox::Save | QMessageBox::Cancel, &window_);
+  question.setInformativeText(tr("Saving replaces what that program has written."));
+  question.button(QMessageBox::Save)->setText(tr("Replace it"));
+  question.setDefaultButton(QMessageBox::Cancel);
+  return question.exec() == QMessageBox::Save;
+}
+
+void FileActions::revert() {
+  const QString file = document_.path();
+  if (file.isEmpty()) return emit done(tr("The scene was never saved"));
+  if (document_.is_modified()) {
+    QMessageBox question(QMessageBox::Warning, tr("Revert"),
+                         tr("%1 has changes that are not saved.").arg(document_.name()),
+                         QMessageBox::Discard | QMessageBox::Cancel, &window_);
+    question.setInformativeText(tr("They cannot be brought back once the file is read again."));
+    question.button(QMessageBox::Discard)->setText(tr("Revert"));
+    question.setDefaultButton(QMessageBox::Cancel);
+    if (question.exec() != QMessageBox::Discard) return;
+  }
+  begin(file, false);
+}
+
 void FileActions::save_as(const QString& file) {
+  if (file == document_.path() && !may_overwrite()) return;
   grf::Diagnostics diagnostics;
   if (!document_.save(file, diagnostics)) return emit failed(QString::fromStdString(diagnostics.to_text()));
   add_recent_file(file);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "editor/window/outside_changes.h"
 #include "grf/diagnostics.h"
 
 class QAction;
@@ -21,9 +22,9 @@ struct ImportedModel;
 template <class Result>
 class BackgroundJob;
 
-/// All that one does with files: new, open, recent, import, merge, save, export. One place decides what a
-/// file is, whether it comes from a menu, a drop or the command line: GRF is read here, what is large in a
-/// thread; all else is imported in a process of its own.
+/// All that one does with files: new, open, recent, import, merge, save, revert, export. One place decides
+/// what a file is, whether it comes from a menu, a drop or the command line: GRF is read here, what is large
+/// in a thread; all else is imported in a process of its own.
 class FileActions : public QObject {
   Q_OBJECT
 
@@ -40,10 +41,16 @@ class FileActions : public QObject {
   void merge(const QString& file);
   /// Saves where the scene is, or asks where. `then` is called once it is saved.
   void save(const std::function<void()>& then = {});
+  /// Asks first if another program has changed one of the scene's files since it was read.
   void save_as(const QString& file);
+  /// Reads the scene's file again; asks first if there is unsaved work, which goes then.
+  void revert();
   void export_to(const QString& file);
   /// Calls `then` at once if nothing is unsaved; else asks whether to save, discard or go on editing.
   void leave(const std::function<void()>& then);
+
+  /// What other programs have done to the scene's files.
+  OutsideChanges& outside_changes() { return outside_; }
 
   /// Whether something is being opened or imported, or waits for that.
   bool is_importing() const { return !imports_.empty(); }
@@ -78,8 +85,11 @@ class FileActions : public QObject {
   void put_in_place(const Import& import, const std::function<void()>& take);
   void update_recent();
 
+  bool may_overwrite();
+
   Document& document_;
   QWidget& window_;
+  OutsideChanges outside_;
   std::unique_ptr<ModelImport> import_;
   std::unique_ptr<BackgroundJob<ReadScene>> reading_;
   std::deque<Import> imports_;  ///< the first one is running

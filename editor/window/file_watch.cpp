@@ -10,6 +10,11 @@ constexpr int QuietMilliseconds = 150;
 
 }  // namespace
 
+FileStamp FileStamp::of(const QString& file) {
+  const QFileInfo info(file);
+  return info.exists() ? FileStamp{info.size(), info.lastModified()} : FileStamp{};
+}
+
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   quiet_.setSingleShot(true);
   quiet_.setInterval(QuietMilliseconds);
@@ -19,17 +24,12 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);
 }
 
-FileWatch::Stamp FileWatch::stamp_of(const QString& file) {
-  const QFileInfo info(file);
-  return info.exists() ? Stamp{info.size(), info.lastModified()} : Stamp{};
-}
-
 void FileWatch::follow(const QStringList& files) {
-  const std::map<QString, Stamp> before = std::exchange(files_, {});
+  const std::map<QString, FileStamp> before = std::exchange(files_, {});
   for (const QString& file : files) {
     const QString path = QFileInfo(file).absoluteFilePath();
     const auto known = before.find(path);
-    files_.emplace(path, known == before.end() ? stamp_of(path) : known->second);
+    files_.emplace(path, known == before.end() ? FileStamp::of(path) : known->second);
   }
   const QStringList watched = watcher_.files() + watcher_.directories();
   if (!watched.isEmpty()) watcher_.removePaths(watched);
@@ -49,7 +49,7 @@ void FileWatch::compare() {
   watch();
   bool is_other = false;
   for (auto& [file, stamp] : files_) {
-    const Stamp now = stamp_of(file);
+    const FileStamp now = FileStamp::of(file);
     is_other |= now != stamp;
     stamp = now;
   }

@@ -10,6 +10,15 @@
 
 namespace editor {
 
+/// Which contents a file has, as far as can be told without reading it.
+struct FileStamp {
+  qint64 bytes = -1;  ///< -1: it does not exist
+  QDateTime modified;
+
+  static FileStamp of(const QString& file);
+  bool operator==(const FileStamp&) const = default;
+};
+
 /// Tells that files are others than they were, once they are left alone for a moment: editors write a file in
 /// parts, or put another one in its place.
 class FileWatch : public QObject {
@@ -27,20 +36,12 @@ class FileWatch : public QObject {
   void changed();
 
  private:
-  struct Stamp {
-    qint64 bytes = -1;  ///< -1: it does not exist
-    QDateTime modified;
-
-    bool operator==(const Stamp&) const = default;
-  };
-
-  static Stamp stamp_of(const QString& file);
   void watch();
   void compare();
 
   QFileSystemWatcher watcher_;
   QTimer quiet_;
-  std::map<QString, Stamp> files_;
+  std::map<QString, FileStamp> files_;
 };
 
 }  // namespace editor

@@ -36,6 +36,7 @@
 #include "editor/window/mesh_actions.h"
 #include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
+#include "editor/window/scene_comparison.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/source_view.h"
 #include "editor/window/status_line.h"
@@ -176,6 +177,7 @@ void MainWindow::connect_files() {
   connect(files_, &FileActions::done, this, &MainWindow::tell);
   connect(files_, &FileActions::failed, this, &MainWindow::fail_file);
   connect(files_, &FileActions::reported, messages_, &MessagePanel::show_diagnostics);
+  connect(&files_->outside_changes(), &OutsideChanges::found, this, &MainWindow::tell_of_outside_changes);
   connect(files_, &FileActions::busy, this, [this](const QString& what) {
     if (what.isEmpty()) return status_->end_work();
     status_->begin_work(what, [this] { files_->cancel_import(); });
@@ -302,6 +304,21 @@ void MainWindow::show_source(const grf::SourceLocation& location) {
   if (source_ == nullptr) source_ = new SourceView(this);
   show_page(*source_, tr("Source"), tr("The text of the file that a message is about"));
   source_->show(location);
+}
+
+void MainWindow::tell_of_outside_changes(const QStringList& files) {
+  notice_->show_notice(
+      NoticeBar::Kind::Information, tr("Another program has changed %1.").arg(files.join(", ")),
+      {{tr("Reload"), tr("Reads the scene again; asks first if there are changes that are not saved"),
+        [this] { files_->revert(); }},
+       {tr("Compare"), tr("Shows how the scene differs from its file"),
+        [this] {
+          if (comparison_ == nullptr) comparison_ = new SceneComparison(this);
+          show_page(*comparison_, tr("Compare"), tr("How the scene differs from its file"));
+          comparison_->compare(document_.scene(), document_.path());
+        }},
+       {tr("Keep mine"), tr("Keeps the scene as it is here; saving replaces the file"),
+        [this] { files_->outside_changes().ignore(); }}});
 }
 
 void MainWindow::show_title() {

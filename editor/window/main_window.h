@@ -31,6 +31,7 @@ class MessagePanel;
 class NoticeBar;
 class RenderLink;
 class RenderPanel;
+class SceneComparison;
 class SceneTree;
 class SceneView;
 class SelectionActions;
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   void fail(const QString& message);
   void fail_file(const QString& message);
   void show_page(QWidget& page, const QString& title, const QString& tip);
+  void tell_of_outside_changes(const QStringList& files);
   void show_source(const grf::SourceLocation& location);
   void bake();
   void take_irradiance(const BakedIrradiance& irradiance, const IrradianceBakeResult& result);
@@ -131,6 +133,7 @@ class MainWindow : public QMainWindow {
   ImageServer* image_server_;
   IrradianceBake* bake_;
   ImageBrowser* images_ = nullptr;
+  SceneComparison* comparison_ = nullptr;
   QMenu* image_menu_ = nullptr;  ///< shown once there are images
   SourceView* source_ = nullptr;
 };

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -399,6 +400,41 @@ TEST_F(Authoring, BakesIrradianceIntoTheSceneAsItIsAndSavesItAsIgrf) {
   EXPECT_TRUE(QFile::exists(path("floor.grf")));
   document().undo_stack().undo();
   EXPECT_EQ(lit_vertices(document()), 0U);
+}
+
+TEST_F(Authoring, OffersToReloadKeepOrCompareWhatAnotherProgramWrote) {
+  add_lit_floor(folder_);
+  open(path("scene.grf"));
+  const auto press = [this](const QString& text) {
+    for (QAbstractButton* button : window_.notice().findChildren<QAbstractButton*>()) {
+      if (button->text() == text) return button->click();
+    }
+    FAIL() << "no button " << text.toStdString();
+  };
+  const auto told = [this] {
+    return QTest::qWaitFor(
+        [this] {
+          return window_.notice().isVisible() && window_.notice().text().contains("Another program");
+        },
+        Minute);
+  };
+  folder_.add("scene.grf", "light begin (0,0,9) (1,0,0) (0,1,0) end\ninclude \"floor.grf\"\n");
+  ASSERT_TRUE(told());
+  press("Compare");
+  auto& comparison = test::named<QPlainTextEdit>(window_, "Differences between the scene and its file");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return comparison.toPlainText().contains("@@"); }, Minute));
+  EXPECT_THAT(comparison.toPlainText().toStdString(), HasSubstr("(0, 0, 9)"));
+  EXPECT_EQ(document().objects().meshes.size(), 2U) << "which changes nothing";
+  folder_.add("scene.grf", "include \"floor.grf\"\n");
+  ASSERT_TRUE(told());
+  press("Reload");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return document().objects().meshes.size() == 1; }, Minute));
+  EXPECT_FALSE(document().is_modified());
+  folder_.add("floor.grf", "light begin (0,0,9) (1,0,0) (0,1,0) end\n");
+  ASSERT_TRUE(told());
+  press("Keep mine");
+  EXPECT_TRUE(window_.files().outside_changes().files().empty());
+  EXPECT_EQ(document().objects().meshes.size(), 1U);
 }
 
 TEST_F(Authoring, GivesNoIrradianceToASceneThatWasOpenedMeanwhile) {

@@ -1,6 +1,7 @@
 #include "editor/window/file_actions.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
@@ -39,6 +40,12 @@ class FileActionsTest : public testing::Test {
     return QString::fromStdString(folder_.add(name, bytes));
   }
   QString path(const std::string& name) const { return QString::fromStdString(folder_.path(name)); }
+
+  std::string read(const std::string& name) const {
+    QFile file(path(name));
+    EXPECT_TRUE(file.open(QFile::ReadOnly));
+    return file.readAll().toStdString();
+  }
 
   void change() {
     FaceSelection all(document_.objects());
@@ -94,6 +101,57 @@ TEST_F(FileActionsTest, KeepTheSceneIfAnotherCannotBeOpened) {
   EXPECT_EQ(document_.name(), "first.grf");
   ASSERT_EQ(failed_.count(), 1);
   EXPECT_THAT(failed_[0][0].toString().toStdString(), HasSubstr("broken.grf:1:"));
+}
+
+TEST_F(FileActionsTest, RevertToTheFileAfterAQuestion) {
+  const QString first = file("first.grf");
+  actions_.open(first);
+  const grf::Scene saved = document_.scene();
+  change();
+  answer(QMessageBox::Cancel);
+  actions_.revert();
+  EXPECT_TRUE(document_.is_modified());
+  answer(QMessageBox::Discard);
+  actions_.revert();
+  EXPECT_EQ(document_.scene(), saved);
+  EXPECT_EQ(document_.path(), first);
+  EXPECT_FALSE(document_.is_modified());
+}
+
+TEST_F(FileActionsTest, NeverReplaceUnaskedWhatAnotherProgramWrote) {
+  for (const char* name : {"scene.grf", "part.grf", "scene.op"}) {
+    file("part.grf");
+    file("scene.op", "samples 7\n");
+    actions_.open(file("scene.grf", "include \"part.grf\"\n"));
+    change();
+    const std::string theirs = std::string(name) == "scene.op" ? "samples 10000\n" : Triangle + Triangle;
+    file(name, theirs);
+    answer(QMessageBox::Cancel);
+    actions_.save();
+    EXPECT_TRUE(document_.is_modified()) << name;
+    EXPECT_EQ(read(name), theirs);
+    answer(QMessageBox::Save);
+    actions_.save();
+    EXPECT_FALSE(document_.is_modified()) << name;
+  }
+  EXPECT_NE(read("part.grf"), Triangle + Triangle) << "since the author said so";
+}
+
+TEST_F(FileActionsTest, TellWhatAnotherProgramWroteOnceItIsQuiet) {
+  QSignalSpy found(&actions_.outside_changes(), &OutsideChanges::found);
+  const QString scene = file("scene.grf");
+  actions_.open(scene);
+  change();
+  actions_.save();  // is no other program
+  EXPECT_FALSE(found.wait(500));
+  file("scene.grf", Triangle + Triangle);
+  ASSERT_TRUE(!found.empty() || found.wait(20'000));
+  EXPECT_EQ(found[0][0].toStringList(), QStringList{scene});
+  actions_.outside_changes().ignore();
+  document_.undo_stack().undo();
+  EXPECT_TRUE(document_.is_modified());
+  actions_.save();  // without a question
+  EXPECT_FALSE(document_.is_modified());
 }
 
 TEST_F(FileActionsTest, ImportModelsInAProcessOfTheirOwn) {
