@@ -12,6 +12,15 @@
 #include "editor/rendering/render_files.h"
 
 namespace editor {
+namespace {
+
+/// Under whatever names; files that do not exist are none.
+bool is_same_file(const QString& a, const QString& b) {
+  const QString canonical = QFileInfo(a).canonicalFilePath();
+  return !canonical.isEmpty() && canonical == QFileInfo(b).canonicalFilePath();
+}
+
+}  // namespace
 
 FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
   connect(&writing_, &QFutureWatcher<Files>::finished, this, [this] { run(writing_.result()); });
@@ -35,6 +44,12 @@ QString FinalRender::output_of(const FinalRenderRequest& request) const {
   return QDir(scene.absolutePath()).filePath(scene.completeBaseName() + ".exr");
 }
 
+QString FinalRender::replaced_by(FinalRenderRequest request) const {
+  request.options = with_absolute_paths(std::move(request.options), request.path);
+  const QString output = output_of(request);
+  return QFileInfo::exists(output) && !made_.contains(output) ? output : QString();
+}
+
 bool FinalRender::lock_output() {
   const QFileInfo image(output_);
   lock_ = std::make_unique<QLockFile>(image.dir().filePath("." + image.fileName() + ".lock"));
@@ -55,6 +70,10 @@ void FinalRender::start(FinalRenderRequest request) {
   }
   request.options = with_absolute_paths(std::move(request.options), request.path);
   output_ = output_of(request);
+  if (is_same_file(output_, QString::fromStdString(request.options.environment))) {
+    emit failed(tr("%1 is the environment map: choose another output").arg(output_));
+    return;
+  }
   if (!lock_output()) {
     emit failed(tr("another render writes %1: wait for it, or choose another output").arg(output_));
     return;
@@ -106,6 +125,7 @@ void FinalRender::end(const RendererEnd& end) {
     return give_up(end.is_interrupted ? tr("stopped before there was an image")
                                       : tr("the renderer made no image"));
   }
+  made_.insert(output_);
   FinalRenderResult result;
   result.image = output_;
   result.summary = *summary_;

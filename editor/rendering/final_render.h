@@ -4,6 +4,7 @@
 #include <QFutureWatcher>
 #include <QLockFile>
 #include <QObject>
+#include <QSet>
 #include <QTemporaryDir>
 #include <memory>
 #include <optional>
@@ -46,6 +47,8 @@ class FinalRender : public QObject {
   /// nobody does.
   void set_display(const QString& address) { display_ = address; }
 
+  /// The image that such a render would replace, and that this session has not made; empty: none.
+  QString replaced_by(FinalRenderRequest request) const;
   /// Renders to the options' output; else beside the scene, under its name with .exr; else to a temporary
   /// folder. What keeps it from that is said by `failed`.
   void start(FinalRenderRequest request);
@@ -97,6 +100,7 @@ class FinalRender : public QObject {
   bool is_running_ = false;
   bool is_stopped_ = false;
   QString output_;
+  QSet<QString> made_;  ///< images of this session
   std::unique_ptr<QLockFile> lock_;
   QFutureWatcher<Files> writing_;
   QFutureWatcher<Left> reading_;

@@ -5,8 +5,10 @@
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QToolButton>
@@ -249,10 +251,22 @@ void RenderPanel::restart_preview() {
 void RenderPanel::render() {
   if (final_.is_running()) return;
   settings_->commit();
+  const FinalRenderRequest request = {scene_, path_, options_.valid_options()};
+  if (const QString image = final_.replaced_by(request); !image.isEmpty() && !may_replace(image)) return;
   resumes_after_ = preview_.is_on() && !preview_.is_paused();
   if (resumes_after_) preview_.pause();
   keep_op_file();
-  final_.start({scene_, path_, options_.valid_options()});
+  final_.start(request);
+}
+
+bool RenderPanel::may_replace(const QString& image) {
+  QMessageBox question(QMessageBox::Warning, tr("Replace an image"), tr("%1 exists.").arg(image),
+                       QMessageBox::Save | QMessageBox::Cancel, this);
+  question.setInformativeText(
+      tr("It was not rendered since the program was started. Rendering replaces it."));
+  question.button(QMessageBox::Save)->setText(tr("Replace it"));
+  question.setDefaultButton(QMessageBox::Cancel);
+  return question.exec() == QMessageBox::Save;
 }
 
 void RenderPanel::stop() {

@@ -68,6 +68,7 @@ class RenderPanel : public QWidget {
   void restart_preview();
   void render();
   void stop();
+  bool may_replace(const QString& image);
   void keep_op_file();
   void show_options();
   void finish(const FinalRenderResult& result);

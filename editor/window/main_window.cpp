@@ -6,7 +6,9 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
@@ -425,11 +427,26 @@ void MainWindow::childEvent(QChildEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
+  if (!may_end_work()) return;
   files_->leave([this, event] {
     QSettings settings;
     docks_.save(settings);
     event->accept();
   });
+}
+
+/// A render that is ended keeps the image so far, a bake keeps nothing.
+bool MainWindow::may_end_work() {
+  const bool renders = render_->final_render().is_running();
+  if (!renders && !bake_->is_running()) return true;
+  QMessageBox question(QMessageBox::Warning, tr("Close"),
+                       renders ? tr("A render is running.") : tr("Irradiance is being baked."),
+                       QMessageBox::Close | QMessageBox::Cancel, this);
+  question.setInformativeText(renders ? tr("Closing stops it, and keeps the image so far.")
+                                      : tr("Closing gives it up."));
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.button(QMessageBox::Cancel)->setText(tr("Go on"));
+  return question.exec() == QMessageBox::Close;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

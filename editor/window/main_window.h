@@ -94,6 +94,7 @@ class MainWindow : public QMainWindow {
   void tell_of_outside_changes(const QStringList& files);
   void show_source(const grf::SourceLocation& location);
   void bake();
+  bool may_end_work();
   void take_irradiance(const BakedIrradiance& irradiance, const IrradianceBakeResult& result);
   void recover(const LostWork& work);
 

@@ -1,11 +1,16 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
@@ -102,6 +107,47 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   EXPECT_FALSE(panel_.preview().is_on());
   EXPECT_FALSE(panel_.stop_action()->isEnabled());
   EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("Nothing is being rendered"));
+}
+
+/// Answers the question that will be asked.
+void answer(QMessageBox::StandardButton button) {
+  QTimer::singleShot(0, [button] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (question == nullptr) return answer(button);
+    question->button(button)->click();
+  });
+}
+
+TEST_F(RenderPanelTest, AsksBeforeItReplacesAnImageThatItHasNotMade) {
+  open(4);
+  folder_.add("scene.exr", "of somebody else");
+  answer(QMessageBox::Cancel);
+  panel_.render_action()->trigger();
+  EXPECT_FALSE(panel_.final_render().is_running());
+  EXPECT_EQ(QFileInfo(path("scene.exr")).size(), 16);
+  answer(QMessageBox::Save);
+  panel_.render_action()->trigger();
+  ASSERT_TRUE(panel_.final_render().is_running());
+  ASSERT_TRUE(render_ends());
+  EXPECT_GT(QFileInfo(path("scene.exr")).size(), 1000);
+  panel_.render_action()->trigger();  // without a question
+  ASSERT_TRUE(panel_.final_render().is_running());
+  ASSERT_TRUE(render_ends());
+}
+
+TEST_F(RenderPanelTest, NeverReplacesTheEnvironmentMap) {
+  const std::string map = std::string("PF\n1 1\n-1.0\n") + std::string(12, '\1');
+  folder_.add("sky.pfm", map);
+  folder_.add("scene.op",
+              "BPT_Scene scene.grf\nBPT_Samples 4\nBPT_EM_Background sky.pfm\nBPT_Output_Image sky.pfm\n");
+  open_scene(test::scene_of_text(test::Corner), path("scene.grf"));
+  ASSERT_EQ(options().environment.empty(), false);
+  QSignalSpy failed(&panel_.final_render(), &editor::FinalRender::failed);
+  answer(QMessageBox::Save);
+  panel_.render_action()->trigger();
+  ASSERT_EQ(failed.size(), 1);
+  EXPECT_THAT(failed[0][0].toString().toStdString(), HasSubstr("environment map"));
+  EXPECT_EQ(QFileInfo(path("sky.pfm")).size(), static_cast<qint64>(map.size()));
 }
 
 TEST_F(RenderPanelTest, RendersByF6AndKeepsAHistory) {

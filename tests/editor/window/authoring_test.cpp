@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
@@ -435,6 +436,35 @@ TEST_F(Authoring, OffersToReloadKeepOrCompareWhatAnotherProgramWrote) {
   press("Keep mine");
   EXPECT_TRUE(window_.files().outside_changes().files().empty());
   EXPECT_EQ(document().objects().meshes.size(), 1U);
+}
+
+TEST_F(Authoring, AsksBeforeClosingEndsARenderOrABake) {
+  add_lit_floor(folder_);
+  folder_.add("scene.op", "BPT_Scene scene.grf\nBPT_Image_Resolution 64 64\nBPT_Samples 2000000000\n");
+  open(path("scene.grf"));
+  QStringList asked;
+  QMessageBox::StandardButton button = QMessageBox::Cancel;
+  QTimer answers;
+  answers.callOnTimeout([&] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (question == nullptr) return;
+    asked << question->text();
+    // The bake may be ready by then, and is not saved.
+    QAbstractButton* answer = question->button(button);
+    (answer != nullptr ? answer : question->button(QMessageBox::Discard))->click();
+  });
+  answers.start(20);
+  window_.render_panel().render_action()->trigger();
+  EXPECT_FALSE(window_.close());
+  EXPECT_EQ(asked, QStringList("A render is running."));
+  EXPECT_TRUE(window_.isVisible());
+  window_.render_panel().final_render().stop();
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return !window_.render_panel().final_render().is_running(); }, Minute));
+  test::action(window_, "Bake irradiance").trigger();
+  button = QMessageBox::Close;
+  EXPECT_TRUE(window_.close());
+  EXPECT_TRUE(asked.contains("Irradiance is being baked."));
 }
 
 TEST_F(Authoring, GivesNoIrradianceToASceneThatWasOpenedMeanwhile) {
