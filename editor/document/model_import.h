@@ -56,8 +56,8 @@ class ModelImport : public QObject {
   QString output_;
   QByteArray report_;
   QByteArray messages_;
-  ChildProcess* process_ =
-      nullptr;  ///< of what is being imported; others of its kind are coming to their end
+  /// Imports what is wanted now; others of its kind are coming to their end.
+  ChildProcess* process_ = nullptr;
   QFutureWatcher<std::shared_ptr<const ImportedModel>> reading_;
 };
 

@@ -1,4 +1,4 @@
-// What has to be asked of a graphics driver, since it may refuse it.
+// A graphics driver compiles shaders, and may refuse one.
 #pragma once
 
 #include <QByteArray>

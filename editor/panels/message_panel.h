@@ -17,8 +17,8 @@ namespace editor {
 
 class MessageModel;
 
-/// What reading the open file said, what is wrong with the scene as it is now, and what cannot be shown of
-/// it.
+/// The panel lists what reading the open file said, what is wrong with the scene as it is now, and what
+/// cannot be shown of it.
 class MessagePanel : public QWidget {
   Q_OBJECT
 

@@ -30,7 +30,7 @@ class ChildProcess : public QObject {
 
  public:
   explicit ChildProcess(const ChildManners& manners = {}, QObject* parent = nullptr);
-  /// What still runs is cancelled, and waited for; no signal comes.
+  /// A child that still runs is cancelled, and waited for; no signal comes.
   ~ChildProcess() override;
 
   void start(const QString& program, const QStringList& arguments);

@@ -44,13 +44,13 @@ class IrradianceBake : public QObject {
 
  signals:
   void progressed(double done, std::optional<double> seconds_left);
-  /// What is known of the scene of `start`, which may be another one by now.
+  /// The bake has irradiance for the scene of `start`, which may be another one by now.
   void finished(const editor::BakedIrradiance& irradiance, const editor::IrradianceBakeResult& result);
   /// There is no irradiance, and why; a text without its stop.
   void failed(const QString& why);
 
  private:
-  /// What was found, or what is wrong with it.
+  /// A baked file holds irradiance, or something is wrong with it.
   struct Baked {
     std::optional<BakedIrradiance> irradiance;
     QString problem;

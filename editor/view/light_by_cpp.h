@@ -1,4 +1,4 @@
-// What shaders/brdf.frag computes, without the driver.
+// C++ computes the light of shaders/brdf.frag where the graphics driver refuses a shader.
 #pragma once
 
 #include <cstddef>

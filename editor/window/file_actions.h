@@ -49,7 +49,7 @@ class FileActions : public QObject {
   /// Calls `then` at once if nothing is unsaved; else asks whether to save, discard or go on editing.
   void leave(const std::function<void()>& then);
 
-  /// What other programs have done to the scene's files.
+  /// Knows which of the scene's files other programs have changed.
   OutsideChanges& outside_changes() { return outside_; }
 
   /// Whether something is being opened or imported, or waits for that.

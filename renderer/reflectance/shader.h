@@ -96,7 +96,7 @@ std::vector<Rgb> shader_values(const Model& model) {
   return values;
 }
 
-/// The same for a BRDF that is a formula; there are none for others.
+/// A BRDF that is a formula has the same values; there are none for others.
 std::vector<Rgb> shader_values(const Brdf& brdf);
 
 /// The BRDF whose shader has these values: of the model that stands at this index in `FormulaBrdf`.

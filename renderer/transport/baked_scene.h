@@ -17,8 +17,8 @@ struct BakedScene {
   std::size_t copies = 0;         ///< that were made of them
 };
 
-/// What arrives at the vertices of a mesh at one of its places, in the mesh's coordinates; nothing leaves
-/// what the mesh has.
+/// The function gives the irradiance that arrives at the vertices of a mesh at one of its places, in the
+/// mesh's coordinates; nothing leaves what the mesh has.
 using ArrivingIrradiance = std::function<std::optional<grf::VertexIrradiance>(
     const grf::Mesh& mesh, const grf::Matrix44d& to_world)>;
 
