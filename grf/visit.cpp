@@ -224,4 +224,14 @@ std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope)
   return SumOfSums(brdf, scope).weighted();
 }
 
+std::vector<Vec3f> observers_of(const Scene& scene) {
+  std::vector<Vec3f> observers;
+  SceneVisitor visitor;
+  visitor.params = [&observers](const Params& params, const Placement& placement, const Block&) {
+    for (const Vec3f& view : params.views) observers.emplace_back(Vec3d(view) * placement.to_world);
+  };
+  visit(scene, visitor);
+  return observers;
+}
+
 }  // namespace grf

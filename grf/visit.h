@@ -112,6 +112,9 @@ struct SceneVisitor {
 /// `path` is the scene's own file, beside which those are that it includes.
 void visit(const Scene& scene, const SceneVisitor& visitor, const std::string& path = {});
 
+/// The places in the world of the observers for whom irradiance was computed, in the order of the file.
+std::vector<Vec3f> observers_of(const Scene& scene);
+
 /// A surface with its references looked up. The pointers are into the scene; what is
 /// null or absent was not given.
 struct ResolvedSurface {

@@ -236,16 +236,6 @@ void ObjWriter::write_face(const WorldMesh& placed, std::size_t index, Output& o
   output.pass_on();
 }
 
-std::size_t observers_of(const grf::Scene& scene) {
-  std::size_t count = 0;
-  grf::SceneVisitor visitor;
-  visitor.params = [&count](const grf::Params& params, const grf::Placement&, const grf::Block&) {
-    count += params.views.size();
-  };
-  grf::visit(scene, visitor);
-  return count;
-}
-
 }  // namespace
 
 bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
@@ -260,7 +250,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   const std::string library = std::filesystem::path(path).replace_extension(".mtl").string();
   Losses losses;
   meshes.count({Loss::SamplingScheme, Loss::Irradiance}, losses);
-  losses.add(Loss::Observer, observers_of(flat));
+  losses.add(Loss::Observer, grf::observers_of(flat).size());
   ObjWriter obj(meshes, materials, std::filesystem::path(library).filename().string(), losses);
   std::vector<grf::NewFile> files;
   if (!materials.empty()) {

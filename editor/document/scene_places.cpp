@@ -353,6 +353,14 @@ std::size_t put_texts(grf::BlockList& list, const Texts& changed) {
   return places;
 }
 
+void count_includes(const grf::BlockList& list, std::map<std::string, std::size_t>& counts) {
+  for (const grf::Block& block : list.blocks) {
+    const auto* include = std::get_if<grf::Include>(&block.content);
+    if (include != nullptr && !include->origin.path.empty()) ++counts[include->origin.path];
+    if (const grf::BlockList* inside = list_in(block)) count_includes(*inside, counts);
+  }
+}
+
 /// Where something is written: a file that is included, and the way from there.
 struct WrittenPlace {
   std::string file;
@@ -373,6 +381,12 @@ std::optional<WrittenPlace> written_place(const grf::Scene& scene, grf::ScenePat
 }
 
 }  // namespace
+
+std::map<std::string, std::size_t> included_files(const grf::Scene& scene) {
+  std::map<std::string, std::size_t> counts;
+  count_includes(scene.contents, counts);
+  return counts;
+}
 
 std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Diagnostics& diagnostics) {
   Texts texts;

@@ -1,7 +1,9 @@
 // What holds at a place of a scene, and putting things there or taking them away.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -63,6 +65,9 @@ void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths);
 
 /// The list to which new things of the scene go: inside the scope around the whole scene, if there is one.
 grf::BlockList& outermost_blocks(grf::Scene& scene);
+
+/// How often each file is included that was read, also by other included files; by its canonical path.
+std::map<std::string, std::size_t> included_files(const grf::Scene& scene);
 
 /// Carries what an edit changed in a file that is included at several places to all of them, and returns of
 /// how many others. An error where two places were changed in different ways: a file has one text.

@@ -15,32 +15,6 @@
 namespace editor {
 namespace {
 
-std::vector<grf::Params> observers_of(const grf::Scene& scene) {
-  std::vector<grf::Params> observers;
-  grf::SceneVisitor visitor;
-  visitor.params = [&](const grf::Params& params, const grf::Placement&, const grf::Block&) {
-    if (!params.views.empty()) observers.push_back(params);
-  };
-  grf::visit(scene, visitor);
-  return observers;
-}
-
-using Counts = std::map<std::string, std::size_t>;
-
-/// Counts how often each file is included that was read.
-void count_includes(const grf::BlockList& list, Counts& counts) {
-  for (const grf::Block& block : list.blocks) {
-    if (const auto* transform = std::get_if<grf::Transform>(&block.content)) {
-      count_includes(transform->body, counts);
-    } else if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
-      count_includes(scope->body, counts);
-    } else if (const auto* include = std::get_if<grf::Include>(&block.content)) {
-      if (!include->origin.path.empty()) ++counts[include->origin.path];
-      count_includes(*include->contents, counts);
-    }
-  }
-}
-
 /// A name for the IGRF file that an included file becomes, at which there is no file yet.
 std::string igrf_name(const std::string& file, const std::string& naming_file) {
   const std::filesystem::path old = file;
@@ -55,7 +29,7 @@ std::string igrf_name(const std::string& file, const std::string& naming_file) {
 /// Makes files of includes that hold irradiance such as can be written.
 class IncludeKeeper {
  public:
-  explicit IncludeKeeper(const grf::BlockList& contents) { count_includes(contents, counts_); }
+  explicit IncludeKeeper(const grf::Scene& scene) : counts_(included_files(scene)) {}
 
   /// The file is that which names those that the list includes.
   void keep(grf::BlockList& list, const std::string& naming_file) {
@@ -92,14 +66,14 @@ class IncludeKeeper {
     return false;
   }
 
-  Counts counts_;
+  const std::map<std::string, std::size_t> counts_;
   std::size_t dissolved_ = 0;
 };
 
 }  // namespace
 
 BakedIrradiance::BakedIrradiance(const grf::Scene& snapshot, const grf::Scene& baked)
-    : observers_(observers_of(baked)) {
+    : observers_(grf::observers_of(baked)) {
   std::vector<grf::Shared<grf::VertexIrradiance>> irradiances;
   grf::SceneVisitor collect;
   collect.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {
@@ -110,7 +84,7 @@ BakedIrradiance::BakedIrradiance(const grf::Scene& snapshot, const grf::Scene& b
   grf::SceneVisitor match;
   match.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
     if (next < irradiances.size()) {
-      places_.emplace(&*mesh.geometry, Place{mesh.geometry, placement.to_world, irradiances[next]});
+      places_.emplace(key_of(mesh, placement.to_world), Arriving{mesh.geometry, irradiances[next]});
     }
     ++next;
   };
@@ -118,30 +92,27 @@ BakedIrradiance::BakedIrradiance(const grf::Scene& snapshot, const grf::Scene& b
   if (next != irradiances.size()) places_.clear();
 }
 
-const BakedIrradiance::Place* BakedIrradiance::find(const grf::Mesh& mesh,
-                                                    const grf::Matrix44d& to_world) const {
-  const auto [begin, end] = places_.equal_range(&*mesh.geometry);
-  const auto place =
-      std::find_if(begin, end, [&](const auto& each) { return each.second.to_world == to_world; });
-  return place == end ? nullptr : &place->second;
+BakedIrradiance::Key BakedIrradiance::key_of(const grf::Mesh& mesh, const grf::Matrix44d& to_world) {
+  Key key = {&*mesh.geometry, {}};
+  std::copy_n(to_world.getValue(), key.second.size(), key.second.begin());
+  return key;
 }
 
 IrradiatedScene BakedIrradiance::applied_to(grf::Scene scene, const std::string& path) const {
   IrradiatedScene result;
   const auto arriving = [&](const grf::Mesh& mesh,
                             const grf::Matrix44d& to_world) -> std::optional<grf::VertexIrradiance> {
-    const Place* place = find(mesh, to_world);
-    ++(place == nullptr ? result.left_alone : result.meshes);
-    if (place == nullptr) return std::nullopt;
-    return *place->irradiance;
+    const auto place = places_.find(key_of(mesh, to_world));
+    ++(place == places_.end() ? result.left_alone : result.meshes);
+    if (place == places_.end()) return std::nullopt;
+    return *place->second.irradiance;
   };
-  IncludeKeeper includes(scene.contents);
+  IncludeKeeper includes(scene);
   result.scene = transport::with_irradiance(std::move(scene), arriving).scene;
   includes.keep(result.scene.contents, path);
   result.dissolved = includes.dissolved();
-  if (result.meshes == 0 || !observers_of(result.scene).empty()) return result;
-  for (const grf::Params& observer : observers_) {
-    outermost_blocks(result.scene).blocks.emplace_back().content = observer;
+  if (result.meshes > 0 && !observers_.empty() && grf::observers_of(result.scene).empty()) {
+    outermost_blocks(result.scene).blocks.emplace_back().content = grf::Params{observers_};
   }
   return result;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -18,7 +18,8 @@ struct IrradiatedScene {
   std::size_t dissolved = 0;   ///< includes whose blocks stand in the scene itself now
 };
 
-/// What a bake found at the vertices of a snapshot, to be given to the scene as it is by now.
+/// Keeps the irradiance that a bake found at the vertices of a snapshot, to be given to the scene as it is by
+/// now.
 class BakedIrradiance {
  public:
   BakedIrradiance() = default;
@@ -35,17 +36,17 @@ class BakedIrradiance {
   IrradiatedScene applied_to(grf::Scene scene, const std::string& path) const;
 
  private:
-  /// A mesh at one of its places.
-  struct Place {
+  /// A mesh at one of its places: its geometry, which the value keeps alive, and the matrix to the world.
+  using Key = std::pair<const grf::Geometry*, std::array<double, 16>>;
+  struct Arriving {
     grf::SharedGeometry geometry;
-    grf::Matrix44d to_world;
     grf::Shared<grf::VertexIrradiance> irradiance;
   };
 
-  const Place* find(const grf::Mesh& mesh, const grf::Matrix44d& to_world) const;
+  static Key key_of(const grf::Mesh& mesh, const grf::Matrix44d& to_world);
 
-  std::multimap<const grf::Geometry*, Place> places_;
-  std::vector<grf::Params> observers_;
+  std::map<Key, Arriving> places_;
+  std::vector<grf::Vec3f> observers_;
 };
 
 }  // namespace editor

@@ -10,18 +10,9 @@
 #include "editor/controls/text.h"
 #include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
+#include "grf/text_file.h"
 
 namespace editor {
-namespace {
-
-/// Under whatever names; files that do not exist are none.
-bool is_same_file(const QString& a, const QString& b) {
-  const QString canonical = QFileInfo(a).canonicalFilePath();
-  return !canonical.isEmpty() && canonical == QFileInfo(b).canonicalFilePath();
-}
-
-}  // namespace
-
 FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
   connect(&writing_, &QFutureWatcher<Files>::finished, this, [this] { run(writing_.result()); });
   connect(&reading_, &QFutureWatcher<Left>::finished, this, &FinalRender::finish);
@@ -70,7 +61,9 @@ void FinalRender::start(FinalRenderRequest request) {
   }
   request.options = with_absolute_paths(std::move(request.options), request.path);
   output_ = output_of(request);
-  if (is_same_file(output_, QString::fromStdString(request.options.environment))) {
+  const std::string& environment = request.options.environment;
+  if (!environment.empty() &&
+      grf::canonical_path(environment) == grf::canonical_path(output_.toStdString())) {
     emit failed(tr("%1 is the environment map: choose another output").arg(output_));
     return;
   }

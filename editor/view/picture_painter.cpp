@@ -306,11 +306,11 @@ void PicturePainter::paint_normals(const Job& job, bool of_faces) {
 
 void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
   for (const std::size_t model : job->scene.tables().models) {
-    const bool is_refused = brdf_program(model) == nullptr;
-    for (int row = 0; row < job->picture.size().height(); row += is_refused ? RowsByCpp : BrdfRows) {
-      steps.emplace_back([this, job, model, row, is_refused] {
-        is_refused ? paint_brdf_by_cpp(*job, model, row) : paint_brdf(*job, model, row);
-      });
+    // A program is compiled in the first step that needs it, so that what is asked for meanwhile waits less.
+    const auto made = brdfs_.find(model);
+    const int rows = made != brdfs_.end() && made->second == nullptr ? RowsByCpp : BrdfRows;
+    for (int row = 0; row < job->picture.size().height(); row += rows) {
+      steps.emplace_back([this, job, model, row, rows] { paint_brdf(*job, model, row, rows); });
     }
   }
   steps.emplace_back([this, job] { resolve(*job); });
@@ -343,11 +343,12 @@ void PicturePainter::set_eye(QOpenGLShaderProgram& program, const Job& job) {
       "half_size", QVector2D(static_cast<float>(tangent * job.request.aspect), static_cast<float>(tangent)));
 }
 
-void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row) {
+void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row, int rows) {
+  if (brdf_program(model) == nullptr) return paint_brdf_by_cpp(job, model, first_row, rows);
   QOpenGLShaderProgram& program = *brdf_program(model);
   job.picture.begin_light();
   gl_.glEnable(GL_SCISSOR_TEST);
-  gl_.glScissor(0, first_row, job.picture.size().width(), BrdfRows);
+  gl_.glScissor(0, first_row, job.picture.size().width(), rows);
   gl_.glEnable(GL_BLEND);
   gl_.glBlendFunc(GL_ONE, GL_ONE);
   program.bind();
@@ -360,15 +361,15 @@ void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row
   gl_.glDisable(GL_SCISSOR_TEST);
 }
 
-void PicturePainter::paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row) {
+void PicturePainter::paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) {
   LightByCpp light;
   light.model = model;
   light.samples = sky_samples(job.request);
   light.first_sample = job.request.pass * light.samples;
   light.camera = job.request.camera;
   light.aspect = job.request.aspect;
-  const int rows = std::min(RowsByCpp, job.picture.size().height() - first_row);
-  add_light_by_cpp(light, job.scene.tables(), job.picture, first_row, rows);
+  const int rows_left = job.picture.size().height() - first_row;
+  add_light_by_cpp(light, job.scene.tables(), job.picture, first_row, std::min(rows, rows_left));
 }
 
 void PicturePainter::resolve(const Job& job) {

@@ -80,8 +80,8 @@ class PicturePainter {
   void shade(const Job& job);
   void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);
   void add_line_steps(const SharedJob& job, std::vector<Step>& steps);
-  void paint_brdf(const Job& job, std::size_t model, int first_row);
-  static void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row);
+  void paint_brdf(const Job& job, std::size_t model, int first_row, int rows);
+  static void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows);
   void resolve(const Job& job);
   void paint_edges(const Job& job, const Runs& runs, bool are_triangles);
   void paint_points(const Job& job);

@@ -47,14 +47,14 @@ MeshActions::MeshActions(Document& document, QWidget& window) : QObject(&window)
                   {},
                   {},
                   tr("Subdivides the meshes %1; each face becomes as many as it has corners").arg(whole)},
-                 [this] { subdivide(tr("Subdivide"), convert::SubdivisionScheme::CatmullClark); }),
+                 [this] { subdivide(convert::SubdivisionScheme::CatmullClark); }),
       new_action(
           window,
           {tr("Subdivide (L&oop)"),
            {},
            {},
            tr("Subdivides the meshes %1; they are triangulated, and each triangle becomes four").arg(whole)},
-          [this] { subdivide(tr("Subdivide"), convert::SubdivisionScheme::Loop); }),
+          [this] { subdivide(convert::SubdivisionScheme::Loop); }),
       new_action(window,
                  {tr("&Smooth vertices"),
                   {},
@@ -69,7 +69,7 @@ FaceSelection MeshActions::selected_or_all() const {
   return selection;
 }
 
-void MeshActions::subdivide(const QString& text, convert::SubdivisionScheme scheme) {
+void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   const convert::Subdivision once = {scheme, 1};
   const FaceSelection selection = selected_or_all();
   const SelectedFaces faces = {document_.scene(), document_.objects(), selection};
@@ -87,7 +87,7 @@ void MeshActions::subdivide(const QString& text, convert::SubdivisionScheme sche
   const CommonVertices common = common_vertices(document_.objects(), selection);
   const bool had_irradiance = common.irradiance || common.are_irradiances_mixed;
   const BusyCursor busy;
-  document_.replace(text, with_subdivided_meshes(faces, once));
+  document_.replace(tr("Subdivide"), with_subdivided_meshes(faces, once));
   if (had_irradiance) emit told(tr("Subdivided meshes have no irradiance: bake it again"));
 }
 

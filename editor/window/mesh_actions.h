@@ -32,7 +32,7 @@ class MeshActions : public QObject {
   void failed(const QString& why);
 
  private:
-  void subdivide(const QString& text, convert::SubdivisionScheme scheme);
+  void subdivide(convert::SubdivisionScheme scheme);
   void smooth();
   FaceSelection selected_or_all() const;
 

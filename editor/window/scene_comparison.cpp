@@ -29,7 +29,6 @@ void SceneComparison::compare(const grf::Scene& scene, const QString& file) {
   if (!on_disk || !grf::replace_file(theirs.toStdString(), grf::to_text(*on_disk), diagnostics) ||
       !grf::replace_file(ours.toStdString(), grf::to_text(scene), diagnostics)) {
     setPlainText(text_of(diagnostics));
-    emit done();
     return;
   }
   diff_.start("diff", {"-u", "--label", file, "--label", tr("the scene in this window"), theirs, ours});
@@ -39,7 +38,6 @@ void SceneComparison::end(const ChildEnd& end) {
   if (end.cause == ChildEnd::Cause::NotStarted) setPlainText(tr("diff cannot be started: %1").arg(end.why));
   if (end.cause == ChildEnd::Cause::Returned && end.code == 0) setPlainText(tr("There is no difference."));
   moveCursor(QTextCursor::Start);
-  emit done();
 }
 
 }  // namespace editor

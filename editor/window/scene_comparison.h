@@ -18,9 +18,6 @@ class SceneComparison : public QPlainTextEdit {
 
   void compare(const grf::Scene& scene, const QString& file);
 
- signals:
-  void done();
-
  private:
   void end(const ChildEnd& end);
 

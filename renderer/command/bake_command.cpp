@@ -49,16 +49,6 @@ RunSettings run_settings_of(const RenderOptions& render_options, int directions,
   return settings;
 }
 
-bool names_an_observer(const grf::Scene& scene) {
-  bool names = false;
-  grf::SceneVisitor visitor;
-  visitor.params = [&](const grf::Params& params, const grf::Placement&, const grf::Block&) {
-    names |= !params.views.empty();
-  };
-  grf::visit(scene, visitor);
-  return names;
-}
-
 void warn(const Bake& bake, const transport::BakedScene& baked, const std::string& scene,
           Diagnostics& diagnostics) {
   const grf::SourceLocation file = grf::whole_file(scene);
@@ -84,7 +74,7 @@ void warn(const Bake& bake, const transport::BakedScene& baked, const std::strin
 bool keep(const Bake& bake, job::BakeJob& job, const std::string& scene, const std::string& output) {
   Diagnostics diagnostics;
   transport::BakedScene baked = transport::with_irradiance(std::move(job.scene), bake);
-  if (!names_an_observer(baked.scene)) {
+  if (grf::observers_of(baked.scene).empty()) {
     baked.scene.contents.blocks.push_back({grf::Params{{job.eye}}, {}, {}});
   }
   grf::relocate(baked.scene, scene, output);
