@@ -1,16 +1,12 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QSignalSpy>
-#include <QTimer>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
@@ -22,6 +18,7 @@
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/render_history.h"
 #include "renderer/options/op_file.h"
+#include "tests/editor/answer.h"
 #include "tests/editor/rendering/rendering_helpers.h"
 
 namespace {
@@ -109,23 +106,14 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("Nothing is being rendered"));
 }
 
-/// Answers the question that will be asked.
-void answer(QMessageBox::StandardButton button) {
-  QTimer::singleShot(0, [button] {
-    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    if (question == nullptr) return answer(button);
-    question->button(button)->click();
-  });
-}
-
 TEST_F(RenderPanelTest, AsksBeforeItReplacesAnImageThatItHasNotMade) {
   open(4);
   folder_.add("scene.exr", "of somebody else");
-  answer(QMessageBox::Cancel);
+  test::answer(QMessageBox::Cancel);
   panel_.render_action()->trigger();
   EXPECT_FALSE(panel_.final_render().is_running());
   EXPECT_EQ(QFileInfo(path("scene.exr")).size(), 16);
-  answer(QMessageBox::Save);
+  test::answer(QMessageBox::Save);
   panel_.render_action()->trigger();
   ASSERT_TRUE(panel_.final_render().is_running());
   ASSERT_TRUE(render_ends());
@@ -143,7 +131,7 @@ TEST_F(RenderPanelTest, NeverReplacesTheEnvironmentMap) {
   open_scene(test::scene_of_text(test::Corner), path("scene.grf"));
   ASSERT_EQ(options().environment.empty(), false);
   QSignalSpy failed(&panel_.final_render(), &editor::FinalRender::failed);
-  answer(QMessageBox::Save);
+  test::answer(QMessageBox::Save);
   panel_.render_action()->trigger();
   ASSERT_EQ(failed.size(), 1);
   EXPECT_THAT(failed[0][0].toString().toStdString(), HasSubstr("environment map"));

@@ -1,12 +1,11 @@
 // The way of an author through the whole window: from a model to an image, with the mouse and the keyboard.
+#include "tests/editor/window/authoring.h"
+
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -17,13 +16,11 @@
 #include "editor/brdf/brdf_editor.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/brdf_mime.h"
-#include "editor/document/light_edits.h"
 #include "editor/document/model_import.h"
 #include "editor/image/image_browser.h"
 #include "editor/options/options_window.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/surface_panel.h"
-#include "editor/rendering/irradiance_bake.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
@@ -44,45 +41,6 @@ using test::Minute;
 using testing::HasSubstr;
 
 const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
-
-class Authoring : public testing::Test {
- protected:
-  Authoring() : window_(QString::fromStdString(folder_.path("sessions"))) {
-    QSettings().clear();
-    window_.show();
-    window_.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
-  }
-
-  Document& document() { return window_.document(); }
-  QString path(const std::string& name) const { return QString::fromStdString(folder_.path(name)); }
-
-  void open(const QString& file) {
-    QSignalSpy taken(&document(), &Document::taken);
-    window_.files().open(file);
-    ASSERT_TRUE(!taken.empty() || taken.wait(Minute));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window_.view().is_complete(); }, Minute));
-  }
-
-  void select_two_faces() {
-    const QPoint middle = window_.view().rect().center();
-    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, middle);
-    QTest::mouseClick(&window_.view(), Qt::LeftButton, Qt::ShiftModifier, middle + QPoint(12, 9));
-  }
-
-  std::size_t faces_where(const std::function<bool(const grf::Surface&)>& holds) {
-    std::size_t count = 0;
-    for (const MeshObject& object : document().objects().meshes) {
-      for (std::size_t face = 0; face < object.mesh->face_count(); ++face) {
-        if (holds(object.mesh->surface(face))) ++count;
-      }
-    }
-    return count;
-  }
-
-  test::TemporaryFolder folder_;
-  MainWindow window_;
-};
 
 bool is_ward(const grf::Surface& surface) {
   const auto* model = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
@@ -330,165 +288,11 @@ void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
   QTest::keyClick(focused, key, modifiers);
 }
 
-/// Names a file in the dialog that comes up, and returns when it is gone.
-class FileTyping {
- public:
-  explicit FileTyping(const QString& file) {
-    timer_.callOnTimeout([file] {
-      const auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
-      if (name == nullptr) return;
-      // The first Return may only close the list of names that fit.
-      if (name->text().isEmpty()) {
-        QTest::keyClicks(name, file);
-      } else {
-        QTest::keyClick(name, Qt::Key_Return);
-      }
-    });
-    timer_.start(50);
-  }
-
- private:
-  QTimer timer_;
-};
-
-/// A lit floor, half of which is in an included file.
-void add_lit_floor(const test::TemporaryFolder& folder) {
-  const std::string floor =
-      "begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs begin faces (0,1,2,3) end faces "
-      "end mesh\n";
-  folder.add("floor.grf", floor);
-  folder.add("scene.grf",
-             "light begin (0,0,1) (1,0,0) (0,1,0) end\ninclude \"floor.grf\"\n"
-             "transform translation (1,0,0) begin " +
-                 floor + "end\n");
-  folder.add("other.grf", "light begin (0,0,1) (1,0,0) (0,1,0) end\n" + floor);
-}
-
-std::size_t lit_vertices(const Document& document) {
-  std::size_t count = 0;
-  for (const MeshObject& object : document.objects().meshes) {
-    for (std::size_t i = 0; i < object.mesh->geometry->positions.size(); ++i) {
-      if (object.mesh->irradiance->has(i)) ++count;
-    }
-  }
-  return count;
-}
-
-TEST_F(Authoring, BakesIrradianceIntoTheSceneAsItIsAndSavesItAsIgrf) {
-  add_lit_floor(folder_);
-  open(path("scene.grf"));
-  test::action(window_, "Bake irradiance").trigger();
-  document().replace("Add an observer", add_observer(document().scene(), {0, 0, 5}));  // meanwhile
-  ASSERT_TRUE(QTest::qWaitFor([this] { return lit_vertices(document()) == 8; }, Minute));
-  EXPECT_EQ(document().objects().observers.size(), 1U);
-  EXPECT_EQ(document().undo_stack().undoText(), "Bake irradiance");
-  {
-    FileTyping accepts("");
-    test::action(window_, "Save").trigger();
-  }
-  EXPECT_EQ(document().path(), path("scene.igrf"));
-  EXPECT_FALSE(document().is_modified());
-  grf::Diagnostics diagnostics;
-  const auto saved = grf::read(folder_.path("scene.igrf"), diagnostics);
-  ASSERT_TRUE(saved) << diagnostics.to_text();
-  EXPECT_EQ(*saved, document().scene());
-  const auto& blocks = saved->contents.blocks;
-  EXPECT_TRUE(std::any_of(blocks.begin(), blocks.end(), [](const grf::Block& block) {
-    const auto* include = std::get_if<grf::Include>(&block.content);
-    return include != nullptr && include->file == "floor.igrf";
-  }));
-  EXPECT_TRUE(QFile::exists(path("floor.grf")));
-  document().undo_stack().undo();
-  EXPECT_EQ(lit_vertices(document()), 0U);
-}
-
-TEST_F(Authoring, OffersToReloadKeepOrCompareWhatAnotherProgramWrote) {
-  add_lit_floor(folder_);
-  open(path("scene.grf"));
-  const auto press = [this](const QString& text) {
-    for (QAbstractButton* button : window_.notice().findChildren<QAbstractButton*>()) {
-      if (button->text() == text) return button->click();
-    }
-    FAIL() << "no button " << text.toStdString();
-  };
-  const auto told = [this] {
-    return QTest::qWaitFor(
-        [this] {
-          return window_.notice().isVisible() && window_.notice().text().contains("Another program");
-        },
-        Minute);
-  };
-  folder_.add("scene.grf", "light begin (0,0,9) (1,0,0) (0,1,0) end\ninclude \"floor.grf\"\n");
-  ASSERT_TRUE(told());
-  press("Compare");
-  auto& comparison = test::named<QPlainTextEdit>(window_, "Differences between the scene and its file");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return comparison.toPlainText().contains("@@"); }, Minute));
-  EXPECT_THAT(comparison.toPlainText().toStdString(), HasSubstr("(0, 0, 9)"));
-  EXPECT_EQ(document().objects().meshes.size(), 2U) << "which changes nothing";
-  folder_.add("scene.grf", "include \"floor.grf\"\n");
-  ASSERT_TRUE(told());
-  press("Reload");
-  ASSERT_TRUE(QTest::qWaitFor([this] { return document().objects().meshes.size() == 1; }, Minute));
-  EXPECT_FALSE(document().is_modified());
-  folder_.add("floor.grf", "light begin (0,0,9) (1,0,0) (0,1,0) end\n");
-  ASSERT_TRUE(told());
-  press("Keep mine");
-  EXPECT_TRUE(window_.files().outside_changes().files().empty());
-  EXPECT_EQ(document().objects().meshes.size(), 1U);
-}
-
-TEST_F(Authoring, AsksBeforeClosingEndsARenderOrABake) {
-  add_lit_floor(folder_);
-  folder_.add("scene.op", "BPT_Scene scene.grf\nBPT_Image_Resolution 64 64\nBPT_Samples 2000000000\n");
-  open(path("scene.grf"));
-  QStringList asked;
-  QMessageBox::StandardButton button = QMessageBox::Cancel;
-  QTimer answers;
-  answers.callOnTimeout([&] {
-    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    if (question == nullptr) return;
-    asked << question->text();
-    // The bake may be ready by then, and is not saved.
-    QAbstractButton* answer = question->button(button);
-    (answer != nullptr ? answer : question->button(QMessageBox::Discard))->click();
-  });
-  answers.start(20);
-  window_.render_panel().render_action()->trigger();
-  EXPECT_FALSE(window_.close());
-  EXPECT_EQ(asked, QStringList("A render is running."));
-  EXPECT_TRUE(window_.isVisible());
-  window_.render_panel().final_render().stop();
-  ASSERT_TRUE(
-      QTest::qWaitFor([this] { return !window_.render_panel().final_render().is_running(); }, Minute));
-  test::action(window_, "Bake irradiance").trigger();
-  button = QMessageBox::Close;
-  EXPECT_TRUE(window_.close());
-  EXPECT_TRUE(asked.contains("Irradiance is being baked."));
-}
-
-TEST_F(Authoring, GivesNoIrradianceToASceneThatWasOpenedMeanwhile) {
-  add_lit_floor(folder_);
-  open(path("scene.grf"));
-  test::action(window_, "Bake irradiance").trigger();
-  grf::Diagnostics diagnostics;
-  const auto other = grf::read(folder_.path("other.grf"), diagnostics);
-  ASSERT_TRUE(other) << diagnostics.to_text();
-  document().take(*other, path("other.grf"), {});
-  const auto* bake = window_.findChild<IrradianceBake*>();
-  ASSERT_NE(bake, nullptr);
-  ASSERT_TRUE(QTest::qWaitFor([bake] { return !bake->is_running(); }, Minute));
-  EXPECT_EQ(document().scene(), *other);
-  EXPECT_EQ(document().path(), path("other.grf"));
-  EXPECT_FALSE(document().is_modified());
-  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("irradiance that was baked is left out"));
-}
-
 TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
   QFile::copy(GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box.grf", path("box.grf"));
   folder_.add("box.op", "BPT_Scene box.grf\nBPT_Image_Resolution 80 64\nBPT_Samples 4\n");
   {
-    const FileTyping typing(path("box.grf"));
+    const test::FileTyping typing(path("box.grf"));
     press(Qt::Key_O, Qt::ControlModifier);
     ASSERT_TRUE(QTest::qWaitFor([this] { return document().objects().faces == 18; }, Minute));
   }

@@ -1,21 +1,18 @@
 #include "editor/window/file_actions.h"
 
-#include <QApplication>
 #include <QFile>
 #include <QMainWindow>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
-#include <QTimer>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "editor/document/document.h"
+#include "tests/editor/answer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
@@ -54,15 +51,6 @@ class FileActionsTest : public testing::Test {
     SurfaceEdit edit;
     edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(0.5F));
     document_.edit_surfaces("Colour", edit);
-  }
-
-  /// Answers the question that will be asked.
-  static void answer(QMessageBox::StandardButton button) {
-    QTimer::singleShot(0, [button] {
-      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (question == nullptr) return answer(button);
-      question->button(button)->click();
-    });
   }
 
   void wait() {
@@ -108,10 +96,10 @@ TEST_F(FileActionsTest, RevertToTheFileAfterAQuestion) {
   actions_.open(first);
   const grf::Scene saved = document_.scene();
   change();
-  answer(QMessageBox::Cancel);
+  test::answer(QMessageBox::Cancel);
   actions_.revert();
   EXPECT_TRUE(document_.is_modified());
-  answer(QMessageBox::Discard);
+  test::answer(QMessageBox::Discard);
   actions_.revert();
   EXPECT_EQ(document_.scene(), saved);
   EXPECT_EQ(document_.path(), first);
@@ -126,11 +114,11 @@ TEST_F(FileActionsTest, NeverReplaceUnaskedWhatAnotherProgramWrote) {
     change();
     const std::string theirs = std::string(name) == "scene.op" ? "samples 10000\n" : Triangle + Triangle;
     file(name, theirs);
-    answer(QMessageBox::Cancel);
+    test::answer(QMessageBox::Cancel);
     actions_.save();
     EXPECT_TRUE(document_.is_modified()) << name;
     EXPECT_EQ(read(name), theirs);
-    answer(QMessageBox::Save);
+    test::answer(QMessageBox::Save);
     actions_.save();
     EXPECT_FALSE(document_.is_modified()) << name;
   }
@@ -191,15 +179,15 @@ TEST_F(FileActionsTest, AskBeforeWorkIsLost) {
   const QString second = file("second.grf");
   actions_.open(first);
   change();
-  answer(QMessageBox::Cancel);
+  test::answer(QMessageBox::Cancel);
   actions_.open(second);
   EXPECT_EQ(document_.path(), first);
-  answer(QMessageBox::Save);
+  test::answer(QMessageBox::Save);
   actions_.open(second);
   EXPECT_EQ(document_.path(), second);
   EXPECT_THAT(test::bytes_of(first.toStdString()), HasSubstr("rgb"));
   change();
-  answer(QMessageBox::Discard);
+  test::answer(QMessageBox::Discard);
   actions_.open(first);
   EXPECT_EQ(document_.path(), first);
   EXPECT_EQ(test::bytes_of(second.toStdString()), Triangle);

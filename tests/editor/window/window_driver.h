@@ -4,6 +4,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
@@ -66,6 +68,28 @@ inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers 
   QTest::mouseMove(&widget, to);
   QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
 }
+
+/// Names a file in the dialog that comes up, and returns when it is gone.
+class FileTyping {
+ public:
+  explicit FileTyping(const QString& file) {
+    timer_.callOnTimeout([file] {
+      const auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
+      if (name == nullptr) return;
+      // The first Return may only close the list of names that fit.
+      if (name->text().isEmpty()) {
+        QTest::keyClicks(name, file);
+      } else {
+        QTest::keyClick(name, Qt::Key_Return);
+      }
+    });
+    timer_.start(50);
+  }
+
+ private:
+  QTimer timer_;
+};
 
 /// How long the window did not answer, at most: the longest time between two turns of its event loop.
 class Watchdog : public QObject {
