@@ -23,9 +23,9 @@ std::string size_text(std::uint64_t bytes) {
 std::string why_it_died(const Ending& ending, const Limits& limits) {
   switch (ending.cause) {
     case Ending::Cause::OutOfMemory:
-      return limits.memory == 0 ? "out of memory"
-                                : fmt::format("more memory is needed than the {} that --max-memory allows",
-                                              size_text(limits.memory));
+      return limits.memory == 0
+                 ? "out of memory"
+                 : fmt::format("more memory is needed than the limit of {}", size_text(limits.memory));
     case Ending::Cause::OutOfTime:
       return fmt::format("not done after the {:g} s that --max-time allows", limits.seconds);
     case Ending::Cause::Crashed:

@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QUuid>
 #include <QtConcurrent>
@@ -83,6 +84,12 @@ QStringList ModelImport::name_patterns() {
   return patterns;
 }
 
+double ModelImport::memory_limit() { return QSettings().value("import/memory_limit", 4).toDouble(); }
+
+void ModelImport::set_memory_limit(double gigabytes) {
+  QSettings().setValue("import/memory_limit", gigabytes);
+}
+
 void ModelImport::start(const QString& file, const QStringList& options) {
   cancel();
   file_ = file;
@@ -91,7 +98,8 @@ void ModelImport::start(const QString& file, const QStringList& options) {
   const QString folder = folder_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
   if (!QDir().mkpath(folder)) return fail(tr("the folder %1 cannot be made").arg(folder));
   output_ = folder + "/" + QFileInfo(file).completeBaseName() + ".grf";
-  run(program, options + QStringList{"--json", "-o", output_, "--", file});
+  const QString memory = QString::number(qRound64(1024 * memory_limit())) + "MB";
+  run(program, options + QStringList{"--max-memory", memory, "--json", "-o", output_, "--", file});
 }
 
 void ModelImport::run(const QString& program, const QStringList& arguments) {

@@ -35,6 +35,10 @@ class ModelImport : public QObject {
   /// Patterns of all formats that are read, for a file dialog: "*.obj".
   static QStringList name_patterns();
 
+  /// How much memory an import may take, in GB (2^30 bytes), which the settings keep; 4 until it is set.
+  static double memory_limit();
+  static void set_memory_limit(double gigabytes);
+
   bool is_running() const { return process_ != nullptr || reading_.isRunning(); }
   /// `options` are those of `grfconvert`, such as {"--up", "z"}. One file at a time.
   void start(const QString& file, const QStringList& options = {});

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QKeySequence>
 #include <QMenu>
 #include <QMessageBox>
@@ -146,6 +147,22 @@ void FileActions::fill(QMenu& menu) {
     if (i == 3 || i == 6) menu.addSeparator();
     menu.addAction(actions_[i]);
   }
+  menu.addSeparator();
+  menu.addAction(new_action(window_,
+                            {tr("Import &memory limit..."),
+                             {},
+                             QKeySequence("Ctrl+Alt+M"),
+                             tr("Sets how much memory the import of a model may take")},
+                            [this] { ask_memory_limit(); }));
+}
+
+void FileActions::ask_memory_limit() {
+  bool is_chosen = false;
+  const double limit =
+      QInputDialog::getDouble(&window_, tr("Import memory limit"),
+                              tr("The import of a model is ended where it needs more memory than this (GB):"),
+                              ModelImport::memory_limit(), 0.1, 4096, 1, &is_chosen);
+  if (is_chosen) ModelImport::set_memory_limit(limit);
 }
 
 void FileActions::update_recent() {

@@ -79,6 +79,7 @@ class FileActions : public QObject {
 
   void begin(const QString& file, bool merges);
   void import_next();
+  void ask_memory_limit();
   void take_model(const ImportedModel& model);
   void take_scene(const Import& import, ReadScene read);
   /// Unless the scene was edited since then, or after a question.

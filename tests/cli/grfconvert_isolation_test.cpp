@@ -43,7 +43,7 @@ class GrfconvertIsolation : public testing::Test {
     return endless_ + ": error: not done after the 0.5 s that --max-time allows\n";
   }
   std::string memory_error() const {
-    return greedy_ + ": error: more memory is needed than the 4 GB that --max-memory allows\n";
+    return greedy_ + ": error: more memory is needed than the limit of 4 GB\n";
   }
 
   /// Converts, tells about and checks a file, with further options.

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <string>
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/document/document.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
@@ -73,6 +75,18 @@ TEST_F(ModelImports, SayWhatIsWrong) {
   EXPECT_THAT(failure_of(QString::fromStdString(broken)), HasSubstr("broken.obj:2:7: error: no vertex"));
   EXPECT_THAT(failure_of("/nowhere/at-all.obj"), HasSubstr("No such file"));
   EXPECT_TRUE(left().isEmpty());
+}
+
+TEST_F(ModelImports, KeepToALimitOfMemoryThatCanBeRaised) {
+  if (test::HasSanitizers) GTEST_SKIP() << "sanitizers reserve more address space than any limit";
+  EXPECT_EQ(ModelImport::memory_limit(), 4);
+  ModelImport::set_memory_limit(0.025);
+  const std::string failure = failure_of("/usr/share/glmark2/models/bunny.obj");
+  EXPECT_THAT(failure, HasSubstr("more memory is needed than the limit of 26 MB"));
+  EXPECT_THAT(failure, testing::Not(HasSubstr("--")));
+  ModelImport::set_memory_limit(2);
+  EXPECT_NE(imported("/usr/share/glmark2/models/bunny.obj"), nullptr);
+  QSettings().remove("import/memory_limit");
 }
 
 TEST_F(ModelImports, CanBeCancelled) {
