@@ -167,14 +167,4 @@ std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverO
   return changed;
 }
 
-std::optional<grf::Scene> remove_observer(const grf::Scene& scene, const ObserverObject& observer,
-                                          grf::Diagnostics& diagnostics) {
-  grf::Scene changed = scene;
-  grf::Params* params = params_at(changed, observer);
-  if (params == nullptr) return nothing_there("observer", diagnostics);
-  params->views.erase(params->views.begin() + static_cast<std::ptrdiff_t>(observer.number));
-  if (params->views.empty()) erase(changed, {observer.path});
-  return changed;
-}
-
 }  // namespace editor

@@ -56,8 +56,5 @@ grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position);
 /// Moves one to a place in the world.
 std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverObject& observer,
                                         const grf::Vec3d& position, grf::Diagnostics& diagnostics);
-/// Its `params` goes with the last one.
-std::optional<grf::Scene> remove_observer(const grf::Scene& scene, const ObserverObject& observer,
-                                          grf::Diagnostics& diagnostics);
 
 }  // namespace editor

@@ -1,6 +1,8 @@
 #include "editor/document/object_edits.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -17,6 +19,24 @@ using Step = grf::TransformStep;
 std::optional<grf::Scene> nothing_there(grf::Diagnostics& diagnostics) {
   diagnostics.error({}, "nothing stands at that place");
   return std::nullopt;
+}
+
+/// Takes observers out of their `params`; the paths of those that have none left are added to `gone`. False
+/// where there is no such observer.
+bool remove_observers(grf::Scene& scene, const std::vector<ObserverObject>& observers,
+                      std::vector<grf::ScenePath>& gone) {
+  std::map<grf::ScenePath, std::set<std::size_t>> numbers;
+  for (const ObserverObject& observer : observers) numbers[observer.path].insert(observer.number);
+  for (const auto& [path, of_params] : numbers) {
+    const grf::ScenePlace place = grf::find(scene, path);
+    auto* params = place.block == nullptr ? nullptr : std::get_if<grf::Params>(&place.block->content);
+    if (params == nullptr || *of_params.rbegin() >= params->views.size()) return false;
+    for (auto number = of_params.rbegin(); number != of_params.rend(); ++number) {
+      params->views.erase(params->views.begin() + static_cast<std::ptrdiff_t>(*number));
+    }
+    if (params->views.empty()) gone.push_back(path);
+  }
+  return true;
 }
 
 /// The transform that moves a block alone: what stands at the path, or the block around it. Else null.
@@ -102,6 +122,7 @@ std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathVie
 }
 
 std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
+                                         const std::vector<ObserverObject>& observers,
                                          grf::Diagnostics& diagnostics) {
   for (const auto& [definition, uses] : count_uses(scene, paths)) {
     const bool goes = std::any_of(paths.begin(), paths.end(), [&scene, used = definition](const auto& path) {
@@ -113,7 +134,9 @@ std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vec
     return std::nullopt;
   }
   grf::Scene changed = scene;
-  erase(changed, paths);
+  std::vector<grf::ScenePath> gone = paths;
+  if (!remove_observers(changed, observers, gone)) return nothing_there(diagnostics);
+  erase(changed, std::move(gone));
   return changed;
 }
 

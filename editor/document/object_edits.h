@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/document/scene_objects.h"
 #include "grf/diagnostics.h"
 #include "grf/math.h"
 #include "grf/scene.h"
@@ -18,8 +19,10 @@ namespace editor {
 std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathView path,
                                       const grf::Vec3d& offset, grf::Diagnostics& diagnostics);
 
-/// Takes away blocks, and definitions that nothing else refers to.
+/// Deletes blocks, definitions that nothing else refers to, and observers, whose `params` goes with the last
+/// of them.
 std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
+                                         const std::vector<ObserverObject>& observers,
                                          grf::Diagnostics& diagnostics);
 
 /// Puts a block there once more, moved in the world. Meshes in it become definitions, which both use.

@@ -276,7 +276,7 @@ void LightPanel::add() {
 
 void LightPanel::remove() {
   grf::Diagnostics diagnostics;
-  auto scene = remove_objects(document_.scene(), {*path_}, diagnostics);
+  auto scene = remove_objects(document_.scene(), {*path_}, {}, diagnostics);
   path_.reset();
   if (scene) document_.replace(tr("Delete light"), std::move(*scene));
 }

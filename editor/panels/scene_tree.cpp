@@ -206,18 +206,20 @@ void SceneTree::duplicate_chosen() {
 void SceneTree::remove_chosen() {
   grf::Diagnostics diagnostics;
   const std::vector<const SceneEntry*> entries = chosen_entries();
-  if (entries.size() == 1 && entries.front()->kind == SceneEntry::Kind::Observer) {
-    const ObserverObject observer = {entries.front()->path, entries.front()->observer, grf::Vec3d(0)};
-    return put(tr("Delete observer"), remove_observer(document_.scene(), observer, diagnostics), diagnostics);
-  }
   std::vector<grf::ScenePath> paths;
+  std::vector<ObserverObject> observers;
   for (const SceneEntry* entry : entries) {
-    if (entry->kind != SceneEntry::Kind::Group) paths.push_back(entry->path);
+    if (entry->kind == SceneEntry::Kind::Observer) {
+      observers.push_back({entry->path, entry->observer, grf::Vec3d(0)});
+    } else if (entry->kind != SceneEntry::Kind::Group) {
+      paths.push_back(entry->path);
+    }
   }
-  if (paths.empty()) return;
-  const QString text = paths.size() == 1 ? tr("Delete %1").arg(entries.front()->name)
-                                         : tr("Delete %1 objects").arg(paths.size());
-  put(text, remove_objects(document_.scene(), paths, diagnostics), diagnostics);
+  const std::size_t count = paths.size() + observers.size();
+  if (count == 0) return;
+  const QString text =
+      count == 1 ? tr("Delete %1").arg(entries.front()->name) : tr("Delete %1 objects").arg(count);
+  put(text, remove_objects(document_.scene(), paths, observers, diagnostics), diagnostics);
 }
 
 void SceneTree::remove_unused() {

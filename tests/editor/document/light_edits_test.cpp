@@ -117,7 +117,7 @@ TEST_F(LightEdits, LightsAreAddedChangedAndRemoved) {
   EXPECT_EQ(larger.corner, grf::Vec3f(-0.5F, 3, -1));
   take(change_light(document_.scene(), objects().lights[1].path, larger, diagnostics_));
   EXPECT_EQ(world_area(objects().lights[1]), 8);
-  take(remove_objects(document_.scene(), {objects().lights[1].path}, diagnostics_));
+  take(remove_objects(document_.scene(), {objects().lights[1].path}, {}, diagnostics_));
   EXPECT_EQ(document_.scene(), scene_of(SceneOfLights));
   EXPECT_FALSE(change_light(document_.scene(), grf::ScenePath{0, 2}, light, diagnostics_));
 }
@@ -129,9 +129,19 @@ TEST_F(LightEdits, ObserversAreAddedMovedAndRemoved) {
   take(move_observer(document_.scene(), objects().observers[0], grf::Vec3d(4, 6, 8), diagnostics_));
   EXPECT_EQ(objects().observers[0].position, grf::Vec3d(4, 6, 8));
   EXPECT_THAT(grf::to_text(document_.scene()), HasSubstr("dependent view (2, 3, 4)"));
-  take(remove_observer(document_.scene(), objects().observers[0], diagnostics_));
+  take(remove_objects(document_.scene(), {}, {objects().observers[0]}, diagnostics_));
   ASSERT_EQ(objects().observers.size(), 1U);
   EXPECT_EQ(objects().observers[0].position, grf::Vec3d(0, 0, 9));
+  // Two of four: the others of their block stay.
+  for (const double z : {1.0, 2.0, 3.0}) take(add_observer(document_.scene(), grf::Vec3d(0, 0, z)));
+  ASSERT_EQ(objects().observers.size(), 4U);
+  take(remove_objects(document_.scene(), {}, {objects().observers[0], objects().observers[2]}, diagnostics_));
+  ASSERT_EQ(objects().observers.size(), 2U);
+  EXPECT_EQ(objects().observers[0].position, grf::Vec3d(0, 0, 1));
+  EXPECT_EQ(objects().observers[1].position, grf::Vec3d(0, 0, 3));
+  take(remove_objects(document_.scene(), {}, objects().observers, diagnostics_));
+  EXPECT_TRUE(objects().observers.empty());
+  EXPECT_THAT(grf::to_text(document_.scene()), Not(HasSubstr("begin params")));
 }
 
 TEST_F(LightEdits, ObjectsAreMovedInTheWorld) {
@@ -171,10 +181,10 @@ TEST_F(LightEdits, ObjectsAreRenamedAndRemoved) {
   take(rename_object(document_.scene(), grf::ScenePath{0, 0}, "slab", diagnostics_));
   EXPECT_THAT(grf::to_text(document_.scene()), HasSubstr("use slab"));
   EXPECT_FALSE(rename_object(document_.scene(), grf::ScenePath{0, 1}, "x", diagnostics_));
-  EXPECT_FALSE(remove_objects(document_.scene(), {{0, 0}}, diagnostics_));
+  EXPECT_FALSE(remove_objects(document_.scene(), {{0, 0}}, {}, diagnostics_));
   EXPECT_THAT(diagnostics_.to_text(), HasSubstr("'slab' is used 2 times"));
   // With all that uses it, it may go.
-  take(remove_objects(document_.scene(), {{0, 0}, {0, 1, 2}, {0, 2}}, diagnostics_));
+  take(remove_objects(document_.scene(), {{0, 0}, {0, 1, 2}, {0, 2}}, {}, diagnostics_));
   EXPECT_EQ(objects().instances.size(), 2U);
 }
 

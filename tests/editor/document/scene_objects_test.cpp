@@ -140,7 +140,7 @@ TEST(DeepScenes, CanBeLookedAtAndEditedOnASmallStack) {
     EXPECT_EQ(objects_of(*two, "scene.grf").instances.size(), 2U);
     const auto used_alone = remove_unused_definitions(scene);
     EXPECT_EQ(grf::nesting_of(used_alone.contents), grf::DeepestNesting / 2 + 1);
-    EXPECT_TRUE(remove_objects(scene, {path}, diagnostics)) << diagnostics.to_text();
+    EXPECT_TRUE(remove_objects(scene, {path}, {}, diagnostics)) << diagnostics.to_text();
   });
 }
 
