@@ -9,9 +9,11 @@ namespace editor {
 /// alone. Where `is_structural` holds, anything may be another, and objects have other numbers; else the rest
 /// says all.
 struct Change {
-  bool is_structural = false;         ///< objects came, went, or got another place, name or geometry
+  bool is_structural = false;         ///< objects came, went, or got another place or geometry
   bool definitions = false;           ///< what colours, BRDFs, PDFs or textures of a name are
   bool lights = false;                ///< area lights or observers
+  bool names = false;                 ///< of meshes, with no other order of objects
+  bool references = false;            ///< faces name other definitions than before, or may do so
   std::vector<std::uint32_t> meshes;  ///< whose faces have other surfaces; numbers of the scene's objects
 };
 

@@ -284,10 +284,7 @@ FaceSelection Document::carried_over(const SceneObjects& before) const {
       match = place->second;
     }
     if (!match || before.meshes[*match].mesh->face_count() != object.mesh->face_count()) continue;
-    const std::vector<bool>& faces = selection_->of_mesh(*match);
-    for (std::uint32_t face = 0; face < faces.size(); ++face) {
-      if (faces[face]) carried.set({now, face});
-    }
+    carried.set_faces(now, selection_->of_mesh(*match));
   }
   return carried;
 }

@@ -24,9 +24,8 @@ class Spread {
         if (!selection.has({mesh, of_face.face})) ++unselected_[edge];
       }
     }
-    for (std::uint32_t face = 0; face < geometry.face_count(); ++face) {
-      if (selection.has({mesh, face})) front_.push_back(face);
-    }
+    selection.for_each_face(mesh,
+                            [this](std::size_t face) { front_.push_back(static_cast<std::uint32_t>(face)); });
   }
 
   /// Goes from the selected faces to those that share an edge with one, and on from there, as long as
@@ -113,26 +112,36 @@ LikenessKey key_of(const grf::Surface& surface, const Look& look, Likeness liken
 
 }  // namespace
 
-FaceSelection::FaceSelection(const SceneObjects& objects) {
+FaceSelection::FaceSelection(const SceneObjects& objects) : counts_(objects.meshes.size()) {
+  faces_.reserve(objects.meshes.size());
   for (const MeshObject& mesh : objects.meshes) faces_.emplace_back(mesh.mesh->face_count());
 }
 
+void FaceSelection::count_faces(std::uint32_t mesh) {
+  count_ -= counts_[mesh];
+  counts_[mesh] = faces_[mesh].count();
+  count_ += counts_[mesh];
+}
+
 void FaceSelection::set(FaceId face, bool is_selected) {
-  auto entry = faces_[face.mesh][face.face];
-  if (entry == is_selected) return;
-  entry = is_selected;
-  if (is_selected) {
-    ++count_;
-  } else {
-    --count_;
-  }
+  if (has(face) == is_selected) return;
+  faces_[face.mesh][face.face] = is_selected;
+  counts_[face.mesh] += is_selected ? 1 : -1;
+  count_ += is_selected ? 1 : -1;
 }
 
 void FaceSelection::set_mesh(std::uint32_t mesh, bool is_selected) {
-  std::vector<bool>& faces = faces_[mesh];
-  count_ -= static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
-  faces.assign(faces.size(), is_selected);
-  if (is_selected) count_ += faces.size();
+  if (is_selected) {
+    faces_[mesh].set();
+  } else {
+    faces_[mesh].reset();
+  }
+  count_faces(mesh);
+}
+
+void FaceSelection::set_faces(std::uint32_t mesh, const Faces& faces) {
+  faces_[mesh] = faces;
+  count_faces(mesh);
 }
 
 void FaceSelection::clear() {
@@ -146,33 +155,29 @@ void FaceSelection::select_all() {
 std::vector<std::uint32_t> FaceSelection::meshes() const {
   std::vector<std::uint32_t> meshes;
   for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-    const std::vector<bool>& faces = faces_[i];
-    if (std::find(faces.begin(), faces.end(), true) != faces.end()) meshes.push_back(i);
+    if (counts_[i] > 0) meshes.push_back(i);
   }
   return meshes;
 }
 
 void FaceSelection::invert() {
-  count_ = 0;
-  for (std::vector<bool>& faces : faces_) {
-    faces.flip();
-    count_ += static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+    faces_[i].flip();
+    count_faces(i);
   }
 }
 
 void FaceSelection::add(const FaceSelection& other) {
-  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-    for (std::uint32_t face = 0; face < faces_[i].size(); ++face) {
-      if (other.has({i, face})) set({i, face});
-    }
+  for (const std::uint32_t i : other.meshes()) {
+    faces_[i] |= other.faces_[i];
+    count_faces(i);
   }
 }
 
 void FaceSelection::remove(const FaceSelection& other) {
-  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-    for (std::uint32_t face = 0; face < faces_[i].size(); ++face) {
-      if (other.has({i, face})) set({i, face}, false);
-    }
+  for (const std::uint32_t i : other.meshes()) {
+    faces_[i] -= other.faces_[i];
+    count_faces(i);
   }
 }
 
@@ -236,9 +241,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<bool> is_used(mesh.surfaces.size());
-    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      if (selection.has({i, face})) is_used[(*mesh.surface_of_face)[face]] = true;
-    }
+    selection.for_each_face(i, [&](std::size_t face) { is_used[(*mesh.surface_of_face)[face]] = true; });
     for (std::size_t k = 0; k < is_used.size(); ++k) {
       if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness));
     }

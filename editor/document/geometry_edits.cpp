@@ -19,7 +19,7 @@
 namespace editor {
 namespace {
 
-std::vector<std::uint32_t> numbers_of(const std::vector<bool>& faces) {
+std::vector<std::uint32_t> numbers_of(const FaceSelection::Faces& faces) {
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t face = 0; face < faces.size(); ++face) {
     if (faces[face]) numbers.push_back(face);
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> numbers_of(const std::vector<bool>& faces) {
 
 /// The mesh with the vertices of a part, whose faces are some of its own in the same order, in place of those
 /// that these faces had.
-grf::Mesh with_part(const grf::Mesh& mesh, const std::vector<bool>& faces, const grf::Mesh& part) {
+grf::Mesh with_part(const grf::Mesh& mesh, const FaceSelection::Faces& faces, const grf::Mesh& part) {
   grf::MeshDraft vertices_of_both(mesh);
   std::vector<std::uint32_t> copies;
   const std::size_t count = part.geometry->positions.size();
@@ -56,8 +56,8 @@ grf::Mesh with_part(const grf::Mesh& mesh, const std::vector<bool>& faces, const
 using MeshEdit = std::function<grf::Mesh(const grf::Mesh&)>;
 
 /// The mesh whose faces that are meant are edited. The edit keeps number and order of faces.
-grf::Mesh edited_mesh(const grf::Mesh& mesh, const std::vector<bool>& faces, const MeshEdit& edit) {
-  if (std::find(faces.begin(), faces.end(), false) == faces.end()) return edit(mesh);
+grf::Mesh edited_mesh(const grf::Mesh& mesh, const FaceSelection::Faces& faces, const MeshEdit& edit) {
+  if (faces.all()) return edit(mesh);
   return with_part(mesh, faces, edit(grf::part_of(mesh, numbers_of(faces))));
 }
 
@@ -65,7 +65,7 @@ grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {
   grf::Scene scene = faces.scene;
   const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection);
   for (const std::uint32_t i : selection.meshes()) {
-    const std::vector<bool>& of_mesh = selection.of_mesh(i);
+    const FaceSelection::Faces& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];
     *grf::find_mesh(scene, object.path) = edited_mesh(*object.mesh, of_mesh, edit);
   }
@@ -189,9 +189,9 @@ grf::Scene without_faces(const SelectedFaces& faces) {
   std::vector<grf::ScenePath> gone;
   const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection);
   for (const std::uint32_t i : selection.meshes()) {
-    const std::vector<bool>& of_mesh = selection.of_mesh(i);
+    const FaceSelection::Faces& of_mesh = selection.of_mesh(i);
     const MeshObject& object = faces.objects.meshes[i];
-    if (std::find(of_mesh.begin(), of_mesh.end(), false) == of_mesh.end()) {
+    if (of_mesh.all()) {
       gone.push_back(object.path);
       continue;
     }
@@ -215,10 +215,9 @@ CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection&
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     const auto& colours = mesh.geometry->colours;
     const bool has_values = !colours.empty() || !mesh.irradiance->empty();
-    const std::vector<bool>& faces = selection.of_mesh(i);
+    const FaceSelection::Faces& faces = selection.of_mesh(i);
     bool is_first = true;
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (!faces[face]) continue;
+    for (auto face = faces.find_first(); face != FaceSelection::Faces::npos; face = faces.find_next(face)) {
       // Vertices without values are all alike.
       if (!is_first && !has_values && (common.have_normals || mesh.geometry->normals.empty())) break;
       is_first = false;

@@ -22,13 +22,6 @@ std::optional<grf::Colour> emission_of(const MeshObject& mesh, std::size_t surfa
   return mesh.is_light ? look.colour : look.emission;
 }
 
-bool emits(const MeshObject& mesh) {
-  for (std::size_t i = 0; i < mesh.looks.size(); ++i) {
-    if (emission_of(mesh, i)) return true;
-  }
-  return false;
-}
-
 Emitter emitter_of(const MeshObject& mesh) {
   Emitter emitter;
   emitter.kind = mesh.is_light ? Emitter::Kind::MeshLight : Emitter::Kind::Faces;
@@ -82,6 +75,13 @@ grf::Colour radiance_of(double power, double area, const grf::Colour& colour) {
   return grf::Colour(grf::Vec3d(colour) * (wanted / now));
 }
 
+bool emits(const MeshObject& mesh) {
+  for (std::size_t i = 0; i < mesh.looks.size(); ++i) {
+    if (emission_of(mesh, i)) return true;
+  }
+  return false;
+}
+
 double world_area(const LightObject& light) {
   grf::Vec3d edge1;
   grf::Vec3d edge2;
@@ -105,7 +105,7 @@ std::vector<Emitter> emitters_of(const SceneObjects& objects) {
     places[i] = emitters.size();
     emitters.push_back(emitter_of(objects.meshes[i]));
   }
-  for (const MeshInstance& instance : objects.instances) {
+  for (const MeshInstance& instance : *objects.instances) {
     if (!are_emitting[instance.mesh]) continue;
     add_place(objects.meshes[instance.mesh], instance.to_world, emitters[places[instance.mesh]]);
   }

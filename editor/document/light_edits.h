@@ -36,6 +36,8 @@ struct Emitter {
   double power = 0;       ///< W
 };
 std::vector<Emitter> emitters_of(const SceneObjects& objects);
+/// Whether a mesh has a surface that emits.
+bool emits(const MeshObject& mesh);
 
 /// Makes the selected faces send out so many watts together, in the colour of the given radiance.
 SurfaceEdit emission_of_power(const SceneObjects& objects, const FaceSelection& selection, double power,

@@ -42,6 +42,7 @@ class Collector {
     };
     grf::visit(scene, visitor, path_);
     objects_.bounds.extendBy(objects_.mesh_bounds);
+    objects_.instances = std::move(instances_);
     return std::move(objects_);
   }
 
@@ -53,6 +54,9 @@ class Collector {
     const auto meet = [&](const grf::Shared<grf::Mesh>& mesh, const grf::Placement& placement) {
       if (are_changed[number]) {
         objects.meshes[number].mesh = mesh;
+        if (!objects.meshes[number].is_definition && !objects.meshes[number].is_light) {
+          objects.meshes[number].name = mesh->name;
+        }
         objects.meshes[number].looks = looks_of(*mesh, placement);
       }
       ++number;
@@ -108,7 +112,7 @@ class Collector {
 
   void place(std::uint32_t index, const grf::Placement& placement) {
     const grf::Mesh& mesh = *objects_.meshes[index].mesh;
-    objects_.instances.push_back({index, path_of(placement), placement.to_world});
+    instances_.push_back({index, path_of(placement), placement.to_world});
     objects_.triangles += mesh.geometry->triangle_count();
     objects_.mesh_bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
   }
@@ -151,6 +155,7 @@ class Collector {
 
   const std::string& path_;
   SceneObjects objects_;
+  std::vector<MeshInstance> instances_;
   // What was met last under these definitions: they are met before what uses them, and those in a file that
   // is included at several places once at each of them, where names around it may mean other things.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes

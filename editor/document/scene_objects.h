@@ -63,7 +63,7 @@ struct ObserverObject {
 
 struct SceneObjects {
   std::vector<MeshObject> meshes;
-  std::vector<MeshInstance> instances;
+  grf::Shared<std::vector<MeshInstance>> instances;
   std::vector<LightObject> lights;
   std::vector<ObserverObject> observers;
   grf::Box3d mesh_bounds;     ///< of all instances, in the world; empty if there are none

@@ -60,6 +60,15 @@ void splice(std::vector<T>& list, std::size_t first, std::size_t count, const st
   }
 }
 
+bool names_a_definition(const grf::Surface& surface) {
+  const auto is_name = [](const auto& attribute) {
+    return attribute && std::holds_alternative<grf::Reference>(*attribute);
+  };
+  const auto* brdf = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
+  return is_name(surface.colour) || is_name(surface.brdf) || is_name(surface.pdf) ||
+         is_name(surface.texture) || (brdf != nullptr && !brdf->terms.empty());
+}
+
 grf::ScenePath path_in(grf::ScenePath path, std::size_t number) {
   path.push_back(static_cast<std::uint32_t>(number));
   return path;
@@ -182,11 +191,18 @@ ScenePatch ScenePatch::of_meshes(const grf::Scene& before, const std::vector<Pla
 
 ScenePatch::MeshPart ScenePatch::mesh_part(grf::ScenePath path, const grf::Mesh& before,
                                            const grf::Mesh& after) {
-  MeshPart part = {std::move(path), before, after, false, {}};
-  if (before.face_count() != after.face_count()) return part;
-  part.has_runs = true;
-  part.before.surface_of_face = {};
-  part.after.surface_of_face = {};
+  MeshPart part;
+  part.path = std::move(path);
+  const bool have_same_shape = before.name == after.name && before.comments == after.comments &&
+                               before.geometry == after.geometry && before.irradiance == after.irradiance;
+  if (!have_same_shape) {
+    part.whole = std::make_shared<const WholeMeshes>(WholeMeshes{before, after});
+    return part;
+  }
+  const Alike same = alike(before.surfaces, after.surfaces);
+  part.first = same.first;
+  part.before = editor::between(before.surfaces, same);
+  part.after = editor::between(after.surfaces, same);
   if (before.surface_of_face.shares(after.surface_of_face)) return part;
   for (std::uint32_t face = 0; face < before.face_count(); ++face) {
     const std::uint32_t from = (*before.surface_of_face)[face];
@@ -215,11 +231,14 @@ void ScenePatch::revert(grf::Scene& after) const {
 }
 
 void ScenePatch::put(const MeshPart& part, bool is_forward, grf::Scene& scene) {
-  grf::Mesh& mesh = grf::find_mesh(scene, part.path)->edit();
-  auto surface_of_face = std::move(mesh.surface_of_face);
-  mesh = is_forward ? part.after : part.before;
-  if (!part.has_runs) return;
-  mesh.surface_of_face = std::move(surface_of_face);
+  grf::Shared<grf::Mesh>& shared = *grf::find_mesh(scene, part.path);
+  if (part.whole != nullptr) {
+    shared = is_forward ? part.whole->after : part.whole->before;
+    return;
+  }
+  grf::Mesh& mesh = shared.edit();
+  const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
+  splice(mesh.surfaces, part.first, from.size(), to);
   if (part.runs.empty()) return;
   const auto begin = mesh.surface_of_face.edit().begin();
   for (const FaceRun& run : part.runs) {
@@ -257,9 +276,16 @@ void ScenePatch::put(const EndCommentsPart& part, bool is_forward, grf::Scene& s
 }
 
 void ScenePatch::add_to(Change& change, const MeshPart& part) {
-  const bool has_other_shape =
-      !(part.before.geometry == part.after.geometry) || part.before.name != part.after.name;
-  change.is_structural = change.is_structural || has_other_shape;
+  if (part.whole != nullptr) {
+    const auto& [before, after] = *part.whole;
+    change.is_structural = change.is_structural || !(before.geometry == after.geometry);
+    change.names = change.names || before.name != after.name;
+  }
+  const auto name_anything = [](const std::vector<grf::Surface>& surfaces) {
+    return std::any_of(surfaces.begin(), surfaces.end(), names_a_definition);
+  };
+  change.references = change.references || part.whole != nullptr || !part.runs.empty() ||
+                      name_anything(part.before) || name_anything(part.after);
 }
 
 void ScenePatch::add_to(Change& change, const BlocksPart& part) {
@@ -305,7 +331,10 @@ std::set<grf::ScenePath> ScenePatch::meshes() const {
 
 /// A later change of the same thing is taken up, so that the ticks of a slider are one change.
 bool ScenePatch::continues(MeshPart& part, const MeshPart& later) {
-  if (part.path != later.path || !part.has_runs || !later.has_runs || !later.runs.empty()) return false;
+  const bool follows = part.path == later.path && part.whole == nullptr && later.whole == nullptr &&
+                       later.runs.empty() && part.first == later.first &&
+                       part.after.size() == later.before.size();
+  if (!follows) return false;
   part.after = later.after;
   return true;
 }
@@ -354,8 +383,14 @@ void ScenePatch::relocate(const std::string& from, const std::string& to,
   for (Part& part : parts_) {
     if (part.is_included) continue;
     if (auto* mesh = std::get_if<MeshPart>(&part.content)) {
-      relocate_all(mesh->before.surfaces);
-      relocate_all(mesh->after.surfaces);
+      if (mesh->whole != nullptr) {
+        WholeMeshes whole = *mesh->whole;
+        relocate_all(whole.before.surfaces);
+        relocate_all(whole.after.surfaces);
+        mesh->whole = std::make_shared<const WholeMeshes>(std::move(whole));
+      }
+      relocate_all(mesh->before);
+      relocate_all(mesh->after);
     } else if (auto* blocks = std::get_if<BlocksPart>(&part.content)) {
       relocate_all(blocks->before);
       relocate_all(blocks->after);

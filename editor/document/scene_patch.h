@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <variant>
@@ -52,13 +53,19 @@ class ScenePatch {
     std::uint32_t before = 0;
     std::uint32_t after = 0;
   };
-  /// Both states share their geometry with the scene. Where the number of faces stays, the runs say which
-  /// have other surfaces, and the meshes here hold no list of faces.
-  struct MeshPart {
-    grf::ScenePath path;
+  /// Two states of a mesh, with all that it has.
+  struct WholeMeshes {
     grf::Mesh before;
     grf::Mesh after;
-    bool has_runs = false;
+  };
+  /// Surfaces of a mesh replace others in its list, and runs of faces get other ones. Where anything else
+  /// differs, it holds both states whole instead, which share their geometry with the scene.
+  struct MeshPart {
+    grf::ScenePath path;
+    std::shared_ptr<const WholeMeshes> whole;
+    std::size_t first = 0;
+    std::vector<grf::Surface> before;
+    std::vector<grf::Surface> after;
     std::vector<FaceRun> runs;
   };
   /// Items replace others in a list, from one on: blocks, or definitions of a scope.

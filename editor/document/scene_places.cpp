@@ -402,23 +402,20 @@ FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects
                             const FaceSelection& selection) {
   FaceSelection faces = selection;
   // Together first: a file that is included thousands of times may be selected at each of its places.
-  std::map<WrittenPlace, std::vector<bool>> selected;
+  std::map<WrittenPlace, FaceSelection::Faces> selected;
   for (const std::uint32_t mesh : selection.meshes()) {
     const auto place = written_place(scene, objects.meshes[mesh].path);
     if (!place) continue;
-    const std::vector<bool>& of_mesh = selection.of_mesh(mesh);
-    std::vector<bool>& of_place = selected[*place];
-    of_place.resize(std::max(of_place.size(), of_mesh.size()));
-    std::transform(of_mesh.begin(), of_mesh.end(), of_place.begin(), of_place.begin(), std::logical_or<>());
+    FaceSelection::Faces& of_place = selected[*place];
+    of_place.resize(selection.of_mesh(mesh).size());
+    of_place |= selection.of_mesh(mesh);
   }
   if (selected.empty()) return faces;
   for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
     const auto place = written_place(scene, objects.meshes[i].path);
     const auto same = place ? selected.find(*place) : selected.end();
     if (same == selected.end()) continue;
-    for (std::uint32_t face = 0; face < same->second.size(); ++face) {
-      if (same->second[face]) faces.set({i, face});
-    }
+    faces.set_faces(i, same->second);
   }
   return faces;
 }

@@ -1,6 +1,7 @@
 #include "editor/document/surface_edits.h"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "grf/mesh.h"
@@ -10,11 +11,10 @@ namespace editor {
 namespace {
 
 /// Which of a mesh's surfaces selected faces have.
-std::vector<bool> selected_surfaces(const grf::Mesh& mesh, const std::vector<bool>& faces) {
+std::vector<bool> selected_surfaces(const grf::Mesh& mesh, const FaceSelection& selection,
+                                    std::uint32_t number) {
   std::vector<bool> has(mesh.surfaces.size());
-  for (std::size_t face = 0; face < faces.size(); ++face) {
-    if (faces[face]) has[(*mesh.surface_of_face)[face]] = true;
-  }
+  selection.for_each_face(number, [&](std::size_t face) { has[(*mesh.surface_of_face)[face]] = true; });
   return has;
 }
 
@@ -43,30 +43,77 @@ grf::Surface seen_as_mesh(const Look& look) {
   return surface;
 }
 
+/// How many faces have each of a mesh's surfaces.
+std::vector<std::size_t> uses_of_surfaces(const grf::Mesh& mesh) {
+  std::vector<std::size_t> uses(mesh.surfaces.size());
+  // Faces of one surface mostly follow each other: a run is counted at once.
+  const std::vector<std::uint32_t>& surfaces = *mesh.surface_of_face;
+  for (auto run = surfaces.begin(); run != surfaces.end();) {
+    const auto end = std::find_if(run, surfaces.end(), [run](std::uint32_t each) { return each != *run; });
+    uses[*run] += static_cast<std::size_t>(end - run);
+    run = end;
+  }
+  return uses;
+}
+
+bool are_different(const std::vector<grf::Surface>& surfaces) {
+  const auto hash = [](const grf::Surface* surface) { return grf::hash_value(*surface); };
+  const auto equal = [](const grf::Surface* a, const grf::Surface* b) { return *a == *b; };
+  std::unordered_set<const grf::Surface*, decltype(hash), decltype(equal)> known(surfaces.size());
+  return std::all_of(surfaces.begin(), surfaces.end(),
+                     [&known](const grf::Surface& surface) { return known.insert(&surface).second; });
+}
+
 /// A mesh of which some faces get other surfaces.
 class Reassignment {
  public:
   Reassignment(const grf::Mesh& mesh, const SurfaceEdits& edits)
-      : mesh_(mesh), edits_(edits), surfaces_(mesh.surfaces), surface_of_face_(*mesh.surface_of_face) {}
+      : mesh_(mesh), edits_(edits), surfaces_(mesh.surfaces) {}
 
-  grf::Mesh run(const std::vector<bool>& faces) {
-    grf::SurfaceIndex index(surfaces_);
-    std::vector<std::optional<std::uint32_t>> after(surfaces_.size());
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (!faces[face]) continue;
-      std::uint32_t& surface = surface_of_face_[face];
-      auto& known = after[surface];
-      if (!known) known = edited(surface, index);
-      surface = *known;
-    }
+  grf::Mesh run(const FaceSelection& selection, std::uint32_t number) {
     grf::Mesh result = mesh_;
-    remove_unused();
+    if (!edit_whole_surfaces(selection, number)) {
+      std::vector<std::uint32_t> surface_of_face = *mesh_.surface_of_face;
+      reassign(selection, number, surface_of_face);
+      remove_unused(surface_of_face);
+      if (surface_of_face != *mesh_.surface_of_face) result.surface_of_face = std::move(surface_of_face);
+    }
     result.surfaces = std::move(surfaces_);
-    if (surface_of_face_ != *mesh_.surface_of_face) result.surface_of_face = std::move(surface_of_face_);
     return result;
   }
 
  private:
+  /// Edits surfaces all of whose faces are selected in their place, so that no face needs another number.
+  /// Returns false, with nothing done, where that is not all: the first surface is the mesh's own, which
+  /// stays for the faces that are not listed, and no two surfaces may come to be the same.
+  bool edit_whole_surfaces(const FaceSelection& selection, std::uint32_t number) {
+    const std::vector<std::size_t> uses = uses_of_surfaces(mesh_);
+    std::vector<std::size_t> selected(uses.size());
+    selection.for_each_face(number, [&](std::size_t face) { ++selected[(*mesh_.surface_of_face)[face]]; });
+    std::vector<grf::Surface> changed = surfaces_;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      if (selected[i] == 0) continue;
+      const bool is_own_beside_others = i == 0 && uses.size() > 1;
+      if (selected[i] != uses[i] || is_own_beside_others) return false;
+      edits_(mesh_.surfaces[i]).apply(changed[i]);
+    }
+    if (!are_different(changed)) return false;
+    surfaces_ = std::move(changed);
+    return true;
+  }
+
+  void reassign(const FaceSelection& selection, std::uint32_t number,
+                std::vector<std::uint32_t>& surface_of_face) {
+    grf::SurfaceIndex index(surfaces_);
+    std::vector<std::optional<std::uint32_t>> after(surfaces_.size());
+    selection.for_each_face(number, [&](std::size_t face) {
+      std::uint32_t& surface = surface_of_face[face];
+      auto& known = after[surface];
+      if (!known) known = edited(surface, index);
+      surface = *known;
+    });
+  }
+
   std::uint32_t edited(std::uint32_t surface, grf::SurfaceIndex& index) const {
     grf::Surface changed = mesh_.surfaces[surface];
     edits_(changed).apply(changed);
@@ -74,9 +121,9 @@ class Reassignment {
   }
 
   // The first surface is what the mesh says before its lists: where all faces have another, that becomes it.
-  void remove_unused() {
+  void remove_unused(std::vector<std::uint32_t>& surface_of_face) {
     std::vector<bool> used(surfaces_.size());
-    for (const std::uint32_t surface : surface_of_face_) used[surface] = true;
+    for (const std::uint32_t surface : surface_of_face) used[surface] = true;
     std::vector<std::uint32_t> places(used.size(), 0);
     std::vector<grf::Surface> kept;
     const auto uses = std::count(used.begin(), used.end(), true);
@@ -87,13 +134,12 @@ class Reassignment {
       kept.push_back(std::move(surfaces_[i]));
     }
     surfaces_ = std::move(kept);
-    for (std::uint32_t& surface : surface_of_face_) surface = places[surface];
+    for (std::uint32_t& surface : surface_of_face) surface = places[surface];
   }
 
   const grf::Mesh& mesh_;
   const SurfaceEdits& edits_;
   std::vector<grf::Surface> surfaces_;
-  std::vector<std::uint32_t> surface_of_face_;
 };
 
 }  // namespace
@@ -118,7 +164,7 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
   bool is_first = true;
   for (const std::uint32_t i : selection.meshes()) {
     const MeshObject& object = objects.meshes[i];
-    const std::vector<bool> has = selected_surfaces(*object.mesh, selection.of_mesh(i));
+    const std::vector<bool> has = selected_surfaces(*object.mesh, selection, i);
     for (std::size_t k = 0; k < has.size(); ++k) {
       if (!has[k]) continue;
       const grf::Surface& surface =
@@ -140,7 +186,7 @@ std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSele
     const MeshObject& object = objects.meshes[i];
     if (object.is_light) continue;
     const auto first = static_cast<std::ptrdiff_t>(brdfs.size());
-    const std::vector<bool> has = selected_surfaces(*object.mesh, selection.of_mesh(i));
+    const std::vector<bool> has = selected_surfaces(*object.mesh, selection, i);
     for (std::size_t k = 0; k < has.size(); ++k) {
       const MeshBrdf brdf = {i, object.mesh->surfaces[k].brdf};
       if (has[k] && std::find(brdfs.begin() + first, brdfs.end(), brdf) == brdfs.end()) brdfs.push_back(brdf);
@@ -151,12 +197,11 @@ std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSele
 
 double selected_area(const SceneObjects& objects, const FaceSelection& selection) {
   double area = 0;
-  for (const MeshInstance& instance : objects.instances) {
-    const std::vector<bool>& faces = selection.of_mesh(instance.mesh);
+  for (const MeshInstance& instance : *objects.instances) {
     const grf::Mesh& mesh = *objects.meshes[instance.mesh].mesh;
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (faces[face]) area += grf::doubled_area_vector(*mesh.geometry, face, instance.to_world).length() / 2;
-    }
+    selection.for_each_face(instance.mesh, [&](std::size_t face) {
+      area += grf::doubled_area_vector(*mesh.geometry, face, instance.to_world).length() / 2;
+    });
   }
   return area;
 }
@@ -175,7 +220,7 @@ std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection&
   for (const std::uint32_t i : selection.meshes()) {
     const MeshObject& object = objects.meshes[i];
     Reassignment reassignment(*object.mesh, object.is_light ? of_light : edits);
-    result.push_back({object.path, reassignment.run(selection.of_mesh(i))});
+    result.push_back({object.path, reassignment.run(selection, i)});
   }
   return result;
 }

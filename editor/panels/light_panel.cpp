@@ -95,7 +95,9 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   layout->addWidget(pages_);
   layout->addWidget(problem_);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &LightPanel::choose_item);
-  connect(&document_, &Document::changed, this, &LightPanel::show_lights);
+  connect(&document_, &Document::changed, this, [this](const Change& change) {
+    if (concerns_lights(change)) show_lights();
+  });
   show_lights();
 }
 
@@ -187,6 +189,15 @@ const LightObject* LightPanel::chosen_light() const {
   const auto found = std::find_if(lights.begin(), lights.end(),
                                   [this](const LightObject& light) { return path_ && light.path == *path_; });
   return found == lights.end() ? nullptr : &*found;
+}
+
+bool LightPanel::concerns_lights(const Change& change) const {
+  if (change.is_structural || change.lights || change.definitions) return true;
+  return std::any_of(change.meshes.begin(), change.meshes.end(), [this](std::uint32_t i) {
+    const MeshObject& mesh = document_.objects().meshes[i];
+    const auto is_it = [&mesh](const Emitter& emitter) { return emitter.path == mesh.path; };
+    return emits(mesh) || std::any_of(emitters_.begin(), emitters_.end(), is_it);
+  });
 }
 
 void LightPanel::show_lights() {

@@ -42,6 +42,7 @@ class LightPanel : public QWidget {
   void connect_form();
   QWidget* make_buttons();
   void show_lights();
+  bool concerns_lights(const Change& change) const;
   void show_chosen();
   void choose_item();
   void change(const QString& text, const grf::AreaLight& light, const QString& key);

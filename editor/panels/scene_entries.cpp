@@ -47,7 +47,7 @@ class Builder {
   explicit Builder(const Document& document) : document_(document), uses_(count_uses(document.scene())) {
     const SceneObjects& objects = document.objects();
     for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) meshes_.emplace(objects.meshes[i].path, i);
-    for (const MeshInstance& instance : objects.instances) {
+    for (const MeshInstance& instance : *objects.instances) {
       meshes_.emplace(instance.path, instance.mesh);
       places_.emplace(instance.path, grf::Vec3f(grf::Vec3d(0) * instance.to_world));
     }

@@ -153,20 +153,18 @@ QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const {
   return nullptr;
 }
 
-void SceneModel::update_scene() {
+void SceneModel::update_scene(const Change& change) {
+  // What faces have is not in the list, but how many of them use a definition is.
+  const bool is_of_faces_alone = !change.is_structural && !change.definitions && !change.lights;
+  if (is_of_faces_alone && !change.names && !change.references) return;
   update_children(*root_, std::move(entries_of(document_)->children));
   update_selection();
 }
 
 void SceneModel::update_selection() {
   const FaceSelection& selection = document_.selection();
-  std::vector<bool> meshes(selection.mesh_count());
-  for (std::uint32_t i = 0; i < meshes.size(); ++i) {
-    const std::vector<bool>& faces = selection.of_mesh(i);
-    meshes[i] = std::find(faces.begin(), faces.end(), true) != faces.end();
-  }
   for_each_entry(*root_, [&](SceneEntry& line) {
-    const bool has = line.mesh && *line.mesh < meshes.size() && meshes[*line.mesh];
+    const bool has = line.mesh && *line.mesh < selection.mesh_count() && selection.count(*line.mesh) > 0;
     if (std::exchange(line.has_selection, has) != has) {
       const QModelIndex index = index_of(line);
       emit dataChanged(index, index.siblingAtColumn(1), {Qt::FontRole});
@@ -199,12 +197,20 @@ void SceneModel::update_children(SceneEntry& now, std::vector<std::unique_ptr<Sc
     now.number_children();
     endInsertRows();
   }
+  // Views are told once of all lines: what they do for each call may be work in proportion to all.
+  SceneEntry* first_other = nullptr;
+  SceneEntry* last_other = nullptr;
   for (std::size_t i = 0; i < children.size(); ++i) {
-    if (wanted[i] != nullptr) update_entry(*children[i], *wanted[i]);
+    if (wanted[i] == nullptr || !update_entry(*children[i], *wanted[i])) continue;
+    last_other = children[i].get();
+    if (first_other == nullptr) first_other = last_other;
+  }
+  if (first_other != nullptr) {
+    emit dataChanged(index_of(*first_other), index_of(*last_other).siblingAtColumn(1));
   }
 }
 
-void SceneModel::update_entry(SceneEntry& now, SceneEntry& wanted) {
+bool SceneModel::update_entry(SceneEntry& now, SceneEntry& wanted) {
   const bool looks_other = now.name != wanted.name || now.detail != wanted.detail || now.help != wanted.help;
   now.name = wanted.name;
   now.detail = wanted.detail;
@@ -212,8 +218,8 @@ void SceneModel::update_entry(SceneEntry& now, SceneEntry& wanted) {
   now.path = wanted.path;
   now.mesh = wanted.mesh;
   now.observer = wanted.observer;
-  if (looks_other) emit dataChanged(index_of(now), index_of(now).siblingAtColumn(1));
   update_children(now, std::move(wanted.children));
+  return looks_other;
 }
 
 }  // namespace editor

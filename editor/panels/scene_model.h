@@ -40,10 +40,11 @@ class SceneModel : public QAbstractItemModel {
   void problem_found(const QString& problem);
 
  private:
-  void update_scene();
+  void update_scene(const Change& change);
   void update_selection();
   void update_children(SceneEntry& now, std::vector<std::unique_ptr<SceneEntry>> wanted);
-  void update_entry(SceneEntry& now, SceneEntry& wanted);
+  /// Returns whether the line itself looks other than before.
+  bool update_entry(SceneEntry& now, SceneEntry& wanted);
 
   Document& document_;
   std::unique_ptr<SceneEntry> root_;

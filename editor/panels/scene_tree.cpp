@@ -75,6 +75,7 @@ void SceneTree::make_view() {
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  view_->header()->setResizeContentsPrecision(0);  // of the lines that are seen: there may be thousands
   view_->setUniformRowHeights(true);
   view_->setIndentation(2 * Grid);
   view_->setIconSize({2 * Grid, 2 * Grid});

@@ -93,10 +93,10 @@ QVector<QPolygonF> uv_outlines(const SceneObjects& objects, const FaceSelection&
   QVector<QPolygonF> outlines;
   for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const std::vector<bool>& faces = selection.of_mesh(i);
+    const FaceSelection::Faces& faces = selection.of_mesh(i);
     if (mesh.geometry->uvs.empty()) continue;
-    for (std::size_t face = 0; face < faces.size() && outlines.size() < Most; ++face) {
-      if (!faces[face]) continue;
+    for (auto face = faces.find_first(); face != FaceSelection::Faces::npos && outlines.size() < Most;
+         face = faces.find_next(face)) {
       QPolygonF outline;
       for (const std::uint32_t corner : mesh.face(face)) {
         if (mesh.geometry->uvs.has(corner))

@@ -24,12 +24,10 @@ namespace {
 QString first_image(const Document& document) {
   const FaceSelection& selection = document.selection();
   for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
-    const std::vector<bool>& faces = selection.of_mesh(i);
-    const auto face = std::find(faces.begin(), faces.end(), true);
-    if (face == faces.end()) continue;
+    if (selection.count(i) == 0) continue;
     const MeshObject& object = document.objects().meshes[i];
-    const auto number = static_cast<std::size_t>(face - faces.begin());
-    return QString::fromStdString(object.looks[(*object.mesh->surface_of_face)[number]].texture);
+    const std::size_t first = selection.of_mesh(i).find_first();
+    return QString::fromStdString(object.looks[(*object.mesh->surface_of_face)[first]].texture);
   }
   return {};
 }

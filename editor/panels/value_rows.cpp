@@ -88,8 +88,7 @@ void ColourRow::show_facts(const SurfaceFacts& facts) {
   if (reference != nullptr) {
     const auto& objects = document_.objects();
     const auto mesh = objects.mesh_at(facts.meshes.front());
-    const auto& faces = document_.selection().of_mesh(*mesh);
-    const auto face = static_cast<std::size_t>(std::find(faces.begin(), faces.end(), true) - faces.begin());
+    const std::size_t face = document_.selection().of_mesh(*mesh).find_first();
     colour = objects.meshes[*mesh].looks[(*objects.meshes[*mesh].mesh->surface_of_face)[face]].colour;
   } else if (common.value) {
     colour = std::get<grf::Colour>(*common.value);

@@ -17,6 +17,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
 #include "editor/rendering/error_curve.h"
@@ -30,12 +31,17 @@ namespace editor {
 using job::PreviewState;
 using options::RenderOptions;
 
-RenderPanel::RenderPanel(OpDocument& options, const QString& program, QWidget* parent)
-    : QWidget(parent), options_(options), final_(program) {
+RenderPanel::RenderPanel(Document& document, const QString& program, QWidget* parent)
+    : QWidget(parent), document_(document), options_(document.options()), final_(program) {
   make_actions();
   lay_out();
   connect_preview();
   connect_final();
+  const auto follow_scene = [this] {
+    if (preview_.is_on()) restart_preview();
+  };
+  connect(&document_, &Document::changed, this, follow_scene);
+  connect(&document_, &Document::path_changed, this, follow_scene);
   connect(&options_, &OpDocument::changed, this, &RenderPanel::show_options);
   connect(&options_, &OpDocument::path_changed, this,
           [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
@@ -210,12 +216,6 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   resumes_after_ = false;  // its images would hide this one
 }
 
-void RenderPanel::set_scene(grf::Scene scene, const QString& path) {
-  scene_ = std::move(scene);
-  path_ = path;
-  if (preview_.is_on()) restart_preview();
-}
-
 void RenderPanel::show_options() {
   const RenderOptions& now = options_.valid_options();
   const bool is_from_there = view_ && now.viewer == grf::Vec3f(view_->eye) &&
@@ -244,14 +244,14 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   say(tr("Preview"));
-  preview_.restart({scene_, path_.toStdString(), options_.valid_options(), view_});
+  preview_.restart({document_.scene(), document_.path().toStdString(), options_.valid_options(), view_});
   update_actions();
 }
 
 void RenderPanel::render() {
   if (final_.is_running()) return;
   settings_->commit();
-  const FinalRenderRequest request = {scene_, path_, options_.valid_options()};
+  const FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options()};
   if (const QString image = final_.replaced_by(request); !image.isEmpty() && !may_replace(image)) return;
   resumes_after_ = preview_.is_on() && !preview_.is_paused();
   if (resumes_after_) preview_.pause();
@@ -279,11 +279,11 @@ void RenderPanel::stop() {
 
 /// What authors wrote is theirs: an OP file that is there is changed only where they say so.
 void RenderPanel::keep_op_file() {
-  if (path_.isEmpty()) return;
-  const QString op_file = op_file_beside(path_);
+  if (document_.path().isEmpty()) return;
+  const QString op_file = op_file_beside(document_.path());
   grf::Diagnostics diagnostics;
   if (!QFileInfo::exists(op_file)) {
-    options_.save_beside(path_, diagnostics);
+    options_.save_beside(document_.path(), diagnostics);
     return log(QString::fromStdString(diagnostics.to_text()));
   }
   // What is wrong with it was said when the scene was opened.

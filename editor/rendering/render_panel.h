@@ -7,7 +7,6 @@
 
 #include "editor/rendering/final_render.h"
 #include "editor/rendering/preview.h"
-#include "grf/scene.h"
 
 class QAction;
 class QLabel;
@@ -17,6 +16,7 @@ class QSplitter;
 
 namespace editor {
 
+class Document;
 class ErrorCurve;
 class FittedImage;
 class OpDocument;
@@ -29,12 +29,10 @@ class RenderPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// The panel shows these options, which outlive it, and its controls edit them.
-  explicit RenderPanel(OpDocument& options, const QString& program = bundled_program("bpt"),
+  /// The panel renders the document, which outlives it, and its controls edit the options of that.
+  explicit RenderPanel(Document& document, const QString& program = bundled_program("bpt"),
                        QWidget* parent = nullptr);
 
-  /// The scene as it is now, and its file; a preview that is on shows it.
-  void set_scene(grf::Scene scene, const QString& path);
   /// Previews see the scene from this view, which is more exact than the options' camera. It is shown with
   /// the next change of the options, and counts until they give another camera.
   void set_view(const transport::View& view) { view_ = view; }
@@ -78,9 +76,8 @@ class RenderPanel : public QWidget {
   void open_image();
   void update_actions();
 
+  Document& document_;
   OpDocument& options_;
-  grf::Scene scene_;
-  QString path_;
   std::optional<transport::View> view_;
   QString image_path_;          ///< of the image that is shown; empty: it is the preview's
   bool resumes_after_ = false;  ///< the preview was paused for a render

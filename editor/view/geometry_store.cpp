@@ -2,6 +2,7 @@
 
 #include <QtConcurrent>
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "editor/view/stand_in.h"
@@ -16,8 +17,35 @@ constexpr std::size_t LeastStoodInFor = 1'000;
 
 }  // namespace
 
+/// The entries of before, to be found by what they are made from.
+class GeometryStore::KnownEntries {
+ public:
+  explicit KnownEntries(const std::vector<Entry>& entries) : entries_(entries) {}
+
+  /// The entry that has the same geometry and irradiance, or null. Most often it has the same number.
+  const Entry* find(std::size_t number, const Entry& entry) {
+    if (number < entries_.size() && is_of_same_shape(entries_[number], entry)) return &entries_[number];
+    if (by_geometry_.empty()) {
+      for (const Entry& each : entries_) by_geometry_.emplace(&*each.mesh->geometry, &each);
+    }
+    const auto [begin, end] = by_geometry_.equal_range(&*entry.mesh->geometry);
+    const auto found = std::find_if(
+        begin, end, [&entry](const auto& each) { return is_of_same_shape(*each.second, entry); });
+    return found == end ? nullptr : found->second;
+  }
+
+ private:
+  static bool is_of_same_shape(const Entry& a, const Entry& b) {
+    return a.mesh->geometry.shares(b.mesh->geometry) && a.mesh->irradiance.shares(b.mesh->irradiance);
+  }
+
+  const std::vector<Entry>& entries_;
+  std::unordered_multimap<const grf::Geometry*, const Entry*> by_geometry_;
+};
+
 void GeometryStore::set_objects(const SceneObjects& objects) {
   std::vector<Entry> old = std::exchange(entries_, {});
+  KnownEntries known(old);
   entries_.resize(objects.meshes.size());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     Entry& entry = entries_[i];
@@ -28,7 +56,7 @@ void GeometryStore::set_objects(const SceneObjects& objects) {
       entry.quick_triangles =
           std::max<std::size_t>(100, static_cast<std::size_t>(static_cast<double>(triangles) * share));
     }
-    reuse(old, entry);
+    if (const Entry* same = known.find(i, entry)) reuse(*same, entry);
   }
   // Makers look entries up, so that all of them are there first.
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -40,22 +68,13 @@ void GeometryStore::set_objects(const SceneObjects& objects) {
   }
 }
 
-void GeometryStore::reuse(std::vector<Entry>& old, Entry& entry) const {
-  const auto shared =
-      std::find_if(old.begin(), old.end(), [&](const Entry& other) { return other.mesh.shares(entry.mesh); });
-  const auto found =
-      shared != old.end() ? shared : std::find_if(old.begin(), old.end(), [&](const Entry& other) {
-        return other.shape.geometry != nullptr && other.mesh->geometry.shares(entry.mesh->geometry) &&
-               other.mesh->irradiance.shares(entry.mesh->irradiance);
-      });
-  if (found == old.end()) return;
-  entry.shape.geometry = found->shape.geometry;
+void GeometryStore::reuse(const Entry& old, Entry& entry) {
+  entry.shape.geometry = old.shape.geometry;
   if (entry.quick_triangles == 0) return;
-  entry.shape.quick = found->shape.quick;
+  entry.shape.quick = old.shape.quick;
   // A stand-in of about the wanted size does.
-  const double ratio =
-      static_cast<double>(found->quick_triangles) / static_cast<double>(entry.quick_triangles);
-  entry.has_stand_in = found->has_stand_in && ratio > 0.5 && ratio < 2;
+  const double ratio = static_cast<double>(old.quick_triangles) / static_cast<double>(entry.quick_triangles);
+  entry.has_stand_in = old.has_stand_in && ratio > 0.5 && ratio < 2;
 }
 
 void GeometryStore::make_geometry(Entry& entry) {

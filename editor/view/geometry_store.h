@@ -45,6 +45,7 @@ class GeometryStore : public QObject {
   void changed();
 
  private:
+  class KnownEntries;
   struct Entry {
     grf::Shared<grf::Mesh> mesh;
     MeshShape shape;
@@ -52,7 +53,7 @@ class GeometryStore : public QObject {
     bool has_stand_in = false;
   };
 
-  void reuse(std::vector<Entry>& old, Entry& entry) const;
+  static void reuse(const Entry& old, Entry& entry);
   void make_geometry(Entry& entry);
   void take_geometry(const grf::Shared<grf::Mesh>& mesh, const std::shared_ptr<const MeshGeometry>& geometry);
   void make_stand_in(Entry& entry);

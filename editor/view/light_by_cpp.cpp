@@ -142,18 +142,18 @@ class Shading {
 
 }  // namespace
 
-void add_light_by_cpp(const LightByCpp& light, const SurfaceTables& tables, Picture& picture, int first_row,
-                      int rows) {
+void add_light_by_cpp(const LightByCpp& light, const FaceTables& faces, const SurfaceTables& surfaces,
+                      Picture& picture, int first_row, int rows) {
   Picture::Rows read = picture.read_rows(first_row, rows);
-  Shading shading(light, tables, picture.size());
+  Shading shading(light, surfaces, picture.size());
   const int width = picture.size().width();
   for (int i = 0; i < width * rows; ++i) {
     const auto pixel = static_cast<std::size_t>(i);
     const auto [instance, face] = read.faces[pixel];
     if ((instance & 0x7fffffffU) == 0) continue;
-    const std::uint32_t surface = tables.surface_of_face[face];
+    const std::uint32_t surface = faces.surface_of_face[face];
     const Vec3 reflected = shading.reflected(surface, read.normals[pixel], i % width, first_row + i / width);
-    const Imath::V4f& colour = tables.surfaces[3 * surface];
+    const Imath::V4f& colour = surfaces.surfaces[3 * surface];
     const Imath::V4f& value = read.values[pixel];
     read.light[pixel] +=
         Imath::V3f(colour.x * value.x, colour.y * value.y, colour.z * value.z) * Imath::V3f(reflected);

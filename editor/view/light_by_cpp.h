@@ -19,7 +19,7 @@ struct LightByCpp {
 };
 
 /// Adds it to some rows of a picture, of which all besides light is there.
-void add_light_by_cpp(const LightByCpp& light, const SurfaceTables& tables, Picture& picture, int first_row,
-                      int rows);
+void add_light_by_cpp(const LightByCpp& light, const FaceTables& faces, const SurfaceTables& surfaces,
+                      Picture& picture, int first_row, int rows);
 
 }  // namespace editor

@@ -147,7 +147,7 @@ void PicturePainter::paint_geometry(const Job& job, const Runs& runs) {
   geometry_->setUniformValue("is_orthographic", job.request.camera.is_orthographic());
   geometry_->setUniformValue("has_irradiance", has_irradiance);
   for (const Run& run : runs) {
-    const SceneBuffers::Instance& instance = job.scene.instances()[run.instance];
+    const MeshInstance& instance = job.scene.instances()[run.instance];
     const grf::Matrix44d to_camera = instance.to_world * world_to_camera;
     geometry_->setUniformValue("to_camera", to_qt(to_camera));
     geometry_->setUniformValue("to_clip", to_qt(to_camera * job.camera_to_clip));
@@ -156,8 +156,7 @@ void PicturePainter::paint_geometry(const Job& job, const Runs& runs) {
     geometry_->setUniformValue("y_axis", to_qt(to_camera).mapVector(QVector3D(0, 1, 0)));
     geometry_->setUniformValue("first_triangle", static_cast<GLint>(run.first));
     geometry_->setUniformValue("instance", static_cast<GLint>(run.instance));
-    geometry_->setUniformValue("first_face",
-                               static_cast<GLint>(job.scene.tables().first_face[instance.mesh]));
+    geometry_->setUniformValue("first_face", static_cast<GLint>(job.scene.faces().first_face[instance.mesh]));
     job.mesh(run.instance)
         ->draw_triangles(run.first, run.count,
                          has_irradiance ? VertexValue::Irradiance : VertexValue::Colour);
@@ -181,7 +180,7 @@ void PicturePainter::paint_textures(const Job& job) {
   job.picture.begin_values();
   texture_->bind();
   texture_->setUniformValue("image", static_cast<GLint>(ImageUnit));
-  for (std::size_t i = 0; i < job.scene.tables().textures.size(); ++i) {
+  for (std::size_t i = 0; i < job.scene.surfaces().textures.size(); ++i) {
     texture_->setUniformValue("number", static_cast<GLint>(i));
     job.scene.bind_texture(i, ImageUnit);
     cover(*texture_, job);
@@ -197,7 +196,7 @@ void PicturePainter::shade(const Job& job) {
   gl_.glDisable(GL_BLEND);
   shade_->bind();
   shade_->setUniformValue("look", is_coloured ? 1 : mode == DisplayMode::Irradiance ? 2 : 0);
-  shade_->setUniformValue("irradiance_scale", job.scene.tables().irradiance_scale);
+  shade_->setUniformValue("irradiance_scale", job.scene.faces().irradiance_scale);
   shade_->setUniformValue("clay", QVector3D(0.56F, 0.57F, 0.59F));
   cover(*shade_, job);
 }
@@ -209,7 +208,7 @@ void PicturePainter::add_line_steps(const SharedJob& job, std::vector<Step>& ste
   if (style.mode == DisplayMode::Wireframe || (style.mode == DisplayMode::SolidEdges && !stands_in)) {
     // A stand-in has no polygons.
     if (!stands_in) {
-      for (std::uint32_t mesh = 0; mesh < job->scene.tables().first_face.size(); ++mesh) {
+      for (std::uint32_t mesh = 0; mesh < job->scene.faces().first_face.size(); ++mesh) {
         MeshBuffers* buffers = job->scene.mesh(mesh);
         if (buffers != nullptr && !buffers->has_edges())
           buffers->set_edges(job->scene.geometry(mesh)->edges());
@@ -242,7 +241,7 @@ void PicturePainter::paint_edges(const Job& job, const Runs& runs, bool are_tria
   lines_->setUniformValue("nearer", Nearer);
   if (are_triangles) gl_.glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   for (const Run& run : runs) {
-    const SceneBuffers::Instance& instance = job.scene.instances()[run.instance];
+    const MeshInstance& instance = job.scene.instances()[run.instance];
     lines_->setUniformValue("to_clip", to_qt(instance.to_world * world_to_clip));
     MeshBuffers* mesh = job.mesh(run.instance);
     are_triangles ? mesh->draw_triangles(run.first, run.count, VertexValue::Colour)
@@ -285,7 +284,7 @@ void PicturePainter::paint_normals(const Job& job, bool of_faces) {
   normals_->setUniformValue("camera_to_clip", to_qt(job.camera_to_clip));
   const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
   for (std::size_t i = 0; i < job.scene.instances().size(); ++i) {
-    const SceneBuffers::Instance& instance = job.scene.instances()[i];
+    const MeshInstance& instance = job.scene.instances()[i];
     MeshBuffers* mesh = job.scene.mesh(instance.mesh);
     if (mesh == nullptr) continue;
     const MeshGeometry& geometry = *job.scene.geometry(instance.mesh);
@@ -305,7 +304,7 @@ void PicturePainter::paint_normals(const Job& job, bool of_faces) {
 }
 
 void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
-  for (const std::size_t model : job->scene.tables().models) {
+  for (const std::size_t model : job->scene.surfaces().models) {
     // A program is compiled in the first step that needs it, so that what is asked for meanwhile waits less.
     const auto made = brdfs_.find(model);
     const int rows = made != brdfs_.end() && made->second == nullptr ? RowsByCpp : BrdfRows;
@@ -369,7 +368,8 @@ void PicturePainter::paint_brdf_by_cpp(const Job& job, std::size_t model, int fi
   light.camera = job.request.camera;
   light.aspect = job.request.aspect;
   const int rows_left = job.picture.size().height() - first_row;
-  add_light_by_cpp(light, job.scene.tables(), job.picture, first_row, std::min(rows, rows_left));
+  add_light_by_cpp(light, job.scene.faces(), job.scene.surfaces(), job.picture, first_row,
+                   std::min(rows, rows_left));
 }
 
 void PicturePainter::resolve(const Job& job) {

@@ -66,7 +66,7 @@ struct PlacedMesh {
 
 std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
   std::vector<PlacedMesh> placed;
-  for (const MeshInstance& instance : scene.objects.instances) {
+  for (const MeshInstance& instance : *scene.objects.instances) {
     PlacedMesh mesh{instance.mesh, scene.shapes[instance.mesh].geometry.get(), instance.to_world,
                     instance.to_world.inverse().transposed(), 1};
     mesh.scale = std::cbrt(std::abs(instance.to_world.determinant()));
@@ -126,8 +126,8 @@ class SmallFaces {
 std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
                                   const ViewRay& ray) {
   std::optional<SceneHit> nearest;
-  for (std::uint32_t i = 0; i < objects.instances.size(); ++i) {
-    const MeshInstance& instance = objects.instances[i];
+  for (std::uint32_t i = 0; i < objects.instances->size(); ++i) {
+    const MeshInstance& instance = (*objects.instances)[i];
     const auto& geometry = shapes[instance.mesh].geometry;
     if (geometry == nullptr) continue;
     const auto hit = geometry->intersect(transformed(ray, instance.to_world.inverse()));

@@ -24,26 +24,31 @@ MeshBuffers* keep_or_make(std::map<Key, std::unique_ptr<MeshBuffers>>& before,
 SceneBuffers::SceneBuffers(Gl& gl)
     : gl_(gl),
       awaited_texture_(squares(qRgb(255, 255, 255), qRgb(255, 255, 255))),
-      selected_(gl, GL_R8UI),
-      surface_of_face_(gl, GL_R32UI),
-      surfaces_(gl, GL_RGBA32F),
-      terms_(gl, GL_RGBA32F) {}
+      selected_table_(gl, GL_R8UI),
+      face_table_(gl, GL_R32UI),
+      surface_table_(gl, GL_RGBA32F),
+      term_table_(gl, GL_RGBA32F) {}
 
-void SceneBuffers::set_objects(const SceneObjects& objects) {
-  tables_ = tables_of(objects);
-  instances_.clear();
-  for (const MeshInstance& instance : objects.instances) {
-    instances_.push_back({instance.mesh, instance.to_world});
+bool SceneBuffers::set_objects(std::shared_ptr<const SceneObjects> objects) {
+  const auto before = std::exchange(objects_, std::move(objects));
+  const bool has_other_faces = !have_same_faces(*before, *objects_);
+  if (has_other_faces) {
+    faces_ = face_tables_of(*objects_);
+    face_table_.upload(std::span<const std::uint32_t>(faces_.surface_of_face));
   }
-  surface_of_face_.upload(std::span<const std::uint32_t>(tables_.surface_of_face));
-  surfaces_.upload(std::span<const Imath::V4f>(tables_.surfaces));
-  terms_.upload(std::span<const Imath::V4f>(tables_.terms));
-  meshes_.assign(objects.meshes.size(), nullptr);
-  quick_meshes_ = meshes_;
-  geometries_.assign(objects.meshes.size(), nullptr);
+  surfaces_ = surface_tables_of(*objects_);
+  surface_table_.upload(std::span<const Imath::V4f>(surfaces_.surfaces));
+  term_table_.upload(std::span<const Imath::V4f>(surfaces_.terms));
+  if (!before->instances.shares(objects_->instances)) {
+    meshes_.assign(objects_->meshes.size(), nullptr);
+    quick_meshes_ = meshes_;
+    geometries_.assign(objects_->meshes.size(), nullptr);
+  }
   std::erase_if(textures_, [this](const auto& entry) {
-    return std::find(tables_.textures.begin(), tables_.textures.end(), entry.first) == tables_.textures.end();
+    const auto& named = surfaces_.textures;
+    return std::find(named.begin(), named.end(), entry.first) == named.end();
   });
+  return has_other_faces;
 }
 
 bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
@@ -67,21 +72,19 @@ bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
 bool SceneBuffers::has_stand_ins() const { return meshes_ != quick_meshes_; }
 
 void SceneBuffers::set_selection(const FaceSelection& selection) {
-  std::vector<std::uint8_t> flags(tables_.surface_of_face.size());
-  auto flag = flags.begin();
-  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
-    const std::vector<bool>& faces = selection.of_mesh(mesh);
-    flag = std::copy(faces.begin(), faces.end(), flag);
+  std::vector<std::uint8_t> flags(faces_.surface_of_face.size());
+  for (const std::uint32_t mesh : selection.meshes()) {
+    selection.for_each_face(mesh, [&](std::size_t face) { flags[faces_.first_face[mesh] + face] = 1; });
   }
   has_selection_ = !selection.empty();
-  selected_.upload(std::span<const std::uint8_t>(flags));
+  selected_table_.upload(std::span<const std::uint8_t>(flags));
 }
 
 void SceneBuffers::bind_tables(GLuint first_unit) const {
-  selected_.bind(first_unit);
-  surface_of_face_.bind(first_unit + 1);
-  surfaces_.bind(first_unit + 2);
-  terms_.bind(first_unit + 3);
+  selected_table_.bind(first_unit);
+  face_table_.bind(first_unit + 1);
+  surface_table_.bind(first_unit + 2);
+  term_table_.bind(first_unit + 3);
 }
 
 void SceneBuffers::set_texture(const std::string& path, const transport::Image* image) {
@@ -91,7 +94,7 @@ void SceneBuffers::set_texture(const std::string& path, const transport::Image* 
 }
 
 void SceneBuffers::bind_texture(std::size_t number, GLuint unit) {
-  const auto found = textures_.find(tables_.textures[number]);
+  const auto found = textures_.find(surfaces_.textures[number]);
   (found != textures_.end() ? *found->second : *awaited_texture_).bind(unit);
 }
 

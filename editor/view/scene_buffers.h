@@ -18,15 +18,10 @@ namespace editor {
 
 class SceneBuffers {
  public:
-  /// A mesh where it stands.
-  struct Instance {
-    std::uint32_t mesh = 0;
-    grf::Matrix44d to_world;
-  };
-
   explicit SceneBuffers(Gl& gl);
 
-  void set_objects(const SceneObjects& objects);
+  /// Takes up what differs from the objects before. Returns whether faces got other numbers or surfaces.
+  bool set_objects(std::shared_ptr<const SceneObjects> objects);
   /// Of the objects' meshes, after these; keeps the buffers of geometry that stays. Returns whether a mesh
   /// got another one, and not only another stand-in.
   bool set_shapes(const std::vector<MeshShape>& shapes);
@@ -34,8 +29,9 @@ class SceneBuffers {
   /// An image that a face of the scene names; none: it cannot be read.
   void set_texture(const std::string& path, const transport::Image* image);
 
-  const std::vector<Instance>& instances() const { return instances_; }
-  const SurfaceTables& tables() const { return tables_; }
+  const std::vector<MeshInstance>& instances() const { return *objects_->instances; }
+  const FaceTables& faces() const { return faces_; }
+  const SurfaceTables& surfaces() const { return surfaces_; }
   /// Null until the geometry is made.
   MeshBuffers* mesh(std::uint32_t mesh) const { return meshes_[mesh]; }
   /// What stands in for it, or the mesh itself.
@@ -54,8 +50,9 @@ class SceneBuffers {
   std::unique_ptr<QOpenGLTexture> squares(QRgb first, QRgb second) const;
 
   Gl& gl_;
-  SurfaceTables tables_;
-  std::vector<Instance> instances_;
+  std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
+  FaceTables faces_;
+  SurfaceTables surfaces_;
   std::map<std::shared_ptr<const MeshGeometry>, std::unique_ptr<MeshBuffers>> geometry_buffers_;
   std::map<std::shared_ptr<const TriangleArrays>, std::unique_ptr<MeshBuffers>> quick_buffers_;
   std::vector<std::shared_ptr<const MeshGeometry>> geometries_;
@@ -64,7 +61,7 @@ class SceneBuffers {
   std::map<std::string, std::unique_ptr<QOpenGLTexture>> textures_;
   std::unique_ptr<QOpenGLTexture> awaited_texture_;
   bool has_selection_ = false;
-  BufferTexture selected_, surface_of_face_, surfaces_, terms_;
+  BufferTexture selected_table_, face_table_, surface_table_, term_table_;
 };
 
 }  // namespace editor

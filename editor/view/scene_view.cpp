@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "editor/appearance/theme.h"
 #include "editor/view/ground_grid.h"
@@ -48,15 +49,15 @@ SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver)
   connect(&renderer_, &ViewRenderer::warned, this, &SceneView::warned);
 }
 
-void SceneView::show(const SceneObjects& objects) {
+void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   cancel_gesture();
-  objects_ = std::make_shared<const SceneObjects>(objects);
-  if (!has_as_many_faces(objects, *selection_)) {
-    selection_ = std::make_shared<const FaceSelection>(objects);
+  objects_ = std::move(objects);
+  if (!has_as_many_faces(*objects_, *selection_)) {
+    selection_ = std::make_shared<const FaceSelection>(*objects_);
   }
-  geometry_.set_objects(objects);
+  geometry_.set_objects(*objects_);
   std::vector<std::string> paths;
-  for (const MeshObject& mesh : objects.meshes) {
+  for (const MeshObject& mesh : objects_->meshes) {
     for (const Look& look : mesh.looks) {
       if (!look.texture.empty()) paths.push_back(look.texture);
     }
@@ -91,15 +92,13 @@ void SceneView::frame_all() {
 void SceneView::frame_selection() {
   if (selection_->empty()) return frame_all();
   grf::Box3d box;
-  for (const MeshInstance& instance : objects_->instances) {
+  for (const MeshInstance& instance : *objects_->instances) {
     const grf::Mesh& mesh = *objects_->meshes[instance.mesh].mesh;
-    const std::vector<bool>& faces = selection_->of_mesh(instance.mesh);
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (!faces[face]) continue;
+    selection_->for_each_face(instance.mesh, [&](std::size_t face) {
       for (const std::uint32_t corner : mesh.face(face)) {
         box.extendBy(grf::Vec3d(mesh.geometry->positions[corner]) * instance.to_world);
       }
-    }
+    });
   }
   ViewCamera camera = camera_;
   camera.frame(box, aspect());

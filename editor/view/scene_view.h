@@ -41,7 +41,7 @@ class SceneView : public QWidget {
 
   using QWidget::show;
   /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.
-  void show(const SceneObjects& objects);
+  void show(std::shared_ptr<const SceneObjects> objects);
   const SceneObjects& objects() const { return *objects_; }
   /// Of the objects that are shown.
   void set_selection(const FaceSelection& selection);

@@ -26,16 +26,9 @@ struct WeightedBrdf {
 class Builder {
  public:
   SurfaceTables build(const SceneObjects& objects) {
-    std::uint32_t surfaces = 0;
     for (const MeshObject& mesh : objects.meshes) {
-      tables_.first_face.push_back(static_cast<std::uint32_t>(tables_.surface_of_face.size()));
-      for (const std::uint32_t surface : *mesh.mesh->surface_of_face) {
-        tables_.surface_of_face.push_back(surfaces + surface);
-      }
       for (const Look& look : mesh.looks) add_surface(look, mesh.is_light);
-      surfaces += static_cast<std::uint32_t>(mesh.looks.size());
     }
-    tables_.irradiance_scale = irradiance_scale(objects);
     return std::move(tables_);
   }
 
@@ -112,32 +105,56 @@ class Builder {
     return std::clamp(widest.value_or(1), 1.0F, 1e6F);
   }
 
-  /// Maps a value that few vertices surpass to white.
-  static float irradiance_scale(const SceneObjects& objects) {
-    std::vector<float> values;
-    for (const MeshObject& mesh : objects.meshes) {
-      const auto& irradiance = mesh.mesh->irradiance;
-      if (irradiance->empty()) continue;
-      for (std::size_t i = 0; i < mesh.mesh->geometry->positions.size(); ++i) {
-        if (!irradiance->has(i)) continue;
-        float value = 0;
-        if (const auto* colour = std::get_if<grf::Colour>(&(*irradiance)[i]))
-          value = reflectance::largest(*colour);
-        values.push_back(value);
-      }
-    }
-    if (values.empty()) return 1;
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 95 / 100);
-    std::nth_element(values.begin(), place, values.end());
-    return *place > 0 ? 1 / *place : 1;
-  }
-
   SurfaceTables tables_;
   std::map<std::string, std::size_t> texture_numbers_;
 };
 
+/// Maps a value that few vertices surpass to white.
+float irradiance_scale(const SceneObjects& objects) {
+  std::vector<float> values;
+  for (const MeshObject& mesh : objects.meshes) {
+    const auto& irradiance = mesh.mesh->irradiance;
+    if (irradiance->empty()) continue;
+    for (std::size_t i = 0; i < mesh.mesh->geometry->positions.size(); ++i) {
+      if (!irradiance->has(i)) continue;
+      float value = 0;
+      if (const auto* colour = std::get_if<grf::Colour>(&(*irradiance)[i]))
+        value = reflectance::largest(*colour);
+      values.push_back(value);
+    }
+  }
+  if (values.empty()) return 1;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 95 / 100);
+  std::nth_element(values.begin(), place, values.end());
+  return *place > 0 ? 1 / *place : 1;
+}
+
 }  // namespace
 
-SurfaceTables tables_of(const SceneObjects& objects) { return Builder().build(objects); }
+FaceTables face_tables_of(const SceneObjects& objects) {
+  FaceTables tables;
+  tables.surface_of_face.reserve(objects.faces);
+  std::uint32_t surfaces = 0;
+  for (const MeshObject& mesh : objects.meshes) {
+    tables.first_face.push_back(static_cast<std::uint32_t>(tables.surface_of_face.size()));
+    for (const std::uint32_t surface : *mesh.mesh->surface_of_face) {
+      tables.surface_of_face.push_back(surfaces + surface);
+    }
+    surfaces += static_cast<std::uint32_t>(mesh.looks.size());
+  }
+  tables.irradiance_scale = irradiance_scale(objects);
+  return tables;
+}
+
+SurfaceTables surface_tables_of(const SceneObjects& objects) { return Builder().build(objects); }
+
+bool have_same_faces(const SceneObjects& a, const SceneObjects& b) {
+  return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(),
+                    [](const MeshObject& mesh, const MeshObject& other) {
+                      return mesh.mesh->surface_of_face.shares(other.mesh->surface_of_face) &&
+                             mesh.mesh->irradiance.shares(other.mesh->irradiance) &&
+                             mesh.looks.size() == other.looks.size();
+                    });
+}
 
 }  // namespace editor

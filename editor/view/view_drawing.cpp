@@ -27,8 +27,8 @@ void ViewDrawing::show(const ViewState& state) {
 
 void ViewDrawing::load(const ViewState& state) {
   const bool has_other_objects = state.objects != state_.objects;
-  if (has_other_objects) scene_.set_objects(*state.objects);
-  if (has_other_objects || state.selection != state_.selection) scene_.set_selection(*state.selection);
+  const bool has_other_faces = has_other_objects && scene_.set_objects(state.objects);
+  if (has_other_faces || state.selection != state_.selection) scene_.set_selection(*state.selection);
   if (has_other_objects || state.textures != state_.textures) {
     for (const ReadTexture& texture : state.textures) scene_.set_texture(texture.path, texture.image.get());
     pictures_.invalidate();

@@ -32,7 +32,7 @@ class ViewDrawing {
   /// Whether the full picture takes so long that it has to wait for the view to rest.
   bool is_slow() const { return pictures_.is_slow(); }
   /// Keywords of BRDFs that are shown as another one.
-  const std::set<std::string>& not_shown() const { return scene_.tables().not_shown; }
+  const std::set<std::string>& not_shown() const { return scene_.surfaces().not_shown; }
 
   /// BRDF models whose shader the driver refuses, and why. They are shown by C++.
   const std::map<std::string, QString>& refused() const { return pictures_.refused(); }

@@ -145,7 +145,7 @@ void MainWindow::make_docks() {
   lights_ = new LightPanel(document_);
   surface_ = new SurfacePanel(document_, catalogue_);
   brdf_editor_ = new BrdfEditor;
-  render_ = new RenderPanel(document_.options());
+  render_ = new RenderPanel(document_);
   messages_ = new MessagePanel(document_, catalogue_);
   QDockWidget* tree =
       docks_.add({"scene", tr("Scene"), "objects", QKeySequence("Ctrl+1"), tr("All that the scene holds")},

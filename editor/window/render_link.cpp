@@ -33,10 +33,7 @@ double aspect_of(const RenderOptions& render_options) {
 RenderLink::RenderLink(Document& document, SceneView& view, RenderPanel& panel, QWidget& window)
     : QObject(&window), document_(document), view_(view), panel_(panel) {
   make_actions(window);
-  const auto show_scene = [this] { panel_.set_scene(document_.scene(), document_.path()); };
   connect(&document_, &Document::taken, this, &RenderLink::take_scene);
-  connect(&document_, &Document::changed, this, show_scene);
-  connect(&document_, &Document::path_changed, this, show_scene);
   connect(&document_.options(), &OpDocument::changed, this, &RenderLink::show_camera);
   connect(&panel_, &RenderPanel::options_requested, this, &RenderLink::show_options);
   connect(&view_, &SceneView::camera_moved, this, &RenderLink::follow_view);

@@ -21,7 +21,7 @@ ViewLink::ViewLink(Document& document, const grf::Catalogue& catalogue, SceneVie
     : QObject(parent), document_(document), catalogue_(catalogue), view_(view), render_(render) {
   view_.setAcceptDrops(true);
   view_.installEventFilter(this);
-  connect(&document_, &Document::changed, this, [this] { view_.show(document_.objects()); });
+  connect(&document_, &Document::changed, this, [this] { view_.show(document_.shared_objects()); });
   connect(&document_, &Document::selection_changed, this,
           [this] { view_.set_selection(document_.selection()); });
   connect(&view_, &SceneView::selection_made, &document_, &Document::select);

@@ -71,7 +71,7 @@ ViewerWindow::ViewerWindow(QWidget* parent)
   connect(view_, &SceneView::selection_made, this, &ViewerWindow::show_selection);
   // What was dragged goes back to where the scene has it.
   connect(view_, &SceneView::object_moved, this, [this] {
-    view_->show(SceneObjects(view_->objects()));
+    view_->show(std::make_shared<const SceneObjects>(view_->objects()));
     statusBar()->showMessage(tr("Nothing is moved here: open the scene in the editor for that"));
   });
   resize(1024, 768);
@@ -171,7 +171,7 @@ void ViewerWindow::show_scene(const LoadedScene& scene) {
   notice_->hide();
   pages_->setCurrentWidget(view_);
   pages_->layout()->activate();
-  view_->show(scene.objects);
+  view_->show(std::make_shared<const SceneObjects>(scene.objects));
   if (scene.path != shown_path_) {
     view_->frame_all();
     view_->setFocus();

@@ -71,7 +71,7 @@ TEST_F(Documents, KnowTheirObjects) {
   EXPECT_EQ(objects.meshes[0].name, "tile");
   EXPECT_TRUE(objects.meshes[0].is_definition);
   EXPECT_EQ(objects.meshes[1].looks.front().texture, "/nowhere/wood.png");
-  ASSERT_EQ(objects.instances.size(), 3U);
+  ASSERT_EQ(objects.instances->size(), 3U);
   EXPECT_EQ(objects.faces, 3U);
   EXPECT_EQ(objects.triangles, 5U);
   EXPECT_EQ(objects.bounds.max, grf::Vec3d(4, 2, 0));

@@ -157,7 +157,7 @@ TEST_F(GeometryEdits, DeleteFacesAndMeshesWithoutAny) {
   select({{0, 0}, {1, 1}});
   take(without_faces(selected()));
   ASSERT_EQ(document_.objects().meshes.size(), 1U);
-  EXPECT_EQ(document_.objects().instances.size(), 1U);
+  EXPECT_EQ(document_.objects().instances->size(), 1U);
   EXPECT_EQ(document_.objects().faces, 1U);
   EXPECT_EQ(document_.objects().meshes[0].mesh->geometry->positions.size(), 4U);
   EXPECT_TRUE(document_.selection().empty());

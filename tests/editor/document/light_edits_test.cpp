@@ -146,7 +146,7 @@ TEST_F(LightEdits, ObserversAreAddedMovedAndRemoved) {
 
 TEST_F(LightEdits, ObjectsAreMovedInTheWorld) {
   const auto place = [this](std::size_t instance) {
-    return grf::Vec3d(0) * objects().instances[instance].to_world;
+    return grf::Vec3d(0) * (*objects().instances)[instance].to_world;
   };
   // Twice, by the same path.
   for (int i = 0; i < 2; ++i) {
@@ -163,7 +163,7 @@ TEST_F(LightEdits, ObjectsAreMovedInTheWorld) {
 TEST_F(LightEdits, ObjectsAreDuplicatedAsInstances) {
   take(duplicate_object(document_.scene(), grf::ScenePath{0, 3}, grf::Vec3d(3, 0, 0), diagnostics_));
   ASSERT_EQ(objects().meshes.size(), 3U);
-  ASSERT_EQ(objects().instances.size(), 5U);
+  ASSERT_EQ(objects().instances->size(), 5U);
   const std::string text = grf::to_text(document_.scene());
   EXPECT_THAT(text, HasSubstr("def floor = begin mesh \"floor\""));
   EXPECT_THAT(text, HasSubstr("use floor\n  transform translation (3, 0, 0) begin\n    use floor"));
@@ -185,7 +185,7 @@ TEST_F(LightEdits, ObjectsAreRenamedAndRemoved) {
   EXPECT_THAT(diagnostics_.to_text(), HasSubstr("'slab' is used 2 times"));
   // With all that uses it, it may go.
   take(remove_objects(document_.scene(), {{0, 0}, {0, 1, 2}, {0, 2}}, {}, diagnostics_));
-  EXPECT_EQ(objects().instances.size(), 2U);
+  EXPECT_EQ(objects().instances->size(), 2U);
 }
 
 }  // namespace

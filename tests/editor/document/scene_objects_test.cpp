@@ -41,7 +41,7 @@ class SceneObjectsTest : public testing::Test {
   /// What each place in the world looks like, in the order of the scene.
   static std::vector<Look> looks_of(const SceneObjects& objects) {
     std::vector<Look> looks;
-    for (const MeshInstance& instance : objects.instances) {
+    for (const MeshInstance& instance : *objects.instances) {
       looks.push_back(objects.meshes[instance.mesh].looks.front());
     }
     return looks;
@@ -123,9 +123,9 @@ TEST(DeepScenes, CanBeLookedAtAndEditedOnASmallStack) {
   test::run_on_small_stack([&text] {
     const grf::Scene scene = scene_of(text);
     const SceneObjects objects = objects_of(scene, "scene.grf");
-    ASSERT_EQ(objects.instances.size(), 1U);
+    ASSERT_EQ(objects.instances->size(), 1U);
     EXPECT_EQ(objects.bounds.min.x, 500);
-    const grf::ScenePath path = objects.instances[0].path;
+    const grf::ScenePath path = objects.instances->front().path;
     EXPECT_EQ(path.size(), grf::DeepestNesting + 1);
     EXPECT_EQ(definitions_at(scene, path).size(), 1U) << "the innermost hides the others";
     EXPECT_EQ(count_uses(scene).size(), 1U);
@@ -137,7 +137,7 @@ TEST(DeepScenes, CanBeLookedAtAndEditedOnASmallStack) {
     EXPECT_EQ(objects_of(*moved, "scene.grf").bounds.min.y, 1);
     const auto two = duplicate_object(scene, path, grf::Vec3d(0, 1, 0), diagnostics);
     ASSERT_TRUE(two) << diagnostics.to_text();
-    EXPECT_EQ(objects_of(*two, "scene.grf").instances.size(), 2U);
+    EXPECT_EQ(objects_of(*two, "scene.grf").instances->size(), 2U);
     const auto used_alone = remove_unused_definitions(scene);
     EXPECT_EQ(grf::nesting_of(used_alone.contents), grf::DeepestNesting / 2 + 1);
     EXPECT_TRUE(remove_objects(scene, {path}, {}, diagnostics)) << diagnostics.to_text();

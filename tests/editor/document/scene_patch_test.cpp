@@ -90,7 +90,8 @@ TEST(ScenePatch, SaysWhatItChanges) {
   };
   EXPECT_FALSE(change(0, 1).is_structural);
   EXPECT_FALSE(change(1, 2).is_structural);
-  EXPECT_TRUE(change(2, 3).is_structural) << "a name";
+  EXPECT_TRUE(change(2, 3).names);
+  EXPECT_FALSE(change(2, 3).is_structural) << "a name alone";
   EXPECT_TRUE(change(3, 4).is_structural) << "other faces";
   EXPECT_TRUE(change(8, 9).is_structural) << "a transform";
   EXPECT_TRUE(change(11, 12).definitions);

@@ -118,7 +118,7 @@ TEST_F(SceneTrees, KeepWhatIsExpandedAndCurrent) {
   const QPersistentModelIndex light = line("Objects", "light");
   click(line("Objects", "sides"));
   QTest::keyClick(view(), Qt::Key_D, Qt::ControlModifier);
-  EXPECT_EQ(document_.objects().instances.size(), 4U);
+  EXPECT_EQ(document_.objects().instances->size(), 4U);
   EXPECT_TRUE(light.isValid());
   EXPECT_TRUE(view()->isExpanded(objects));
   EXPECT_FALSE(view()->isExpanded(line("BRDFs", "gold").parent()));

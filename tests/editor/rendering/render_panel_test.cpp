@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/controls/number_box.h"
+#include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
@@ -51,8 +52,7 @@ class RenderPanelTest : public testing::Test {
   }
   QString path(const char* name) const { return QString::fromStdString(folder_.path(name)); }
   void open_scene(const grf::Scene& scene, const QString& scene_path) {
-    panel_.set_scene(scene, scene_path);
-    options_.open_beside(scene_path);
+    document_.take(scene, scene_path, {});
   }
   const options::RenderOptions& options() const { return options_.valid_options(); }
   /// A scene whose OP file asks for few samples of a small image.
@@ -73,8 +73,9 @@ class RenderPanelTest : public testing::Test {
   std::string status() { return control<QLabel>("State of the render")->text().toStdString(); }
 
   test::TemporaryFolder folder_;
-  editor::OpDocument options_;
-  RenderPanel panel_{options_};
+  editor::Document document_;
+  editor::OpDocument& options_ = document_.options();
+  RenderPanel panel_{document_};
 };
 
 TEST_F(RenderPanelTest, TakesCameraAndOptionsFromTheFileBesideTheScene) {

@@ -95,7 +95,7 @@ TEST(RefusedShaders, OfTheViewItselfLeaveAMessage) {
   QSignalSpy warned(&view, &SceneView::warned);
   view.resize(300, 200);
   view.set_camera(test::front_camera());
-  view.show(test::objects_of_text(test::cube_text()));
+  view.show(std::make_shared<const SceneObjects>(test::objects_of_text(test::cube_text())));
   view.show();
   ASSERT_TRUE(test::wait_for([&] { return !warned.isEmpty(); }));
   EXPECT_THAT(texts(warned)[0].toStdString(),

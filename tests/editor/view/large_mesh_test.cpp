@@ -137,7 +137,7 @@ TEST_F(LargeMesh, KeepsItsGeometryWhileSurfacesChange) {
   edited.meshes[0].looks[0].colour = grf::Colour(1, 0, 0);
   QElapsedTimer clock;
   clock.start();
-  shown.view.show(edited);
+  shown.view.show(std::make_shared<const SceneObjects>(edited));
   report("showing other surfaces", milliseconds(clock), "ms");
   EXPECT_LE(milliseconds(clock), 100 * Room);
   // What was there is still there: no time without a picture.

@@ -137,7 +137,7 @@ TEST(SceneView, ABoxInASceneThatIsAnotherByThenSelectsNothing) {
   for (const QPoint& point : {(from + to) / 2, to}) shown.move(point, Qt::LeftButton, Qt::NoModifier);
   QTest::mouseRelease(&shown.view, Qt::LeftButton, Qt::NoModifier, to);
   ASSERT_TRUE(shown.view.is_selecting());
-  shown.view.show(two_cubes());
+  shown.view.show(std::make_shared<const SceneObjects>(two_cubes()));
   ASSERT_TRUE(shown.complete());
   EXPECT_EQ(spy.count(), 0);
   EXPECT_TRUE(shown.view.selection().empty());
@@ -202,7 +202,7 @@ TEST(SceneView, PickingIsExact) {
       const grf::Vec2d place(2 * pixel.x() / 800.0 - 1, 1 - 2 * pixel.y() / 600.0);
       const ViewRay ray = camera.ray(place, 800.0 / 600);
       std::optional<std::pair<double, FaceId>> nearest;
-      for (const MeshInstance& instance : objects.instances) {
+      for (const MeshInstance& instance : *objects.instances) {
         const MeshGeometry geometry(*objects.meshes[instance.mesh].mesh);
         for (std::size_t k = 0; k < geometry.arrays().triangles.size(); ++k) {
           const auto& [ia, ib, ic] = geometry.arrays().triangles[k];
@@ -375,7 +375,7 @@ TEST(SceneView, AMissingTextureIsSaid) {
   const SceneObjects objects = test::objects_of_text(test::cube_text("texture \"nowhere.png\""));
   SceneView view;
   QSignalSpy spy(&view, &SceneView::message);
-  view.show(objects);
+  view.show(std::make_shared<const SceneObjects>(objects));
   ASSERT_TRUE(test::wait_for([&] { return spy.count() > 0; }));
   EXPECT_TRUE(spy.front().front().toString().contains("nowhere.png"));
 }

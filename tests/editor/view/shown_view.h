@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QTest>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,7 @@ class ShownView {
     view.resize(800, 600);
     view.set_camera(camera);
     view.set_grid(false);
-    view.show(objects);
+    view.show(std::make_shared<const editor::SceneObjects>(objects));
     view.show();
     is_shown = QTest::qWaitForWindowExposed(&view) && complete();
   }

@@ -50,7 +50,7 @@ inline QPoint place_of(const editor::SceneView& view, editor::FaceId face) {
   const auto corners = mesh.face(face.face);
   for (const auto corner : corners)
     centre += grf::Vec3d(mesh.geometry->positions[corner]) / static_cast<double>(corners.size());
-  for (const editor::MeshInstance& instance : objects.instances) {
+  for (const editor::MeshInstance& instance : *objects.instances) {
     if (instance.mesh != face.mesh) continue;
     const auto place =
         view.camera().place_of(centre * instance.to_world, static_cast<double>(view.width()) / view.height());
