@@ -196,7 +196,7 @@ ScenePatch::MeshPart ScenePatch::mesh_part(grf::ScenePath path, const grf::Mesh&
   const bool have_same_shape = before.name == after.name && before.comments == after.comments &&
                                before.geometry == after.geometry && before.irradiance == after.irradiance;
   if (!have_same_shape) {
-    part.whole = std::make_shared<const WholeMeshes>(WholeMeshes{before, after});
+    part.whole = WholeMeshes{before, after};
     return part;
   }
   const Alike same = alike(before.surfaces, after.surfaces);
@@ -231,12 +231,13 @@ void ScenePatch::revert(grf::Scene& after) const {
 }
 
 void ScenePatch::put(const MeshPart& part, bool is_forward, grf::Scene& scene) {
-  grf::Shared<grf::Mesh>& shared = *grf::find_mesh(scene, part.path);
-  if (part.whole != nullptr) {
-    shared = is_forward ? part.whole->after : part.whole->before;
+  grf::Shared<grf::Mesh>* shared = grf::find_mesh(scene, part.path);
+  if (shared == nullptr) return;
+  if (part.whole) {
+    *shared = is_forward ? part.whole->after : part.whole->before;
     return;
   }
-  grf::Mesh& mesh = shared.edit();
+  grf::Mesh& mesh = shared->edit();
   const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
   splice(mesh.surfaces, part.first, from.size(), to);
   if (part.runs.empty()) return;
@@ -276,15 +277,16 @@ void ScenePatch::put(const EndCommentsPart& part, bool is_forward, grf::Scene& s
 }
 
 void ScenePatch::add_to(Change& change, const MeshPart& part) {
-  if (part.whole != nullptr) {
-    const auto& [before, after] = *part.whole;
+  if (part.whole) {
+    const grf::Mesh& before = *part.whole->before;
+    const grf::Mesh& after = *part.whole->after;
     change.is_structural = change.is_structural || !(before.geometry == after.geometry);
     change.names = change.names || before.name != after.name;
   }
   const auto name_anything = [](const std::vector<grf::Surface>& surfaces) {
     return std::any_of(surfaces.begin(), surfaces.end(), names_a_definition);
   };
-  change.references = change.references || part.whole != nullptr || !part.runs.empty() ||
+  change.references = change.references || part.whole.has_value() || !part.runs.empty() ||
                       name_anything(part.before) || name_anything(part.after);
 }
 
@@ -331,9 +333,8 @@ std::set<grf::ScenePath> ScenePatch::meshes() const {
 
 /// A later change of the same thing is taken up, so that the ticks of a slider are one change.
 bool ScenePatch::continues(MeshPart& part, const MeshPart& later) {
-  const bool follows = part.path == later.path && part.whole == nullptr && later.whole == nullptr &&
-                       later.runs.empty() && part.first == later.first &&
-                       part.after.size() == later.before.size();
+  const bool follows = part.path == later.path && !part.whole && !later.whole && later.runs.empty() &&
+                       part.first == later.first && part.after.size() == later.before.size();
   if (!follows) return false;
   part.after = later.after;
   return true;
@@ -383,11 +384,9 @@ void ScenePatch::relocate(const std::string& from, const std::string& to,
   for (Part& part : parts_) {
     if (part.is_included) continue;
     if (auto* mesh = std::get_if<MeshPart>(&part.content)) {
-      if (mesh->whole != nullptr) {
-        WholeMeshes whole = *mesh->whole;
-        relocate_all(whole.before.surfaces);
-        relocate_all(whole.after.surfaces);
-        mesh->whole = std::make_shared<const WholeMeshes>(std::move(whole));
+      if (mesh->whole) {
+        relocate_all(mesh->whole->before.edit().surfaces);
+        relocate_all(mesh->whole->after.edit().surfaces);
       }
       relocate_all(mesh->before);
       relocate_all(mesh->after);

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <variant>
@@ -55,14 +55,14 @@ class ScenePatch {
   };
   /// Two states of a mesh, with all that it has.
   struct WholeMeshes {
-    grf::Mesh before;
-    grf::Mesh after;
+    grf::Shared<grf::Mesh> before;
+    grf::Shared<grf::Mesh> after;
   };
   /// Surfaces of a mesh replace others in its list, and runs of faces get other ones. Where anything else
   /// differs, it holds both states whole instead, which share their geometry with the scene.
   struct MeshPart {
     grf::ScenePath path;
-    std::shared_ptr<const WholeMeshes> whole;
+    std::optional<WholeMeshes> whole;
     std::size_t first = 0;
     std::vector<grf::Surface> before;
     std::vector<grf::Surface> after;

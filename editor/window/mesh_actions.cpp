@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QWidget>
 
 #include "converters/mesh_operations/subdivide.h"
 #include "editor/document/document.h"

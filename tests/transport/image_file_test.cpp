@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <random>
 
 #include <ImfChannelList.h>
@@ -33,6 +34,11 @@
 #pragma GCC diagnostic pop
 
 namespace {
+
+/// Frees what stb_image has read.
+struct FreeStb {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
 
 using reflectance::Rgb;
 using transport::Image;
@@ -120,13 +126,12 @@ TEST_F(ImageFiles, RadianceIsRoundedToTheNearest) {
   int width = 0;
   int height = 0;
   int channels = 0;
-  float* others = stbi_loadf(path.c_str(), &width, &height, &channels, 3);
+  const std::unique_ptr<float[], FreeStb> others(stbi_loadf(path.c_str(), &width, &height, &channels, 3));
   ASSERT_NE(others, nullptr) << stbi_failure_reason();
   EXPECT_EQ(width, 40);
   for (std::size_t i = 0; i < 3000; ++i) {
     EXPECT_EQ(others[i], again.pixels[i / 3][static_cast<int>(i % 3)]);
   }
-  stbi_image_free(others);
 }
 
 TEST_F(ImageFiles, RadianceTakesWhatItCannotHold) {
@@ -173,12 +178,11 @@ TEST_F(ImageFiles, TgaIsEncodedInSrgb) {
   int width = 0;
   int height = 0;
   int channels = 0;
-  unsigned char* bytes = stbi_load(path.c_str(), &width, &height, &channels, 0);
+  const std::unique_ptr<stbi_uc[], FreeStb> bytes(stbi_load(path.c_str(), &width, &height, &channels, 0));
   ASSERT_NE(bytes, nullptr) << stbi_failure_reason();
   EXPECT_EQ(width, 3);
   EXPECT_EQ(channels, 3);
-  EXPECT_EQ(std::vector<int>(bytes, bytes + 9), SampleBytes);
-  stbi_image_free(bytes);
+  EXPECT_EQ(std::vector<int>(bytes.get(), bytes.get() + 9), SampleBytes);
 }
 
 TEST_F(ImageFiles, TgaOfTwoRowsHasThemFromTheTop) {

@@ -38,7 +38,7 @@ std::string pfm_of(const Image& image) {
   std::string file = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
   for (int y = image.height - 1; y >= 0; --y) {
     for (int x = 0; x < image.width; ++x) {
-      const Rgb pixel = image.at(x, y);
+      const Rgb& pixel = image.at(x, y);
       file.append(reinterpret_cast<const char*>(&pixel.x), sizeof(Rgb));
     }
   }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "editor/brdf/lobe_curves.h"
 #include "editor/brdf/made_brdf.h"
 #include "tests/editor/scene_of.h"
 
