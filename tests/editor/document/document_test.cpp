@@ -273,5 +273,54 @@ TEST_F(Documents, EndStepsOfOptionsWhereAGestureEnds) {
   EXPECT_EQ(document_.options().valid_options().viewer, grf::Vec3f(2, 0, 0));
 }
 
+TEST(SurfaceEdits, EditInPlaceASurfaceOfWhichAllFacesAreSelected) {
+  // Face by face 0 0 1 1 2; the first surface is the mesh's own.
+  Document document;
+  document.take(scene_of(R"(begin mesh
+    rgb (1, 0, 0)
+    begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs
+    begin faces
+      (0, 1, 2) (0, 1, 2)
+      rgb (0, 1, 0) (0, 1, 2) (0, 1, 2)
+      rgb (0, 0, 1) (0, 1, 2)
+    end faces
+  end mesh)"),
+                {}, {});
+  const auto colours = [&document] {
+    std::vector<grf::Colour> found;
+    for (std::size_t face = 0; face < 5; ++face) {
+      found.push_back(std::get<grf::Colour>(*document.objects().meshes[0].mesh->surface(face).colour));
+    }
+    return found;
+  };
+  const auto paint = [&document](const std::vector<std::uint32_t>& faces, const grf::Colour& colour) {
+    FaceSelection selection(document.objects());
+    for (const std::uint32_t face : faces) selection.set({0, face});
+    document.select(selection);
+    SurfaceEdit edit;
+    edit.colour = AttributeEdit<grf::ColourAttribute>::set(colour);
+    document.edit_surfaces("Colour", edit);
+  };
+  const grf::Colour red(1, 0, 0);
+  const grf::Colour green(0, 1, 0);
+  const grf::Colour blue(0, 0, 1);
+  const grf::Colour grey(0.5F);
+  const auto before = document.objects().meshes[0].mesh->surface_of_face;
+  paint({2, 3}, grey);
+  EXPECT_EQ(colours(), (std::vector{red, red, grey, grey, blue}));
+  EXPECT_TRUE(document.objects().meshes[0].mesh->surface_of_face.shares(before))
+      << "no face has another number";
+  paint({2}, green);
+  EXPECT_EQ(colours(), (std::vector{red, red, green, grey, blue})) << "not all of its faces";
+  paint({0, 1}, green);
+  EXPECT_EQ(colours(), (std::vector{green, green, green, grey, blue})) << "the mesh's own";
+  paint({4}, grey);
+  EXPECT_EQ(colours(), (std::vector{green, green, green, grey, grey})) << "one that is there already";
+  for (int i = 0; i < 4; ++i) document.undo_stack().undo();
+  EXPECT_EQ(colours(), (std::vector{red, red, green, green, blue}));
+  for (int i = 0; i < 4; ++i) document.undo_stack().redo();
+  EXPECT_EQ(colours(), (std::vector{green, green, green, grey, grey}));
+}
+
 }  // namespace
 }  // namespace editor

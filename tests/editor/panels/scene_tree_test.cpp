@@ -69,6 +69,28 @@ class SceneTrees : public testing::Test {
   SceneTree tree_;
 };
 
+TEST_F(SceneTrees, CountTheUsesOfDefinitionsAfterAnEditOfFaces) {
+  const auto uses = [this](const QString& kind, const QString& name) {
+    return line(kind, name).siblingAtColumn(1).data().toString().toStdString();
+  };
+  FaceSelection face(document_.objects());
+  face.set({1, 0});
+  document_.select(face);
+  SurfaceEdit edit;
+  edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Reference{"red", {}});
+  edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{"gold", {}});
+  document_.edit_surfaces("Assign", edit);
+  EXPECT_EQ(uses("Colours", "red"), "1 use");
+  EXPECT_EQ(uses("BRDFs", "gold"), "2 uses");
+  edit.colour = AttributeEdit<grf::ColourAttribute>::remove();
+  document_.edit_surfaces("Take away", edit);
+  EXPECT_EQ(uses("Colours", "red"), "unused");
+  document_.undo_stack().undo();
+  document_.undo_stack().undo();
+  EXPECT_EQ(uses("Colours", "red"), "unused");
+  EXPECT_EQ(uses("BRDFs", "gold"), "1 use");
+}
+
 TEST_F(SceneTrees, ListWhatThereIs) {
   EXPECT_EQ(line("Objects", "tile").siblingAtColumn(1).data(), "(0, 0, 0)");
   EXPECT_EQ(line("Objects", "sides").siblingAtColumn(1).data(), "2 faces");
