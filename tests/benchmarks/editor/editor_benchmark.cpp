@@ -14,14 +14,13 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include "editor/appearance/theme.h"
 #include "editor/brdf/brdf_editor.h"
 #include "editor/document/object_edits.h"
 #include "editor/panels/message_panel.h"
 #include "editor/window/file_actions.h"
 #include "grf/read.h"
 #include "grf/write.h"
-#include "tests/editor/own_screen.h"
+#include "tests/editor/own_application.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
 
@@ -331,14 +330,8 @@ void add_all(const Case& scene, Theatre& theatre) {
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   test::OwnScreen screen;
-  if (!screen.start({1920, 1200})) {
-    std::cerr << "Xvfb cannot be started\n";
-    return EXIT_FAILURE;
-  }
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName("granada");
-  QApplication::setApplicationName("wannabe");
-  editor::apply(editor::Theme::Dark, application);
+  const auto application = test::application_on(screen, {1920, 1200}, argc, argv);
+  if (application == nullptr) return EXIT_FAILURE;
   editor::Theatre theatre;
   for (const editor::Case& scene : editor::Cases) editor::add_all(scene, theatre);
   benchmark::RunSpecifiedBenchmarks();

@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "editor/appearance/theme.h"
-#include "tests/editor/own_screen.h"
+#include "tests/editor/own_application.h"
 #include "tests/editor/screenshots/pictures.h"
 #include "tests/editor/screenshots/stage.h"
 
@@ -78,21 +78,16 @@ int make(const QCommandLineParser& parser) {
 
 int main(int argc, char** argv) {
   test::OwnScreen screen;
-  if (!screen.start({3840, 2400})) {
-    std::cerr << "Xvfb cannot be started\n";
-    return EXIT_FAILURE;
-  }
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName("granada");
-  QApplication::setApplicationName("wannabe");
+  const auto application = test::application_on(screen, {3840, 2400}, argc, argv);
+  if (application == nullptr) return EXIT_FAILURE;
   QCommandLineParser parser;
   parser.addPositionalArgument("NAME", "The pictures to make, or groups to review; none: all.", "[NAME...]");
   parser.addOptions({{"to", "Folder of the pictures.", "FOLDER", "."},
                      {"suffix", "Added to each name.", "TEXT"},
                      {"review", "Pictures to be looked at, as large as they are."},
                      {"theme", "dark or light.", "NAME", "dark"}});
-  parser.process(application);
-  editor::apply(parser.value("theme") == "light" ? editor::Theme::Light : editor::Theme::Dark, application);
+  parser.process(*application);
+  if (parser.value("theme") == "light") editor::apply(editor::Theme::Light, *application);
   try {
     return screenshots::make(parser);
   } catch (const std::exception& error) {
