@@ -205,6 +205,12 @@ std::unordered_map<const grf::Definition*, std::size_t> count_uses(
   return uses;
 }
 
+bool names_a_definition(const grf::Surface& surface) {
+  bool names = false;
+  for_each_reference_of_surface(surface, [&names](const grf::Reference&) { names = true; });
+  return names;
+}
+
 std::string fresh_name(const grf::Scene& scene, const std::string& wanted) {
   const std::set<std::string> taken = taken_names(scene);
   const std::string base = grf::is_identifier(wanted) ? wanted : grf::to_identifier(wanted);

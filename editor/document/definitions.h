@@ -23,6 +23,9 @@ namespace editor {
 std::unordered_map<const grf::Definition*, std::size_t> count_uses(
     const grf::Scene& scene, const std::vector<grf::ScenePath>& without = {});
 
+/// Whether a surface refers to a definition, itself or in a term of its `combine`.
+bool names_a_definition(const grf::Surface& surface);
+
 /// An identifier like the text that no definition has, and no model of the scene as its keyword.
 std::string fresh_name(const grf::Scene& scene, const std::string& wanted);
 

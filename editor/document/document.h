@@ -34,7 +34,7 @@ class Document : public QObject {
   const grf::Scene& scene() const { return scene_; }
   /// The scene's objects are what views draw: they are as old as the last `changed`.
   const SceneObjects& objects() const { return *objects_; }
-  /// The same, to be kept.
+  /// Shares the objects with who keeps them.
   const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const FaceSelection& selection() const { return *selection_; }
   /// Where the scene was read from or saved; empty: nowhere yet.

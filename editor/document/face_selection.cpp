@@ -181,6 +181,14 @@ void FaceSelection::remove(const FaceSelection& other) {
   }
 }
 
+std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
+                                    std::uint32_t mesh) {
+  const grf::Mesh& of_selection = *objects.meshes[mesh].mesh;
+  std::vector<bool> has(of_selection.surfaces.size());
+  selection.for_each_face(mesh, [&](std::size_t face) { has[(*of_selection.surface_of_face)[face]] = true; });
+  return has;
+}
+
 FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects) {
   FaceSelection result = selection;
   for (const std::uint32_t i : selection.meshes()) {
@@ -240,8 +248,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
   std::unordered_set<LikenessKey, decltype(&hash_of)> wanted(0, &hash_of);
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    std::vector<bool> is_used(mesh.surfaces.size());
-    selection.for_each_face(i, [&](std::size_t face) { is_used[(*mesh.surface_of_face)[face]] = true; });
+    const std::vector<bool> is_used = selected_surfaces(objects, selection, i);
     for (std::size_t k = 0; k < is_used.size(); ++k) {
       if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness));
     }

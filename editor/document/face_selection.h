@@ -25,7 +25,7 @@ struct FaceId {
 /// all.
 class FaceSelection {
  public:
-  /// The faces of a mesh, a bit for each.
+  /// The bits say which faces of a mesh are selected.
   using Faces = boost::dynamic_bitset<>;
 
   FaceSelection() = default;
@@ -69,6 +69,10 @@ class FaceSelection {
   std::vector<std::size_t> counts_;  ///< of each mesh
   std::size_t count_ = 0;
 };
+
+/// Says which of the surfaces of a mesh, by its number, selected faces have.
+std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
+                                    std::uint32_t mesh);
 
 /// The selection and all faces that share an edge with one of it; vertices at one place count as one.
 FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects);

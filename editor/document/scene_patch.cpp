@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "editor/document/definitions.h"
 #include "editor/document/scene_places.h"
 #include "grf/relocate.h"
 
@@ -58,15 +59,6 @@ void splice(std::vector<T>& list, std::size_t first, std::size_t count, const st
   } else {
     list.insert(rest, replacement.begin() + static_cast<std::ptrdiff_t>(kept), replacement.end());
   }
-}
-
-bool names_a_definition(const grf::Surface& surface) {
-  const auto is_name = [](const auto& attribute) {
-    return attribute && std::holds_alternative<grf::Reference>(*attribute);
-  };
-  const auto* brdf = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
-  return is_name(surface.colour) || is_name(surface.brdf) || is_name(surface.pdf) ||
-         is_name(surface.texture) || (brdf != nullptr && !brdf->terms.empty());
 }
 
 grf::ScenePath path_in(grf::ScenePath path, std::size_t number) {

@@ -53,7 +53,7 @@ class ScenePatch {
     std::uint32_t before = 0;
     std::uint32_t after = 0;
   };
-  /// Two states of a mesh, with all that it has.
+  /// The meshes are two states of one, with all that it has.
   struct WholeMeshes {
     grf::Shared<grf::Mesh> before;
     grf::Shared<grf::Mesh> after;

@@ -10,14 +10,6 @@
 namespace editor {
 namespace {
 
-/// Which of a mesh's surfaces selected faces have.
-std::vector<bool> selected_surfaces(const grf::Mesh& mesh, const FaceSelection& selection,
-                                    std::uint32_t number) {
-  std::vector<bool> has(mesh.surfaces.size());
-  selection.for_each_face(number, [&](std::size_t face) { has[(*mesh.surface_of_face)[face]] = true; });
-  return has;
-}
-
 template <class Value>
 void meet(CommonValue<Value>& common, const std::optional<Value>& value, bool is_first) {
   if (is_first) {
@@ -43,7 +35,7 @@ grf::Surface seen_as_mesh(const Look& look) {
   return surface;
 }
 
-/// How many faces have each of a mesh's surfaces.
+/// Counts the faces that have each of a mesh's surfaces.
 std::vector<std::size_t> uses_of_surfaces(const grf::Mesh& mesh) {
   std::vector<std::size_t> uses(mesh.surfaces.size());
   // Faces of one surface mostly follow each other: a run is counted at once.
@@ -164,7 +156,7 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
   bool is_first = true;
   for (const std::uint32_t i : selection.meshes()) {
     const MeshObject& object = objects.meshes[i];
-    const std::vector<bool> has = selected_surfaces(*object.mesh, selection, i);
+    const std::vector<bool> has = selected_surfaces(objects, selection, i);
     for (std::size_t k = 0; k < has.size(); ++k) {
       if (!has[k]) continue;
       const grf::Surface& surface =
@@ -186,7 +178,7 @@ std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSele
     const MeshObject& object = objects.meshes[i];
     if (object.is_light) continue;
     const auto first = static_cast<std::ptrdiff_t>(brdfs.size());
-    const std::vector<bool> has = selected_surfaces(*object.mesh, selection, i);
+    const std::vector<bool> has = selected_surfaces(objects, selection, i);
     for (std::size_t k = 0; k < has.size(); ++k) {
       const MeshBrdf brdf = {i, object.mesh->surfaces[k].brdf};
       if (has[k] && std::find(brdfs.begin() + first, brdfs.end(), brdf) == brdfs.end()) brdfs.push_back(brdf);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
@@ -193,10 +194,11 @@ const LightObject* LightPanel::chosen_light() const {
 
 bool LightPanel::concerns_lights(const Change& change) const {
   if (change.is_structural || change.lights || change.definitions) return true;
-  return std::any_of(change.meshes.begin(), change.meshes.end(), [this](std::uint32_t i) {
+  std::set<grf::ScenePath> emitted;
+  for (const Emitter& emitter : emitters_) emitted.insert(emitter.path);
+  return std::any_of(change.meshes.begin(), change.meshes.end(), [&](std::uint32_t i) {
     const MeshObject& mesh = document_.objects().meshes[i];
-    const auto is_it = [&mesh](const Emitter& emitter) { return emitter.path == mesh.path; };
-    return emits(mesh) || std::any_of(emitters_.begin(), emitters_.end(), is_it);
+    return emits(mesh) || emitted.contains(mesh.path);
   });
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t LeastStoodInFor = 1'000;
 
 }  // namespace
 
-/// The entries of before, to be found by what they are made from.
+/// Finds the entries of before by the geometry that they are made from.
 class GeometryStore::KnownEntries {
  public:
   explicit KnownEntries(const std::vector<Entry>& entries) : entries_(entries) {}

@@ -13,14 +13,15 @@
 
 namespace editor {
 
-/// Which surface each face has. Faces of all meshes are numbered one after the other, as are their surfaces.
+/// The tables say which surface each face has. Faces of all meshes are numbered one after the other, as are
+/// their surfaces.
 struct FaceTables {
   std::vector<std::uint32_t> first_face;  ///< of each mesh
   std::vector<std::uint32_t> surface_of_face;
   float irradiance_scale = 1;  ///< makes bright places of the scene white
 };
 
-/// What the surfaces of all meshes are.
+/// The tables hold the colours, textures, emission and BRDFs of the surfaces of all meshes.
 struct SurfaceTables {
   /// So many values for the mirror part over the cosine of the angle of view, from 0 to 1.
   static constexpr int MirrorValues = 32;
