@@ -110,7 +110,7 @@ void CostSweep::keep(const Piece& piece, const Render& render) {
       return;
     }
     case Purpose::Reference: {
-      const double error = render.film().estimated_error().value_or(0);
+      const double error = render.error_estimate().value_or(transport::ErrorEstimate()).error;
       reference_ = CostReference{render.film().mean(), render.seconds(), error * error};
       return;
     }

@@ -53,7 +53,7 @@ nlohmann::json whole_if_exact(double number) {
 nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
                           const std::string& output, double setup_seconds, const transport::Plan& plan) {
   const double seconds = render.seconds();
-  const auto estimate = render.film().error_estimate();
+  const auto estimate = render.error_estimate();
   nlohmann::json summary;
   summary["output"] = output;
   summary["width"] = render_options.size.width;

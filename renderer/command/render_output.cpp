@@ -135,7 +135,7 @@ transport::ImageFile image_file_of(const transport::Render& render, const transp
   file.attributes.push_back({"worldToNDC", camera.world_to_image()});
   file.attributes.push_back({"renderSeconds", static_cast<float>(render.seconds())});
   file.attributes.push_back({"samplesPerPixel", static_cast<float>(mean_samples(film))});
-  if (const auto estimate = film.error_estimate()) {
+  if (const auto estimate = render.error_estimate()) {
     file.attributes.push_back({"estimatedError", static_cast<float>(estimate->error)});
     file.attributes.push_back({"estimatedErrorLow", static_cast<float>(estimate->low)});
     file.attributes.push_back({"estimatedErrorHigh", static_cast<float>(estimate->high)});

@@ -21,9 +21,9 @@ constexpr double NormalQuantile = 1.96;
 constexpr double UncertainPart = 0.5;
 /// How many degrees of freedom the few pixels that an error is spread over have less than they seem to: those
 /// that are noisy by chance are taken for the noisy ones. Measured.
-constexpr double LostFreedom = 4.7;
+constexpr double LostFreedom = 4.2;
 /// The part of the deviation that counts downwards: the error is seldom stated too great by noise. Measured.
-constexpr double LowerDeviation = 0.8;
+constexpr double LowerDeviation = 0.7;
 
 /// How much more the pixels must differ than the halves, so that it is no noise.
 constexpr double ContrastOverNoise = 1.5;
@@ -40,16 +40,19 @@ constexpr double LoneQuantile = 1.1;
 /// Above this agreement, a lone value may be a thing that every sample hits.
 constexpr double SteadyAgreement = 0.9;
 
+/// The part of the brightest neighbour that the bright side of an edge has at least.
+constexpr double BrightSide = 0.7;
+
 /// How large the part of a binomial variance is that pixels at edges may have, with samples well spread.
 constexpr double BinomialPart = 0.5;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.45;      ///< of second-order errors that the denominators' bias makes
+constexpr double DoubtPart = 0.15;      ///< of second-order errors that the denominators' bias makes
 constexpr double LoneDoubtPart = 0.45;  ///< the same, of lone pixels' errors
-constexpr double TailGrowth = 0.6;      ///< with the logarithm of the number of touched pixels
+constexpr double TailGrowth = 0.7;      ///< with the logarithm of the number of touched pixels
 constexpr double TailBound = 1600;      ///< of the squared relative error of the one that is touched least
 constexpr double UnseenPart = 1.6;      ///< of the error of pixels that were not hit, in most images
-constexpr double TouchedPart = 0.97;    ///< of touched pixels' errors, that may as well not be there
+constexpr double TouchedPart = 0.92;    ///< of touched pixels' errors, that may as well not be there
 
 /// What the neighbours of a value are like.
 struct Surroundings {
@@ -62,22 +65,30 @@ struct Surroundings {
   double second_brightest = 0;
 };
 
-Surroundings surroundings_of(const PixelMoments& pixels, int x, int y, int channel) {
+/// One channel of a pixel, of which the error is looked at.
+struct PixelValue {
+  Imath::V2i pixel;
+  int channel = 0;
+  double mean = 0;
+  double variance = 0;
+};
+
+Surroundings surroundings_of(const PixelMoments& pixels, const PixelValue& value) {
   Surroundings around;
   double sum = 0;
   double squares = 0;
-  for (int k = std::max(y - 1, 0); k <= std::min(y + 1, pixels.height - 1); ++k) {
-    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, pixels.width - 1); ++i) {
-      if (i == x && k == y) continue;
-      const auto index = pixels.index(i, k);
-      const double value = pixels.means[index][channel];
+  for (int y = value.pixel.y - 1; y <= value.pixel.y + 1; ++y) {
+    for (int x = value.pixel.x - 1; x <= value.pixel.x + 1; ++x) {
+      if (Imath::V2i(x, y) == value.pixel || !pixels.contains(x, y)) continue;
+      const auto index = pixels.index_of(x, y);
+      const double beside = pixels.means[index][value.channel];
       ++around.count;
-      sum += value;
-      squares += value * value;
-      around.noise += pixels.variances[index][channel];
-      around.darkest = std::min(around.darkest, value);
-      around.second_brightest = std::max(around.second_brightest, std::min(around.brightest, value));
-      around.brightest = std::max(around.brightest, value);
+      sum += beside;
+      squares += beside * beside;
+      around.noise += pixels.variances[index][value.channel];
+      around.darkest = std::min(around.darkest, beside);
+      around.second_brightest = std::max(around.second_brightest, std::min(around.brightest, beside));
+      around.brightest = std::max(around.brightest, beside);
     }
   }
   if (around.count == 0) return around;
@@ -114,8 +125,62 @@ double possible_error(const Surroundings& around, double mean, double samples) {
   return BinomialPart * variance / (mean * mean + RelmseFloor);
 }
 
+/// The value of a pixel, if it is in the rectangle and its neighbour at the bright side is bright.
+class EdgeSide {
+ public:
+  EdgeSide(const PixelMoments& pixels, int channel, const Imath::V2i& to_bright, double bright)
+      : pixels_(pixels), channel_(channel), to_bright_(to_bright), bright_(bright) {}
+
+  std::optional<double> value_at(const Imath::V2i& pixel) const {
+    const Imath::V2i beside = pixel + to_bright_;
+    const bool is_inside = pixels_.contains(pixel.x, pixel.y) && pixels_.contains(beside.x, beside.y);
+    if (!is_inside || mean(beside) < bright_ || mean(pixel) >= bright_) return std::nullopt;
+    return mean(pixel);
+  }
+
+ private:
+  double mean(const Imath::V2i& pixel) const {
+    return pixels_.means[pixels_.index_of(pixel.x, pixel.y)][channel_];
+  }
+
+  const PixelMoments& pixels_;
+  int channel_;
+  Imath::V2i to_bright_;
+  double bright_;
+};
+
+/// The mean of a pixel and of those to both sides of it along an edge that is nearly parallel to the rows or
+/// columns; empty if there is no such edge. As many are taken at both sides: along an edge that is not quite
+/// parallel, what it covers changes by as much from each pixel to the next.
+std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelValue& value, double bright) {
+  double sum = 0;
+  int most = 1;
+  for (const Imath::V2i& to_bright :
+       {Imath::V2i(1, 0), Imath::V2i(-1, 0), Imath::V2i(0, 1), Imath::V2i(0, -1)}) {
+    const EdgeSide edge(pixels, value.channel, to_bright, bright);
+    if (!edge.value_at(value.pixel)) continue;
+    double side_sum = value.mean;
+    int count = 1;
+    for (int step = 1; step <= ErrorNeighbours; ++step) {
+      const Imath::V2i along = Imath::V2i(to_bright.y, to_bright.x) * step;
+      const auto before = edge.value_at(value.pixel - along);
+      const auto after = edge.value_at(value.pixel + along);
+      if (!before || !after) break;
+      side_sum += *before + *after;
+      count += 2;
+    }
+    if (count <= most) continue;
+    most = count;
+    sum = side_sum;
+  }
+  return most > 1 ? std::optional(sum / most) : std::nullopt;
+}
+
 /// The squared relative error of a value, unless it is counted as lone or touched.
-double add_value(const Surroundings& around, double mean, double variance, double samples, ErrorSums& sums) {
+double add_value(const PixelMoments& pixels, const PixelValue& value, const Surroundings& around,
+                 ErrorSums& sums) {
+  const double mean = value.mean;
+  const double variance = value.variance;
   if (around.count == 0) return variance / (mean * mean + RelmseFloor);
   const bool is_lone = mean > LoneContrast * (around.second_brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
@@ -126,7 +191,7 @@ double add_value(const Surroundings& around, double mean, double variance, doubl
     sums.lone.agreement += agreement;
     if (agreement > SteadyAgreement) ++sums.lone.steady;
   }
-  sums.touched.unseen += unseen_error(around, mean, samples);
+  sums.touched.unseen += unseen_error(around, mean, pixels.samples);
   if (!(variance > 0)) return 0;
   const double difference = mean - around.mean;
   const double visible = visible_part(around, difference, variance);
@@ -142,6 +207,9 @@ double add_value(const Surroundings& around, double mean, double variance, doubl
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
   const bool is_touched = visible > 0.5 && brighter > 4 && mean <= around.brightest;
   if (!is_touched) return error;
+  if (const auto along = mean_along_edge(pixels, value, BrightSide * around.brightest)) {
+    return variance / (*along * *along + RelmseFloor);
+  }
   sums.touched.errors += own_error;
   sums.touched.logarithms += own_error * std::log(brighter);
   sums.touched.bounds += own_error * std::min(TailBound, brighter);
@@ -276,19 +344,19 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
   return *this;
 }
 
-ErrorSums error_sums_of(const PixelMoments& pixels) {
+ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
   ErrorSums sums;
-  sums.values = PixelChannels * static_cast<double>(pixels.means.size());
-  for (int y = 0; y < pixels.height; ++y) {
-    for (int x = 0; x < pixels.width; ++x) {
-      const auto index = pixels.index(x, y);
+  sums.values = PixelChannels * static_cast<double>(counted.pixel_count());
+  for (int y = counted.y; y < counted.y + counted.height; ++y) {
+    for (int x = counted.x; x < counted.x + counted.width; ++x) {
+      const auto index = pixels.index_of(x, y);
       double error = 0;
       double possible = 0;
       for (int c = 0; c < PixelChannels; ++c) {
-        const Surroundings around = surroundings_of(pixels, x, y, c);
-        const double mean = pixels.means[index][c];
-        error += add_value(around, mean, pixels.variances[index][c], pixels.samples, sums);
-        possible += possible_error(around, mean, pixels.samples);
+        const PixelValue value{{x, y}, c, pixels.means[index][c], pixels.variances[index][c]};
+        const Surroundings around = surroundings_of(pixels, value);
+        error += add_value(pixels, value, around, sums);
+        possible += possible_error(around, value.mean, pixels.samples);
       }
       possible = std::max(error, possible);
       sums.errors += error;

@@ -3,7 +3,49 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/parallel/loops.h"
+
 namespace transport {
+namespace {
+
+bool has_both_halves(const FilmTile::Counts& counts) { return counts[0] > 0 && counts[1] > 0; }
+
+/// Whether all samples weigh the same.
+bool is_even(const FilmTile::Counts& counts) {
+  return std::max(counts[0], counts[1]) - std::min(counts[0], counts[1]) <= 1 || !has_both_halves(counts);
+}
+
+Imath::V3d mean_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts) {
+  const std::uint32_t count = counts[0] + counts[1];
+  if (count == 0) return Imath::V3d(0);
+  return is_even(counts) ? (sums[0] + sums[1]) / count : (sums[0] / counts[0] + sums[1] / counts[1]) / 2;
+}
+
+// The halves are independent estimates of the same value. With weights p and 1 - p, the variance of their
+// mean is p (1 - p) of the mean squared difference: a quarter, if they weigh the same.
+Imath::V3d variance_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts) {
+  if (!has_both_halves(counts)) return Imath::V3d(0);
+  const double n = counts[0];
+  const double m = counts[1];
+  const Imath::V3d difference = sums[0] / n - sums[1] / m;
+  const double weight = is_even(counts) ? n / (n + m) : 0.5;
+  return difference * difference * (weight * (1 - weight));
+}
+
+/// Makes room for the pixels of a rectangle of which most have so many samples.
+PixelMoments moments_for(const TileBounds& bounds, const FilmTile::Counts& counts) {
+  PixelMoments moments{bounds, static_cast<double>(counts[0] + counts[1]), {}, {}};
+  moments.means.reserve(bounds.pixel_count());
+  moments.variances.reserve(bounds.pixel_count());
+  return moments;
+}
+
+void add_pixel(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts, PixelMoments& moments) {
+  moments.means.push_back(mean_of(sums, counts));
+  moments.variances.push_back(variance_of(sums, counts));
+}
+
+}  // namespace
 
 bool FilmTile::add(int x, int y, int scrambling, const Rgb& radiance) {
   const bool finite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
@@ -13,41 +55,15 @@ bool FilmTile::add(int x, int y, int scrambling, const Rgb& radiance) {
   return true;
 }
 
-Rgb FilmTile::mean(std::size_t pixel) const { return Rgb(exact_mean(pixels[pixel])); }
+Rgb FilmTile::mean(std::size_t pixel) const { return Rgb(mean_of(pixels[pixel], counts)); }
 
-Rgb FilmTile::variance(std::size_t pixel) const { return Rgb(exact_variance(pixels[pixel])); }
-
-/// Whether all samples weigh the same.
-bool FilmTile::is_even() const {
-  return std::max(counts[0], counts[1]) - std::min(counts[0], counts[1]) <= 1 || counts[0] == 0 ||
-         counts[1] == 0;
-}
-
-Imath::V3d FilmTile::exact_mean(const PixelSums& sums) const {
-  const std::uint32_t count = sample_count();
-  if (count == 0) return Imath::V3d(0);
-  return is_even() ? (sums[0] + sums[1]) / count : (sums[0] / counts[0] + sums[1] / counts[1]) / 2;
-}
-
-// The halves are independent estimates of the same value. With weights p and 1 - p, the variance of their
-// mean is p (1 - p) of the mean squared difference: a quarter, if they weigh the same.
-Imath::V3d FilmTile::exact_variance(const PixelSums& sums) const {
-  const double n = counts[0];
-  const double m = counts[1];
-  if (n == 0 || m == 0) return Imath::V3d(0);
-  const Imath::V3d difference = sums[0] / n - sums[1] / m;
-  const double weight = is_even() ? n / (n + m) : 0.5;
-  return difference * difference * (weight * (1 - weight));
-}
+Rgb FilmTile::variance(std::size_t pixel) const { return Rgb(variance_of(pixels[pixel], counts)); }
 
 ErrorSums FilmTile::error_sums() const {
-  if (counts[0] == 0 || counts[1] == 0) return {};
-  PixelMoments moments{bounds.width, bounds.height, static_cast<double>(sample_count()), {}, {}};
-  for (const PixelSums& sums : pixels) {
-    moments.means.push_back(exact_mean(sums));
-    moments.variances.push_back(exact_variance(sums));
-  }
-  return error_sums_of(moments);
+  if (!has_both_halves(counts)) return {};
+  PixelMoments moments = moments_for({0, 0, bounds.width, bounds.height}, counts);
+  for (const PixelSums& sums : pixels) add_pixel(sums, counts, moments);
+  return error_sums_of(moments, moments.bounds);
 }
 
 // Of n and m samples, the difference of the two means has 1/n + 1/m of the variance of one.
@@ -119,9 +135,54 @@ Image Film::variance() const {
   return image_of([](const FilmTile& tile, std::size_t i) { return tile.variance(i); });
 }
 
+/// Whether there are samples of both halves of a tile; a tile outside of the image has none.
+bool Film::has_both_halves(int column, int row) const {
+  const bool is_inside = column >= 0 && column < tiles_across() && row >= 0 && row < tiles_down();
+  return is_inside && transport::has_both_halves(counts_of(row * tiles_across() + column));
+}
+
+/// Widens a tile at each side by the neighbours that the error estimate looks at, where all tiles there have
+/// both halves.
+TileBounds Film::with_neighbours(const TileBounds& bounds) const {
+  const int column = bounds.x / TileSize;
+  const int row = bounds.y / TileSize;
+  const auto reach = [&](int across, int down) {
+    for (const int along : {-1, 0, 1}) {
+      const int x = across == 0 ? std::clamp(column + along, 0, tiles_across() - 1) : column + across;
+      const int y = down == 0 ? std::clamp(row + along, 0, tiles_down() - 1) : row + down;
+      if (!has_both_halves(x, y)) return 0;
+    }
+    return ErrorNeighbours;
+  };
+  const int left = std::max(0, bounds.x - reach(-1, 0));
+  const int top = std::max(0, bounds.y - reach(0, -1));
+  const int right = std::min(width_, bounds.x + bounds.width + reach(1, 0));
+  const int bottom = std::min(height_, bounds.y + bounds.height + reach(0, 1));
+  return {left, top, right - left, bottom - top};
+}
+
+ErrorSums Film::sums_with_neighbours(int tile) const {
+  if (!transport::has_both_halves(counts_of(tile))) return {};
+  const TileBounds bounds = bounds_of(tile);
+  PixelMoments moments = moments_for(with_neighbours(bounds), counts_of(tile));
+  const TileBounds& all = moments.bounds;
+  for (int y = all.y; y < all.y + all.height; ++y) {
+    for (int x = all.x; x < all.x + all.width; ++x) {
+      const int owner = tile_of(x, y);
+      const TileBounds of_owner = bounds_of(owner);
+      const std::size_t pixel = first_pixel(of_owner) + of_owner.index_of(x - of_owner.x, y - of_owner.y);
+      add_pixel(pixels_[pixel], counts_of(owner), moments);
+    }
+  }
+  return transport::error_sums_of(moments, bounds);
+}
+
+// The sums are added up in the order of the tiles, so that they are the same for any number of threads.
 std::optional<ErrorEstimate> Film::error_estimate() const {
+  std::vector<ErrorSums> parts(tiles_.size());
+  parallel::for_each_index(tile_count(), [&](int tile) { parts[index(tile)] = sums_with_neighbours(tile); });
   ErrorSums sums;
-  for (const TileState& tile : tiles_) sums += tile.error_sums;
+  for (const ErrorSums& part : parts) sums += part;
   return error_estimate_of(sums);
 }
 

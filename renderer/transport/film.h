@@ -8,31 +8,15 @@
 #include "renderer/reflectance/geometry.h"
 #include "renderer/transport/error_estimate.h"
 #include "renderer/transport/image/image.h"
+#include "renderer/transport/tile_bounds.h"
 
 namespace transport {
 
 using reflectance::Rgb;
 
-/// A rectangle of pixels of an image.
-struct TileBounds {
-  int x = 0;  ///< of the upper left pixel
-  int y = 0;
-  int width = 0;
-  int height = 0;
-
-  std::size_t pixel_count() const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  }
-  /// Row by row, of a place within.
-  std::size_t index_of(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-  }
-};
-
 /// The sums of one tile, which a worker takes out of the film, adds samples to, and puts back. All pixels of
 /// a tile have as many samples.
-class FilmTile {
- public:
+struct FilmTile {
   static constexpr int Scramblings = 2;
 
   // Double, so that a million samples lose nothing.
@@ -56,17 +40,13 @@ class FilmTile {
   Rgb mean(std::size_t pixel) const;
   /// The variance of that mean, from the two halves; 0 while there is but one.
   Rgb variance(std::size_t pixel) const;
-  /// Returns the tile's part of the error estimate; zeros while there is only one half.
+  /// Returns what the tile by itself says of the error, without the pixels around it: enough to show how a
+  /// render goes. Zeros while there is only one half.
   ErrorSums error_sums() const;
   /// The sum over pixels and channels of the relative variance of one sample of a half, as far as the samples
   /// before and after a moment tell: `before` is the tile as it was then. Both must be of at least one
   /// sample.
   double spread_since(const FilmTile& before, int scrambling) const;
-
- private:
-  bool is_even() const;
-  Imath::V3d exact_mean(const PixelSums& sums) const;
-  Imath::V3d exact_variance(const PixelSums& sums) const;
 };
 
 /// Where the samples of an image are added up. Each pixel keeps two sums, of samples from two independent
@@ -113,7 +93,8 @@ class Film {
   /// The variance of each pixel's mean, from its two halves; 0 for a pixel that has but one.
   Image variance() const;
 
-  /// Of the image; nothing while no pixel has both halves. A tile that has but one does not count.
+  /// Estimates the error of the image, on the threads of the loop that it is called in; empty while no pixel
+  /// has both halves. A tile that has only one does not count.
   std::optional<ErrorEstimate> error_estimate() const;
   std::optional<double> estimated_error() const;
 
@@ -126,6 +107,9 @@ class Film {
 
   static std::size_t index(int tile) { return static_cast<std::size_t>(tile); }
   std::size_t first_pixel(const TileBounds& bounds) const;
+  bool has_both_halves(int column, int row) const;
+  TileBounds with_neighbours(const TileBounds& bounds) const;
+  ErrorSums sums_with_neighbours(int tile) const;
   template <class Function>
   Image image_of(Function function) const;
 

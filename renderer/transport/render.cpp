@@ -114,6 +114,12 @@ bool Render::run_stage(int samples) {
   return queue.is_finished();
 }
 
+std::optional<ErrorEstimate> Render::error_estimate() const {
+  std::optional<ErrorEstimate> estimate;
+  parallel::run_with_threads(settings_.threads, [&] { estimate = film_.error_estimate(); });
+  return estimate;
+}
+
 bool Render::reaches_target(int samples) {
   const auto estimate = film_.error_estimate();
   if (!estimate) return false;

@@ -129,6 +129,9 @@ class Render {
 
   /// Once `run` has returned; before that, only sizes and bounds.
   const Film& film() const { return film_; }
+  /// Returns the film's error estimate, made on as many threads as the settings allow. Once `run` has
+  /// returned.
+  std::optional<ErrorEstimate> error_estimate() const;
 
  private:
   RenderEnd run_stages();

@@ -51,6 +51,18 @@ std::vector<test::ErrorCase> chosen_cases() {
   return cases;
 }
 
+/// Renders a scene with so many seeds, and with four times as many if the share of true errors inside is near
+/// the least one that is allowed: of a scene that holds in 92 % of all renders, 100 seeds often show less
+/// than 88 %.
+test::ErrorStudy study_of(const test::ErrorCase& tested, int seeds) {
+  test::ErrorStudy study;
+  test::study_intervals(tested.scene, seeds, tested.samples, study);
+  if (study.coverage() >= 0.92) return study;
+  test::ErrorStudy longer;
+  test::study_intervals(tested.scene, 4 * seeds, tested.samples, longer);
+  return longer;
+}
+
 TEST(ErrorEstimate, HoldsWithLampsInView) {
   const int seeds = static_cast<int>(from_environment("ERROR_SEEDS", 100));
   const unsigned first = from_environment("ERROR_SCENES", std::random_device()() % 1'000'000);
@@ -58,26 +70,20 @@ TEST(ErrorEstimate, HoldsWithLampsInView) {
   const std::size_t chosen = cases.size();
   for (unsigned i = 0; i < chosen; ++i) cases.push_back(test::random_case(first + i));
   EXPECT_GE(cases.size(), 40U);
-  test::ErrorStudy all;
-  int low_ones = 0;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const test::SampleScene& scene = cases[i].scene;
-    test::ErrorStudy own;
-    test::study_intervals(scene, seeds, cases[i].samples, own);
-    print_study(scene.name, own);
-    const bool is_random = i >= chosen;
-    EXPECT_GE(own.coverage(), is_random ? 0.8 : 0.88) << scene.name << "; ERROR_SCENES=" << first;
-    low_ones += is_random && own.coverage() < 0.88 ? 1 : 0;
-    all += own;
+  double coverage = 0;
+  double quotient = 0;
+  for (const test::ErrorCase& tested : cases) {
+    const test::ErrorStudy own = study_of(tested, seeds);
+    print_study(tested.scene.name, own);
+    EXPECT_GE(own.coverage(), 0.88) << tested.scene.name << "; ERROR_SCENES=" << first;
+    coverage += own.coverage() / static_cast<double>(cases.size());
+    quotient += own.mean_quotient() / static_cast<double>(cases.size());
   }
-  print_study("all", all);
-  // Of 120 random scenes that the constants had not been measured with, three had 84 to 87 %.
-  EXPECT_LE(low_ones, 2) << "ERROR_SCENES=" << first;
-  EXPECT_GE(all.coverage(), 0.93) << "ERROR_SCENES=" << first;
-  // Intervals that are wide enough for images of a few noisy pixels are too wide for others.
-  EXPECT_LE(all.coverage(), 0.985) << "ERROR_SCENES=" << first;
-  EXPECT_GT(all.mean_quotient(), 0.95) << "ERROR_SCENES=" << first;
-  EXPECT_LT(all.mean_quotient(), 1.1) << "ERROR_SCENES=" << first;
+  std::printf("all: inside %.1f %%, stated / true %.2f\n", 100 * coverage, quotient);
+  EXPECT_GE(coverage, 0.93) << "ERROR_SCENES=" << first;
+  EXPECT_LE(coverage, 0.97) << "ERROR_SCENES=" << first;
+  EXPECT_GT(quotient, 0.95) << "ERROR_SCENES=" << first;
+  EXPECT_LT(quotient, 1.1) << "ERROR_SCENES=" << first;
 }
 
 TEST(TargetError, HoldsOver200SeedsOfFourScenes) {

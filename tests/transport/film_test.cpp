@@ -185,20 +185,27 @@ TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
 // The edges of lamps on black. Most of the error is in pixels of which so little is covered that one of 16
 // samples has hit it, or none: each is covered by another random part. Samples are spread as evenly as they
 // can be, so that a half has hit floor or ceil of what the covered part is of its samples.
-TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
-  constexpr int Films = 60;
+struct EdgeStudy {
+  static constexpr int Films = 60;
+  static constexpr int Side = 2 * Film::TileSize;
+  int inside = 0;        ///< true errors that were in their interval
+  double quotients = 0;  ///< mean of stated over true error
+};
+
+/// Estimates the errors of films whose pixels are covered by something bright as `coverage` says, which is
+/// asked for each pixel of each film. Samples are spread well.
+template <class Coverage>
+EdgeStudy study_edges(std::mt19937& random, const Coverage& coverage) {
   constexpr double HalfSamples = 8;
-  constexpr int Side = 2 * Film::TileSize;
-  std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform;
-  int inside = 0;
-  double quotients = 0;
-  for (int i = 0; i < Films; ++i) {
-    Image truth{Side, Side, std::vector<Rgb>(static_cast<std::size_t>(Side) * Side)};
-    for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
-      truth.pixels[p] = Rgb(p % 8 == 4 ? static_cast<float>(10 * uniform(random)) : p % 8 > 4 ? 10.0F : 0.0F);
+  EdgeStudy study;
+  for (int i = 0; i < EdgeStudy::Films; ++i) {
+    Image truth{EdgeStudy::Side, EdgeStudy::Side, {}};
+    for (int y = 0; y < EdgeStudy::Side; ++y) {
+      for (int x = 0; x < EdgeStudy::Side; ++x)
+        truth.pixels.emplace_back(static_cast<float>(10 * coverage(x, y)));
     }
-    Film film(Side, Side);
+    Film film(EdgeStudy::Side, EdgeStudy::Side);
     for (int tile = 0; tile < film.tile_count(); ++tile) {
       const transport::TileBounds bounds = film.bounds_of(tile);
       for (int half = 0; half < Film::Scramblings; ++half) {
@@ -211,12 +218,30 @@ TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
     }
     const auto estimate = *film.error_estimate();
     const double error = std::sqrt(error_of(film.mean(), truth).relmse);
-    inside += error >= estimate.low && error <= estimate.high ? 1 : 0;
-    quotients += estimate.error / error / Films;
+    study.inside += error >= estimate.low && error <= estimate.high ? 1 : 0;
+    study.quotients += estimate.error / error / EdgeStudy::Films;
   }
-  EXPECT_GE(inside, Films - 8);
-  EXPECT_GT(quotients, 0.85);
-  EXPECT_LT(quotients, 1.2);
+  return study;
+}
+
+TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform;
+  const EdgeStudy study = study_edges(
+      random, [&](int x, int) { return x % 8 == 4 ? uniform(random) : static_cast<double>(x % 8 > 4); });
+  EXPECT_GE(study.inside, EdgeStudy::Films - 8);
+  EXPECT_GT(study.quotients, 0.85);
+  EXPECT_LT(study.quotients, 1.2);
+}
+
+// The bright side lies in other tiles than the pixels that it covers in part, all of them by as much: neither
+// a pixel nor its tile knows what is beside it.
+TEST(Film, StatesTheErrorOfAnEdgeAtTheBorderOfTiles) {
+  std::mt19937 random(7);
+  const EdgeStudy study = study_edges(random, [](int, int y) { return y < 15 ? 0.0 : y == 15 ? 0.1 : 1.0; });
+  EXPECT_GE(study.inside, EdgeStudy::Films - 8);
+  EXPECT_GT(study.quotients, 0.8);
+  EXPECT_LT(study.quotients, 1.3);
 }
 
 /// Normally distributed noise of one part in a hundred.
