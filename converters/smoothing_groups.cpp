@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "grf/vertex_normals.h"
+#include "converters/mesh_operations/vertex_normals.h"
 
 namespace convert {
 namespace {
@@ -15,7 +15,7 @@ std::uint64_t key_of(std::uint32_t group, std::uint32_t vertex) {
 
 void SmoothingGroups::add_face(std::uint32_t group, std::span<const std::uint32_t> vertices,
                                std::span<const grf::Vec3f> positions) {
-  grf::weighted_normals(vertices, positions, of_face_);
+  weighted_normals(vertices, positions, of_face_);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     sums_.try_emplace(key_of(group, vertices[k]), 0.0).first->second += of_face_[k];
   }
@@ -23,7 +23,7 @@ void SmoothingGroups::add_face(std::uint32_t group, std::span<const std::uint32_
 
 std::optional<grf::Vec3f> SmoothingGroups::normal(std::uint32_t group, std::uint32_t vertex) const {
   const auto sum = sums_.find(key_of(group, vertex));
-  return sum == sums_.end() ? std::nullopt : grf::unit_normal(sum->second);
+  return sum == sums_.end() ? std::nullopt : unit_normal(sum->second);
 }
 
 }  // namespace convert

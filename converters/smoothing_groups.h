@@ -11,8 +11,8 @@
 namespace convert {
 
 /// Normals for formats that say by smoothing groups which faces go smoothly into each other. At a vertex, all
-/// faces of a group share one normal, of which `grf/vertex_normals.h` says how it is made. Faces of other
-/// groups at the same vertex have another one.
+/// faces of a group share one normal, of which `mesh_operations/vertex_normals.h` says how it is made. Faces
+/// of other groups at the same vertex have another one.
 class SmoothingGroups {
  public:
   /// A face of a group: indices of its corners' positions.

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "converters/mesh_operations/vertex_normals.h"
 #include "grf/keywords.h"
-#include "grf/vertex_normals.h"
 
 namespace convert {
 namespace {
@@ -95,7 +95,7 @@ class Smoothing {
         corners_of_point_[point_of(i, k)].emplace_back(i, k);
         positions[k] = faces[i][k].position();
       }
-      grf::weighted_normals(std::array{0U, 1U, 2U}, positions, weighted_normals_.emplace_back());
+      weighted_normals(std::array{0U, 1U, 2U}, positions, weighted_normals_.emplace_back());
     }
   }
 
@@ -110,7 +110,7 @@ class Smoothing {
       for (const auto& [other, k] : corners_of_point_[point]) {
         if ((object_.faces[other].groups & groups) != 0) sum += weighted_normals_[other][k];
       }
-      known->second = grf::unit_normal(sum).value_or(grf::Vec3f(0));
+      known->second = unit_normal(sum).value_or(grf::Vec3f(0));
     }
     return known->second;
   }

@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include "converters/embedded_files.h"
+#include "converters/grf2008.h"
 #include "converters/mesh_operations/scene_placement.h"
 #include "converters/wording.h"
-#include "grf/grf2008.h"
 #include "grf/relocate.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
@@ -64,8 +64,7 @@ std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<Embed
   auto files = write_embedded_files(embedded, options.output, diagnostics);
   if (!files) return std::nullopt;
   grf::relocate(scene, options.input.path, options.output, files->names);
-  const auto old_grammar =
-      options.grf2008 ? grf::to_grf2008(scene, options.output, diagnostics) : std::nullopt;
+  const auto old_grammar = options.grf2008 ? to_grf2008(scene, options.output, diagnostics) : std::nullopt;
   const bool is_ready = !options.grf2008 || old_grammar;
   const grf::Scene& written = old_grammar ? *old_grammar : scene;
   const Format& format = *output_format(options);

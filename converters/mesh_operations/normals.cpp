@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "converters/mesh_operations/rebuild.h"
+#include "converters/mesh_operations/vertex_normals.h"
 #include "grf/topology.h"
-#include "grf/vertex_normals.h"
 
 namespace convert {
 namespace {
@@ -38,8 +38,7 @@ grf::Mesh with_smooth_normals(const grf::Mesh& mesh, double crease) {
   // Rounding must not make a crease of the angle that was asked for.
   constexpr double Rounding = 1e-6;
   const grf::Geometry& geometry = *bare.geometry;
-  grf::CreasedNormals normals =
-      grf::creased_normals(geometry, grf::first_at_place(geometry), crease + Rounding);
+  CreasedNormals normals = creased_normals(geometry, grf::first_at_place(geometry), crease + Rounding);
   grf::MeshDraft result = without_geometry(bare);
   std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by what they are like, and their set
   std::vector<std::uint32_t> corners;

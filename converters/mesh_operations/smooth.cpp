@@ -6,7 +6,7 @@
 
 #include "converters/mesh_operations/edge_rules.h"
 #include "converters/mesh_operations/rebuild.h"
-#include "grf/vertex_normals.h"
+#include "converters/mesh_operations/vertex_normals.h"
 
 namespace convert {
 namespace {
@@ -39,11 +39,11 @@ void renew_normals(const grf::Geometry& before, grf::MeshDraft& mesh) {
   std::vector<grf::Vec3d> of_face;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const auto corners = mesh.face(face);
-    grf::weighted_normals(corners, mesh.positions, of_face);
+    weighted_normals(corners, mesh.positions, of_face);
     for (std::size_t k = 0; k < corners.size(); ++k) sums[first[corners[k]]] += of_face[k];
   }
   for (std::uint32_t i = 0; i < first.size(); ++i) {
-    const auto normal = grf::unit_normal(sums[first[i]]);
+    const auto normal = unit_normal(sums[first[i]]);
     if (before.normals.has(i) && normal) mesh.normals.set(i, *normal);
   }
 }

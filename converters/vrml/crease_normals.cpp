@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "converters/mesh_operations/vertex_normals.h"
 #include "converters/vrml/polygons.h"
-#include "grf/vertex_normals.h"
 
 namespace convert::vrml {
 
@@ -19,7 +19,7 @@ void add_crease_normals(Polygons& polygons, double crease_angle) {
                                polygons.face_ends.end());
   // Two faces are never more than half a turn apart, and fold onto each other there.
   const double least_crease = crease_angle >= std::numbers::pi ? 4 : crease_angle;
-  grf::CreasedNormals creased = grf::creased_normals(geometry, {}, std::nextafter(least_crease, 0));
+  CreasedNormals creased = creased_normals(geometry, {}, std::nextafter(least_crease, 0));
   std::vector<std::uint32_t> sizes(geometry.corners.size());
   for (std::uint32_t i = 0; i < sizes.size(); ++i) ++sizes[creased.corners.set_of(i)];
   std::vector<grf::Vec3f> normals(sizes.size(), grf::Vec3f(0));

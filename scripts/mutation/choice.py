@@ -12,7 +12,6 @@ ENDINGS = (".cpp", ".h", ".glsl")
 # Folders (or what the path of a file begins with) and how likely a mistake is made there; the longest counts.
 PLACES = {
     "grf/": 1,
-    "grf/vertex_normals": 3,
     "renderer/": 1,
     "renderer/reflectance/": 3,
     "renderer/transport/": 3,

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "converters/grf2008.h"
 #include "grf/check.h"
-#include "grf/grf2008.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/summary.h"
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!scene) return 0;
   expect_read_back(*scene);
   expect_read_back(grf::flatten(*scene, "fuzz.grf"));
-  if (const auto plain = grf::to_grf2008(*scene, "fuzz.grf", diagnostics)) expect_read_back(*plain);
+  if (const auto plain = convert::to_grf2008(*scene, "fuzz.grf", diagnostics)) expect_read_back(*plain);
   grf::check(*scene, {}, diagnostics);
   grf::summarize(*scene);
   return 0;

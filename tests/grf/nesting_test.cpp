@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "grf/check.h"
-#include "grf/grf2008.h"
 #include "grf/relocate.h"
 #include "grf/summary.h"
 #include "grf/visit.h"
@@ -65,9 +64,6 @@ void expect_all_is_possible(const Scene& scene, const std::string& path) {
   Scene moved = scene;
   relocate(moved, path, path + "/elsewhere/scene.grf");
   EXPECT_EQ(x_of_the_light(moved), 500);
-  const auto old = to_grf2008(scene, path, diagnostics);
-  ASSERT_TRUE(old) << diagnostics.to_text();
-  EXPECT_EQ(x_of_the_light(*old), 500);
   EXPECT_TRUE(write(scene, path, diagnostics)) << diagnostics.to_text();
   const auto again = read(path, diagnostics);
   ASSERT_TRUE(again) << diagnostics.to_text();

@@ -81,5 +81,17 @@ TEST(Topology, OfNothingIsNothing) {
   EXPECT_EQ(point.boundary_edges, 0U) << "edges without a length";
 }
 
+TEST(DisjointSets, AreJoinedAndKnownByTheLeast) {
+  DisjointSets sets(6);
+  for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(sets.set_of(i), i);
+  sets.join(4, 5);
+  sets.join(1, 2);
+  EXPECT_NE(sets.set_of(1), sets.set_of(4));
+  sets.join(5, 2);
+  for (const std::uint32_t i : {1U, 2U, 4U, 5U}) EXPECT_EQ(sets.set_of(i), 1U);
+  EXPECT_EQ(sets.set_of(0), 0U);
+  EXPECT_EQ(sets.set_of(3), 3U);
+}
+
 }  // namespace
 }  // namespace grf

@@ -12,28 +12,28 @@
 #include "grf/disjoint_sets.h"
 #include "grf/geometry.h"
 
-namespace grf {
+namespace convert {
 
 /// The unit normal of a polygon times its inner angle, at each corner: what it adds to the normals there.
 /// Zero vectors if the polygon has no area.
-void weighted_normals(std::span<const std::uint32_t> face, std::span<const Vec3f> positions,
-                      std::vector<Vec3d>& normals);
+void weighted_normals(std::span<const std::uint32_t> face, std::span<const grf::Vec3f> positions,
+                      std::vector<grf::Vec3d>& normals);
 
 /// The sum of weighted normals, made a unit vector. Nothing is returned where faces have no area, or are back
 /// to back.
-std::optional<Vec3f> unit_normal(const Vec3d& sum);
+std::optional<grf::Vec3f> unit_normal(const grf::Vec3d& sum);
 
 /// Normals that are smooth but for creases.
 struct CreasedNormals {
-  DisjointSets corners;     ///< those in one set share a normal
-  std::vector<Vec3d> sums;  ///< of weighted normals, at the corner that stands for its set
+  grf::DisjointSets corners;     ///< those in one set share a normal
+  std::vector<grf::Vec3d> sums;  ///< of weighted normals, at the corner that stands for its set
 
-  std::optional<Vec3f> at(std::uint32_t corner) { return unit_normal(sums[corners.set_of(corner)]); }
+  std::optional<grf::Vec3f> at(std::uint32_t corner) { return unit_normal(sums[corners.set_of(corner)]); }
 };
 
 /// Normals that are smooth across each edge whose faces are turned against each other by an angle of at most
 /// `crease`, in radians. Faces without area have creases all round. `places`: see `edges_of_faces`.
-CreasedNormals creased_normals(const Geometry& geometry, std::span<const std::uint32_t> places,
+CreasedNormals creased_normals(const grf::Geometry& geometry, std::span<const std::uint32_t> places,
                                double crease);
 
-}  // namespace grf
+}  // namespace convert

@@ -1,4 +1,4 @@
-#include "grf/grf2008.h"
+#include "converters/grf2008.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@
 #include "grf/unique_names.h"
 #include "grf/visit.h"
 
-namespace grf {
+namespace convert {
 namespace {
 
 template <class Attribute>
@@ -24,13 +24,13 @@ bool is_reset(const std::optional<Attribute>& before, const std::optional<Attrib
 }
 
 /// Whether a face after another one would need `none`.
-bool needs_none(const Surface& before, const Surface& after) {
+bool needs_none(const grf::Surface& before, const grf::Surface& after) {
   return is_reset(before.colour, after.colour) || is_reset(before.brdf, after.brdf) ||
          is_reset(before.pdf, after.pdf) || is_reset(before.texture, after.texture);
 }
 
-BrdfModel black() {
-  BrdfModel brdf;
+grf::BrdfModel black() {
+  grf::BrdfModel brdf;
   brdf.keyword = "diffuse";
   brdf.arguments.push_back({"kd", 0.0F, {}});
   return brdf;
@@ -38,25 +38,25 @@ BrdfModel black() {
 
 /// What one mesh becomes.
 struct Parts {
-  std::vector<Mesh> meshes;  ///< none if all faces emit
-  std::optional<MeshLight> light;
+  std::vector<grf::Mesh> meshes;  ///< none if all faces emit
+  std::optional<grf::MeshLight> light;
 };
 
 struct ChangedFile {
   std::string name;
-  SourceLocation named_at;
+  grf::SourceLocation named_at;
 };
 
 class Downgrade {
  public:
-  explicit Downgrade(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  explicit Downgrade(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  Scene run(const Scene& scene) {
-    SceneVisitor names;
-    names.definition = [this](const Definition& definition, const Placement&) {
+  grf::Scene run(const grf::Scene& scene) {
+    grf::SceneVisitor names;
+    names.definition = [this](const grf::Definition& definition, const grf::Placement&) {
       names_.add(definition.name);
     };
-    visit(scene, names);
+    grf::visit(scene, names);
     return {blocks(scene.contents)};
   }
 
@@ -64,49 +64,53 @@ class Downgrade {
   const std::optional<ChangedFile>& changed_file() const { return changed_file_; }
 
  private:
-  BlockList blocks(const BlockList& list) {
-    BlockList result;
-    for (const Block& block : list.blocks) {
+  grf::BlockList blocks(const grf::BlockList& list) {
+    grf::BlockList result;
+    for (const grf::Block& block : list.blocks) {
       std::visit([&](const auto& content) { add(content, block, result); }, block.content);
     }
     result.end_comments = list.end_comments;
     return result;
   }
 
-  void add(const Shared<Mesh>& mesh, const Block& block, BlockList& result) {
+  void add(const grf::Shared<grf::Mesh>& mesh, const grf::Block& block, grf::BlockList& result) {
     Parts parts = parts_of(*mesh, block.location);
     const std::size_t first = result.blocks.size();
-    for (Mesh& part : parts.meshes)
-      result.blocks.push_back({Shared<Mesh>(std::move(part)), {}, block.location});
+    for (grf::Mesh& part : parts.meshes)
+      result.blocks.push_back({grf::Shared<grf::Mesh>(std::move(part)), {}, block.location});
     if (parts.light) result.blocks.push_back({*parts.light, {}, block.location});
     result.blocks[first].comments = block.comments;
     name_in_comment(*mesh, result.blocks[first].comments);
   }
 
-  void add(const MeshLight& light, const Block& block, BlockList& result) {
-    Block& copy = result.blocks.emplace_back(block);
-    std::get<MeshLight>(copy.content) = plain_light(*light.mesh, block.location);
+  void add(const grf::MeshLight& light, const grf::Block& block, grf::BlockList& result) {
+    grf::Block& copy = result.blocks.emplace_back(block);
+    std::get<grf::MeshLight>(copy.content) = plain_light(*light.mesh, block.location);
   }
 
-  void add(const AreaLight&, const Block& block, BlockList& result) { result.blocks.push_back(block); }
-  void add(const Params&, const Block& block, BlockList& result) { result.blocks.push_back(block); }
+  void add(const grf::AreaLight&, const grf::Block& block, grf::BlockList& result) {
+    result.blocks.push_back(block);
+  }
+  void add(const grf::Params&, const grf::Block& block, grf::BlockList& result) {
+    result.blocks.push_back(block);
+  }
 
-  void add(const Include& include, const Block& block, BlockList& result) {
+  void add(const grf::Include& include, const grf::Block& block, grf::BlockList& result) {
     const bool stays = blocks(*include.contents) == *include.contents;
     if (!stays) changed_file_ = {include.file, block.location};
     result.blocks.push_back(block);
   }
 
-  void add(const Transform& transform, const Block& block, BlockList& result) {
-    Block& copy =
-        result.blocks.emplace_back(Block{Transform{transform.steps, {}}, block.comments, block.location});
-    BlockList body = blocks(transform.body);
-    std::get<Transform>(copy.content).body = std::move(body);
+  void add(const grf::Transform& transform, const grf::Block& block, grf::BlockList& result) {
+    grf::Block& copy = result.blocks.emplace_back(
+        grf::Block{grf::Transform{transform.steps, {}}, block.comments, block.location});
+    grf::BlockList body = blocks(transform.body);
+    std::get<grf::Transform>(copy.content).body = std::move(body);
   }
 
-  void add(const DefinitionScope& scope, const Block& block, BlockList& result) {
-    DefinitionScope converted;
-    for (const Definition& definition : scope.definitions) {
+  void add(const grf::DefinitionScope& scope, const grf::Block& block, grf::BlockList& result) {
+    grf::DefinitionScope converted;
+    for (const grf::Definition& definition : scope.definitions) {
       define(definition, converted.definitions);
       scope_.enter(definition);
     }
@@ -116,19 +120,20 @@ class Downgrade {
   }
 
   // A mesh that becomes several takes several names, and `use` of it uses them all.
-  void define(const Definition& definition, std::vector<Definition>& result) {
-    const auto* mesh = std::get_if<Shared<Mesh>>(&definition.body);
+  void define(const grf::Definition& definition, std::vector<grf::Definition>& result) {
+    const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
     if (mesh == nullptr) {
-      Definition& copy = result.emplace_back(definition);
-      if (auto* brdf = std::get_if<BrdfModel>(&copy.body)) downgrade(*brdf);
-      if (auto* pdf = std::get_if<PdfModel>(&copy.body)) downgrade(*pdf);
+      grf::Definition& copy = result.emplace_back(definition);
+      if (auto* brdf = std::get_if<grf::BrdfModel>(&copy.body)) downgrade(*brdf);
+      if (auto* pdf = std::get_if<grf::PdfModel>(&copy.body)) downgrade(*pdf);
       return;
     }
     Parts parts = parts_of(**mesh, definition.location);
     Placed& placed = placed_[&definition] = {{}, parts.light};
     if (parts.meshes.empty()) parts.meshes.emplace_back();  // a `def` needs what it defines
-    for (Mesh& part : parts.meshes) {
-      Definition& copy = result.emplace_back(Definition{definition.name, {}, {}, definition.location});
+    for (grf::Mesh& part : parts.meshes) {
+      grf::Definition& copy =
+          result.emplace_back(grf::Definition{definition.name, {}, {}, definition.location});
       if (placed.names.empty()) {
         copy.comments = definition.comments;
         name_in_comment(**mesh, copy.comments);
@@ -136,29 +141,29 @@ class Downgrade {
         copy.name = names_.take(definition.name);
       }
       placed.names.push_back(copy.name);
-      copy.body = Shared<Mesh>(std::move(part));
+      copy.body = grf::Shared<grf::Mesh>(std::move(part));
     }
   }
 
-  void add(const Use& use, const Block& block, BlockList& result) {
+  void add(const grf::Use& use, const grf::Block& block, grf::BlockList& result) {
     const auto placed = placed_.find(scope_.scope().find(use.mesh.name));
     if (placed == placed_.end()) return result.blocks.push_back(block);
     for (const std::string& name : placed->second.names) {
-      Block& copy = result.blocks.emplace_back(block);
-      copy.content = Use{{name, use.mesh.location}};
+      grf::Block& copy = result.blocks.emplace_back(block);
+      copy.content = grf::Use{{name, use.mesh.location}};
       if (name != use.mesh.name) copy.comments = {};
     }
     if (placed->second.light) result.blocks.push_back({*placed->second.light, {}, block.location});
   }
 
-  static void name_in_comment(const Mesh& mesh, Comments& comments) {
+  static void name_in_comment(const grf::Mesh& mesh, grf::Comments& comments) {
     std::string name = mesh.name;
     while (name.ends_with('\r')) name.pop_back();  // which would be a part of the line end
     if (!name.empty()) comments.before.push_back(" " + name);
   }
 
-  Parts parts_of(const Mesh& original, const SourceLocation& location) {
-    Mesh mesh = original;
+  Parts parts_of(const grf::Mesh& original, const grf::SourceLocation& location) {
+    grf::Mesh mesh = original;
     mesh.name.clear();
     std::vector<std::uint32_t> reflecting;
     std::vector<std::uint32_t> emitting;
@@ -168,12 +173,12 @@ class Downgrade {
     Parts parts;
     if (!emitting.empty()) parts.light = light_of(mesh, emitting, location);
     if (parts.light && reflecting.empty()) {
-      Mesh& light = parts.light->mesh.edit();
+      grf::Mesh& light = parts.light->mesh.edit();
       light.comments = mesh.comments;
       keep_comments(light);
       return parts;
     }
-    for (Surface& surface : mesh.surfaces) downgrade(surface);
+    for (grf::Surface& surface : mesh.surfaces) downgrade(surface);
     const std::vector<std::vector<std::uint32_t>> runs = runs_without_none(mesh, reflecting);
     if (runs.size() > 1) {
       diagnostics_.warning(
@@ -186,17 +191,17 @@ class Downgrade {
       parts.meshes.push_back(std::move(mesh));
       return parts;
     }
-    for (const auto& run : runs) parts.meshes.push_back(part_of(mesh, run));
+    for (const auto& run : runs) parts.meshes.push_back(grf::part_of(mesh, run));
     parts.meshes.front().comments = mesh.comments;
     keep_comments(parts.meshes.front());
     return parts;
   }
 
   // What was said of an attribute that is no longer there stays before the vertices.
-  static void keep_comments(Mesh& mesh) {
-    const Surface& own = mesh.surfaces.front();
+  static void keep_comments(grf::Mesh& mesh) {
+    const grf::Surface& own = mesh.surfaces.front();
     std::vector<std::string>& kept = mesh.comments.vertices.before;
-    const auto keep = [&kept](bool has_attribute, Comments& comments) {
+    const auto keep = [&kept](bool has_attribute, grf::Comments& comments) {
       if (has_attribute) return;
       if (!comments.behind.empty()) comments.before.push_back(comments.behind);
       kept.insert(kept.begin(), comments.before.begin(), comments.before.end());
@@ -209,10 +214,12 @@ class Downgrade {
     keep(own.colour.has_value(), mesh.comments.colour);
   }
 
-  static bool emits(const Surface& surface) { return surface.emission && *surface.emission != Colour(0); }
+  static bool emits(const grf::Surface& surface) {
+    return surface.emission && *surface.emission != grf::Colour(0);
+  }
 
   // The mesh's own surface is what its first face has, where that lacks something.
-  static void own_of_first_face(Mesh& mesh) {
+  static void own_of_first_face(grf::Mesh& mesh) {
     if (mesh.face_count() == 0 || !needs_none(mesh.surfaces.front(), mesh.surface(0))) return;
     const std::uint32_t first = mesh.surface_of_face->front();
     std::swap(mesh.surfaces.front(), mesh.surfaces[first]);
@@ -221,12 +228,12 @@ class Downgrade {
     }
   }
 
-  static std::vector<std::vector<std::uint32_t>> runs_without_none(const Mesh& mesh,
+  static std::vector<std::vector<std::uint32_t>> runs_without_none(const grf::Mesh& mesh,
                                                                    const std::vector<std::uint32_t>& faces) {
     std::vector<std::vector<std::uint32_t>> runs(1);
-    const Surface* before = nullptr;
+    const grf::Surface* before = nullptr;
     for (const std::uint32_t face : faces) {
-      const Surface& surface = mesh.surface(face);
+      const grf::Surface& surface = mesh.surface(face);
       if (before != nullptr && needs_none(*before, surface)) runs.emplace_back();
       runs.back().push_back(face);
       before = &surface;
@@ -234,15 +241,15 @@ class Downgrade {
     return runs;
   }
 
-  MeshLight light_of(const Mesh& mesh, const std::vector<std::uint32_t>& faces,
-                     const SourceLocation& location) {
-    Mesh light = part_of(mesh, faces);
+  grf::MeshLight light_of(const grf::Mesh& mesh, const std::vector<std::uint32_t>& faces,
+                          const grf::SourceLocation& location) {
+    grf::Mesh light = grf::part_of(mesh, faces);
     bool had_brdf = false;
     bool had_radiance = false;
     for (const std::uint32_t face : faces) {
-      const Surface& surface = mesh.surface(face);
+      const grf::Surface& surface = mesh.surface(face);
       had_brdf = had_brdf || surface.brdf;
-      had_radiance = had_radiance || *surface.emission != Colour(1);
+      had_radiance = had_radiance || *surface.emission != grf::Colour(1);
     }
     make_plain(light);
     if (had_radiance) warn_of_radiance(location);
@@ -250,11 +257,11 @@ class Downgrade {
     return {std::move(light)};
   }
 
-  MeshLight plain_light(Mesh mesh, const SourceLocation& location) {
+  grf::MeshLight plain_light(grf::Mesh mesh, const grf::SourceLocation& location) {
     bool had_radiance = false;
     for (const std::uint32_t surface : *mesh.surface_of_face) {
-      const ResolvedSurface resolved = resolve(mesh.surfaces[surface], scope_.scope());
-      had_radiance = had_radiance || resolved.colour != Colour(1);
+      const grf::ResolvedSurface resolved = grf::resolve(mesh.surfaces[surface], scope_.scope());
+      had_radiance = had_radiance || resolved.colour != grf::Colour(1);
     }
     if (had_radiance) warn_of_radiance(location);
     make_plain(mesh);
@@ -262,30 +269,30 @@ class Downgrade {
     return {std::move(mesh)};
   }
 
-  static void make_plain(Mesh& light) {
-    light.surfaces = {Surface()};
+  static void make_plain(grf::Mesh& light) {
+    light.surfaces = {grf::Surface()};
     light.surface_of_face = std::vector<std::uint32_t>(light.face_count(), 0);
   }
 
-  void warn_of_radiance(const SourceLocation& location) {
+  void warn_of_radiance(const grf::SourceLocation& location) {
     diagnostics_.warning(location,
                          "a mesh light of the grammar of 2008 has the radiance 1: another one is lost");
   }
 
   // Of what reflects. A face that was said to emit nothing is as black as one that emits.
-  void downgrade(Surface& surface) {
+  void downgrade(grf::Surface& surface) {
     if (surface.emission && !surface.brdf) surface.brdf = black();
     surface.emission.reset();
-    if (surface.brdf) downgrade_model<BrdfModel>(*surface.brdf);
-    if (surface.pdf) downgrade_model<PdfModel>(*surface.pdf);
+    if (surface.brdf) downgrade_model<grf::BrdfModel>(*surface.brdf);
+    if (surface.pdf) downgrade_model<grf::PdfModel>(*surface.pdf);
   }
 
   template <class ModelOfKind>
-  void downgrade_model(std::variant<ModelOfKind, Reference>& attribute) {
+  void downgrade_model(std::variant<ModelOfKind, grf::Reference>& attribute) {
     if (auto* model = std::get_if<ModelOfKind>(&attribute)) downgrade(*model);
   }
 
-  void downgrade(BrdfModel& brdf) {
+  void downgrade(grf::BrdfModel& brdf) {
     if (!brdf.data_file.empty() && !brdf.arguments.empty()) {
       diagnostics_.warning(
           brdf.arguments.front().location,
@@ -293,13 +300,13 @@ class Downgrade {
       brdf.arguments.clear();
       if (!brdf.instance_file.empty()) changed_file_ = {brdf.instance_file, brdf.location};
     }
-    downgrade(static_cast<Model&>(brdf));
+    downgrade(static_cast<grf::Model&>(brdf));
   }
 
   // A scheme makes the same image whatever its parameters; a BRDF without one is another BRDF.
-  void downgrade(PdfModel& pdf) {
-    std::erase_if(pdf.arguments, [this](const Argument& argument) {
-      const bool is_word = std::holds_alternative<Word>(argument.value);
+  void downgrade(grf::PdfModel& pdf) {
+    std::erase_if(pdf.arguments, [this](const grf::Argument& argument) {
+      const bool is_word = std::holds_alternative<grf::Word>(argument.value);
       if (is_word) {
         diagnostics_.warning(
             argument.location,
@@ -308,17 +315,17 @@ class Downgrade {
       }
       return is_word;
     });
-    downgrade(static_cast<Model&>(pdf));
+    downgrade(static_cast<grf::Model&>(pdf));
   }
 
-  void downgrade(Model& model) {
-    for (const Argument& argument : model.arguments) {
-      if (std::holds_alternative<Word>(argument.value)) {
+  void downgrade(grf::Model& model) {
+    for (const grf::Argument& argument : model.arguments) {
+      if (std::holds_alternative<grf::Word>(argument.value)) {
         diagnostics_.error(
             argument.location,
             fmt::format("'{}' has a word as value, which the grammar of 2008 has not", argument.name));
       }
-      if (!std::holds_alternative<Colour>(argument.value)) continue;
+      if (!std::holds_alternative<grf::Colour>(argument.value)) continue;
       diagnostics_.error(argument.location,
                          fmt::format("'{}' has three numbers, and parameters have one in the grammar of 2008",
                                      argument.name));
@@ -328,21 +335,22 @@ class Downgrade {
   /// What a defined mesh became.
   struct Placed {
     std::vector<std::string> names;
-    std::optional<MeshLight> light;
+    std::optional<grf::MeshLight> light;
   };
 
-  Diagnostics& diagnostics_;
+  grf::Diagnostics& diagnostics_;
   std::optional<ChangedFile> changed_file_;
-  ScopeStack scope_;
-  UniqueNames names_;  ///< of all definitions
-  std::map<const Definition*, Placed> placed_;
+  grf::ScopeStack scope_;
+  grf::UniqueNames names_;  ///< of all definitions
+  std::map<const grf::Definition*, Placed> placed_;
 };
 
 }  // namespace
 
-std::optional<Scene> to_grf2008(const Scene& scene, const std::string& path, Diagnostics& diagnostics) {
+std::optional<grf::Scene> to_grf2008(const grf::Scene& scene, const std::string& path,
+                                     grf::Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  Diagnostics unheard;
+  grf::Diagnostics unheard;
   Downgrade trial(unheard);
   trial.run(scene);
   const std::optional<ChangedFile>& changed = trial.changed_file();
@@ -351,9 +359,9 @@ std::optional<Scene> to_grf2008(const Scene& scene, const std::string& path, Dia
         changed->named_at,
         fmt::format("'{}' has what the grammar of 2008 lacks: all files are written as one", changed->name));
   }
-  Scene result = Downgrade(diagnostics).run(changed ? flatten(scene, path) : scene);
+  grf::Scene result = Downgrade(diagnostics).run(changed ? grf::flatten(scene, path) : scene);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   return result;
 }
 
-}  // namespace grf
+}  // namespace convert

@@ -1,4 +1,4 @@
-#include "grf/grf2008.h"
+#include "converters/grf2008.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,11 +14,13 @@
 #include "tests/grf/reading.h"
 #include "tests/grf/scene_generator.h"
 #include "tests/support/paths.h"
+#include "tests/support/small_stack.h"
 #include "tests/support/temporary_folder.h"
 
 namespace grf {
 namespace {
 
+using convert::to_grf2008;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -311,6 +313,16 @@ class Extensions {
     return false;
   }
 };
+
+TEST(Grf2008, OfAThousandBlocksFitsASmallStack) {
+  std::string text = "light begin (0, 0, 0) (1, 0, 0) (0, 1, 0) end";
+  for (std::size_t i = 0; i < DeepestNesting; ++i) text = "transform scale (1, 1, 1) begin " + text + " end";
+  test::run_on_small_stack([&] {
+    const Scene scene = scene_of(text);
+    Diagnostics diagnostics;
+    EXPECT_EQ(to_grf2008(scene, "scene.grf", diagnostics), scene);
+  });
+}
 
 TEST(Extensions, AreFound) {
   const auto found = [](const std::string& text) { return Extensions::in(scene_of(text)); };
