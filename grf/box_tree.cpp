@@ -1,7 +1,6 @@
 #include "grf/box_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -36,35 +35,14 @@ void BoxTree::build(std::span<const Box3d> boxes, std::uint32_t first, std::uint
   build(boxes, middle, last);
 }
 
-bool BoxTree::any_in(const OverlapOfBox& overlap, const HasThing& has_thing) const {
-  std::vector<std::uint32_t> open;
-  if (!nodes_.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const std::uint32_t index = open.back();
-    const Node& node = nodes_[index];
-    open.pop_back();
-    const Overlap found = overlap(node.bounds);
-    if (found == Overlap::None) continue;
-    if (found == Overlap::All) return true;
-    if (node.right != 0) {
-      open.push_back(node.right);
-      open.push_back(index + 1);
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.last; ++i) {
-      if (has_thing(order_[i])) return true;
-    }
-  }
-  return false;
-}
-
 // The more promising child is looked at first, so that the other one can mostly be left out.
-double BoxTree::highest(const ValueOfBox& bound, const ValueOfThing& value) const {
-  double best = -std::numeric_limits<double>::infinity();
+double BoxTree::highest(const ValueOfBox& bound, const ValueOfThing& value, double least,
+                        double enough) const {
+  double best = least;
   std::vector<std::pair<double, std::uint32_t>> open;
   const auto add = [&](std::uint32_t index) { open.emplace_back(bound(nodes_[index].bounds), index); };
   if (!nodes_.empty()) add(0);
-  while (!open.empty()) {
+  while (!open.empty() && best <= enough) {
     const auto [most, index] = open.back();
     const Node& node = nodes_[index];
     open.pop_back();
@@ -80,14 +58,14 @@ double BoxTree::highest(const ValueOfBox& bound, const ValueOfThing& value) cons
   return best;
 }
 
-std::array<Vec3d, 8> corners_of(const Box3d& box, const Matrix44d& transform) {
-  std::array<Vec3d, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3d corner((i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
-                       (i & 4U) != 0 ? box.max.z : box.min.z);
-    corners[i] = corner * transform;
+double highest_at_corners(const Box3d& box, const std::function<double(const Vec3d&)>& value) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const double x : {box.min.x, box.max.x}) {
+    for (const double y : {box.min.y, box.max.y}) {
+      for (const double z : {box.min.z, box.max.z}) most = std::max(most, value({x, y, z}));
+    }
   }
-  return corners;
+  return most;
 }
 
 }  // namespace grf

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,20 +19,14 @@ class BoxTree {
   /// Takes the boxes of the things, by their index. None may be empty.
   explicit BoxTree(std::span<const Box3d> boxes);
 
-  /// A region has none, some or all of what is in a box.
-  enum class Overlap { None, Some, All };
-  using OverlapOfBox = std::function<Overlap(const Box3d&)>;
-  using HasThing = std::function<bool(std::size_t)>;
-
-  /// Whether anything lies in the region: `overlap` tells that of whole boxes, `has_thing` of single things.
-  bool any_in(const OverlapOfBox& overlap, const HasThing& has_thing) const;
-
   using ValueOfBox = std::function<double(const Box3d&)>;
   using ValueOfThing = std::function<double(std::size_t)>;
 
-  /// The highest value of any thing, minus infinity without things. `bound` gives a value for a box that
-  /// nothing in it exceeds.
-  double highest(const ValueOfBox& bound, const ValueOfThing& value) const;
+  /// The highest value of any thing, or `least` if none is higher. `bound` gives a value for a box that
+  /// nothing in it exceeds. The search ends at any value over `enough`.
+  double highest(const ValueOfBox& bound, const ValueOfThing& value,
+                 double least = -std::numeric_limits<double>::infinity(),
+                 double enough = std::numeric_limits<double>::infinity()) const;
 
   /// The box around all; an empty one without things.
   Box3d bounds() const { return nodes_.empty() ? Box3d() : nodes_.front().bounds; }
@@ -51,7 +45,7 @@ class BoxTree {
   std::vector<std::uint32_t> order_;
 };
 
-/// The corners of a box, transformed.
-std::array<Vec3d, 8> corners_of(const Box3d& box, const Matrix44d& transform);
+/// The highest value at the corners of a box, which a linear function exceeds nowhere inside.
+double highest_at_corners(const Box3d& box, const std::function<double(const Vec3d&)>& value);
 
 }  // namespace grf

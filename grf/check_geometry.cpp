@@ -1,11 +1,11 @@
 #include "grf/check_geometry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
+#include <ImathBoxAlgo.h>
 #include <fmt/format.h>
 
 #include "grf/summary.h"
@@ -110,17 +110,11 @@ class LightCheck::Front {
  public:
   Front(const Vec3d& point, const Vec3d& normal) : point_(point), normal_(normal) {}
 
-  bool has(const Vec3d& position) const {
-    const Vec3d d = position - point_;
-    return d.dot(normal_) > LeastHeight * d.length() * normal_.length();
-  }
-
-  BoxTree::Overlap overlap(const Box3d& box, const Matrix44d& to_world) const {
-    const std::array<Vec3d, 8> corners = corners_of(box, to_world);
-    const auto count =
-        std::count_if(corners.begin(), corners.end(), [this](const Vec3d& corner) { return has(corner); });
-    if (count == 0) return BoxTree::Overlap::None;
-    return count == 8 ? BoxTree::Overlap::All : BoxTree::Overlap::Some;
+  /// How far a position is above the light's plane, in a unit of the light's own.
+  double height(const Vec3d& position) const { return (position - point_).dot(normal_); }
+  /// Over 0 in front. No more than the height.
+  double height_over_margin(const Vec3d& position) const {
+    return height(position) - LeastHeight * (position - point_).length() * normal_.length();
   }
 
  private:
@@ -134,23 +128,23 @@ class LightCheck::World {
   explicit World(const std::vector<Body>& bodies) : bodies_(bodies) {
     std::vector<Box3d> boxes;
     for (const Body& body : bodies) {
-      const Box3d own = body.mesh->geometry.vertices().bounds();
-      Box3d& box = boxes.emplace_back();
-      for (const Vec3d& corner : corners_of(own, body.to_world)) box.extendBy(corner);
+      boxes.push_back(Imath::transform(body.mesh->geometry.vertices().bounds(), body.to_world));
     }
     tree_ = BoxTree(boxes);
   }
 
   bool has_vertex_in(const Front& front) const {
-    return tree_.any_in([&](const Box3d& box) { return front.overlap(box, Matrix44d()); },
-                        [&](std::size_t body) { return has_vertex_in(front, bodies_[body]); });
+    const auto height = [&](const Vec3d& corner) { return front.height(corner); };
+    return tree_.highest([&](const Box3d& box) { return highest_at_corners(box, height); },
+                         [&](std::size_t body) { return highest_vertex(front, bodies_[body]); }, 0, 0) > 0;
   }
 
  private:
-  bool has_vertex_in(const Front& front, const Body& body) const {
-    return body.mesh->geometry.vertices().any_in(
-        [&](const Box3d& box) { return front.overlap(box, body.to_world); },
-        [&](const Vec3d& vertex) { return front.has(vertex * body.to_world); });
+  static double highest_vertex(const Front& front, const Body& body) {
+    const auto height = [&](const Vec3d& corner) { return front.height(corner * body.to_world); };
+    return body.mesh->geometry.vertices().highest(
+        [&](const Box3d& box) { return highest_at_corners(box, height); },
+        [&](const Vec3d& vertex) { return front.height_over_margin(vertex * body.to_world); }, 0, 0);
   }
 
   const std::vector<Body>& bodies_;

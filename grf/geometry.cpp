@@ -26,14 +26,6 @@ class Found {
   mutable std::optional<Value> value_;
 };
 
-double area_of(const Geometry& geometry) {
-  double area = 0;
-  for (std::size_t i = 0; i < geometry.face_count(); ++i) {
-    area += doubled_area_vector(geometry, i, Matrix44d()).length() / 2;
-  }
-  return area;
-}
-
 }  // namespace
 
 /// A geometry and what was found of it.
@@ -73,6 +65,14 @@ Vec3d doubled_area_vector(std::span<const std::uint32_t> face, std::span<const V
     sum += a.cross(b);
   }
   return sum;
+}
+
+double area_of(const Geometry& geometry, const Matrix44d& to_world) {
+  double area = 0;
+  for (std::size_t i = 0; i < geometry.face_count(); ++i) {
+    area += doubled_area_vector(geometry, i, to_world).length() / 2;
+  }
+  return area;
 }
 
 Triangulation::Triangulation(const Geometry& geometry) : geometry_(&geometry) {
@@ -118,7 +118,7 @@ const Topology& SharedGeometry::topology() const {
 }
 
 double SharedGeometry::area() const {
-  return facts().area.or_find([this] { return area_of(facts()); });
+  return facts().area.or_find([this] { return area_of(facts(), Matrix44d()); });
 }
 
 }  // namespace grf

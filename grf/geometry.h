@@ -100,6 +100,9 @@ inline Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, con
   return doubled_area_vector(geometry.face(face), geometry.positions, to_world);
 }
 
+/// The area of all faces under a transform.
+double area_of(const Geometry& geometry, const Matrix44d& to_world);
+
 /// Triangles that cover the faces of a geometry, face by face.
 class Triangulation {
  public:

@@ -1,6 +1,5 @@
 #include "grf/mesh.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -36,13 +35,14 @@ void MeshDraft::free_spare_memory() {
   if (has_spare_memory(surface_of_face)) surface_of_face.shrink_to_fit();
 }
 
-Mesh::Mesh(MeshDraft draft)
+Mesh::Mesh(MeshDraft&& draft)
     : name(std::move(draft.name)),
       comments(std::move(draft.comments)),
       geometry(static_cast<Geometry&&>(draft)),
-      irradiance(std::move(draft.irradiance)),
       surfaces(std::move(draft.surfaces)),
-      surface_of_face(std::move(draft.surface_of_face)) {}
+      surface_of_face(std::move(draft.surface_of_face)) {
+  if (!draft.irradiance.empty()) irradiance = std::move(draft.irradiance);  // few have any, and share none
+}
 
 bool operator==(const Mesh& a, const Mesh& b) {
   const bool is_alike = a.name == b.name && a.comments == b.comments && a.geometry == b.geometry &&
@@ -86,22 +86,14 @@ Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   return part;
 }
 
-SurfaceIndex::SurfaceIndex(std::vector<Surface>& surfaces) : surfaces_(&surfaces) {
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-    by_hash_.emplace(hash_value(surfaces[i]), i);
-  }
-}
-
 std::uint32_t SurfaceIndex::index_of(const Surface& surface) {
-  const std::size_t hash = hash_value(surface);
-  const auto [first, last] = by_hash_.equal_range(hash);
-  const auto known = std::find_if(
-      first, last, [&](const auto& entry) { return is_written_alike((*surfaces_)[entry.second], surface); });
-  if (known != last) return known->second;
-  const auto index = static_cast<std::uint32_t>(surfaces_->size());
-  surfaces_->push_back(surface);
-  by_hash_.emplace(hash, index);
-  return index;
+  const auto count = static_cast<std::uint32_t>(surfaces_->size());
+  if (by_key_.empty()) {
+    for (std::uint32_t i = 0; i < count; ++i) by_key_.emplace(written_key((*surfaces_)[i]), i);
+  }
+  const auto [known, is_new] = by_key_.emplace(written_key(surface), count);
+  if (is_new) surfaces_->push_back(surface);
+  return known->second;
 }
 
 }  // namespace grf

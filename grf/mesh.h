@@ -74,7 +74,8 @@ struct Mesh {
   Shared<std::vector<std::uint32_t>> surface_of_face;  ///< one for each face of the geometry
 
   Mesh() = default;
-  Mesh(MeshDraft draft);  // NOLINT: the same, when it is whole
+  /// The same, when it is whole. Nothing is copied: a draft that is still needed has to be copied by name.
+  Mesh(MeshDraft&& draft);  // NOLINT(google-explicit-constructor)
 
   std::size_t face_count() const { return surface_of_face->size(); }
   std::span<const std::uint32_t> face(std::size_t index) const { return geometry->face(index); }
@@ -94,12 +95,12 @@ Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 /// Gives surfaces that are written alike one index in a mesh's list, and appends those that it lacks.
 class SurfaceIndex {
  public:
-  explicit SurfaceIndex(std::vector<Surface>& surfaces);
+  explicit SurfaceIndex(std::vector<Surface>& surfaces) : surfaces_(&surfaces) {}
   std::uint32_t index_of(const Surface& surface);
 
  private:
   std::vector<Surface>* surfaces_;
-  std::unordered_multimap<std::size_t, std::uint32_t> by_hash_;
+  std::unordered_map<std::string, std::uint32_t> by_key_;  ///< empty until a surface is asked for
 };
 
 }  // namespace grf

@@ -196,7 +196,7 @@ bool Parser::skip_to_body() {
 bool Parser::parse_light(AreaLight& light) {
   if (!expect("begin", "after 'light'")) return false;
   const auto parse_radiance = [&] {
-    if (lexer_.peek().kind != TokenKind::Word || !is_colour_keyword(lexer_.peek().text)) return true;
+    if (!at_colour()) return true;
     const Token keyword = lexer_.next();
     if (light.radiance) error(keyword, "a light has one 'rgb', before or after its corner and edges");
     return parse_vector(light.radiance.emplace(0.0F));
@@ -218,10 +218,8 @@ bool Parser::parse_params(const Token& opening, Params& params) {
 }
 
 bool Parser::parse_use(Use& use) {
-  const Token& name = lexer_.peek();
-  const bool is_mesh = context_.scope.scope().find<Shared<Mesh>>(name.text) != nullptr;
-  const bool is_name = name.kind == TokenKind::Word && is_identifier(name.text) && (is_mesh || !at_block());
-  if (!is_name) return fail_expected("the name of a mesh");
+  const bool is_mesh = context_.scope.scope().find<Shared<Mesh>>(lexer_.peek().text) != nullptr;
+  if (!at_identifier() || (!is_mesh && at_block())) return fail_expected("the name of a mesh");
   parse_reference<Shared<Mesh>>(use.mesh);
   return true;
 }

@@ -73,9 +73,8 @@ class Parser {
          ParserContext& context);
 
   BlockList parse_file();
+  /// A whole text that is one BRDF or one sampling scheme.
   std::optional<BrdfModel> parse_lone_brdf();
-
-  /// A whole text that is one sampling scheme.
   std::optional<PdfModel> parse_lone_pdf();
 
  private:
@@ -120,8 +119,10 @@ class Parser {
   bool skip_to_definition(std::size_t open_before);
 
   // parser_models.cpp
-  bool parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next);
-  bool parse_model(Model& model, std::optional<NextDefinition>* next);
+  template <class ModelOfKind>
+  std::optional<ModelOfKind> if_alone(const ModelOfKind& model, std::string_view kind);
+  bool parse_model(BrdfModel& brdf, std::optional<NextDefinition>* next);
+  bool parse_model(PdfModel& pdf, std::optional<NextDefinition>* next);
   bool parse_keyword(Model& model);
   bool parse_arguments(Model& model, std::optional<NextDefinition>* next);
   bool parse_value(const Token& name, Value& value);
@@ -146,16 +147,13 @@ class Parser {
   // parser_attributes.cpp
   bool is_attribute(const Token& token) const;
   bool parse_attribute(Surface& surface, MeshKind kind, bool reset_allowed);
-  bool parse_emission(Surface& surface);
-  bool parse_colour_attribute(Surface& surface);
-  bool parse_texture_attribute(Surface& surface);
+  bool parse_emission(std::optional<Colour>& emission);
+  bool parse_colour_attribute(std::optional<ColourAttribute>& attribute);
+  bool parse_texture_attribute(std::optional<TextureAttribute>& attribute);
   template <class Body>
   void parse_reference(Reference& reference);
-  bool parse_brdf_attribute(std::optional<BrdfAttribute>& attribute);
-  bool parse_pdf_attribute(std::optional<PdfAttribute>& attribute);
   template <class ModelOfKind>
-  void take_reference(ModelOfKind model,
-                      std::optional<std::variant<ModelOfKind, Reference>>& attribute) const;
+  bool parse_model_attribute(std::optional<std::variant<ModelOfKind, Reference>>& attribute);
   Comments* comments_of_attribute(MeshDraft& mesh, const Token& keyword) const;
 
   // parser_words.cpp: tokens and values
@@ -166,6 +164,9 @@ class Parser {
   bool expect(char punctuation, std::string_view where);
   bool at(std::string_view keyword) const;
   bool at(std::string_view first, std::string_view second);
+  bool at_identifier() const;
+  bool at_colour() const;
+  bool accept_colour();
   bool parse_number(float& number);
   bool parse_vector(Vec3f& vector);
   bool parse_vector(Vec2f& vector);

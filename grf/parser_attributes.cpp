@@ -36,54 +36,47 @@ bool Parser::parse_attribute(Surface& surface, MeshKind kind, bool reset_allowed
         fmt::format("a value ('none' is for faces: a mesh just leaves '{}' out)", lower_case(keyword.text)));
   }
   const bool reset = accept("none");
+  const auto parse = [&](auto& attribute, auto read_value) {
+    if (!reset) return (this->*read_value)(attribute);
+    attribute.reset();
+    return true;
+  };
   if (same_keyword(keyword.text, "brdf")) {
-    if (!reset) return parse_brdf_attribute(surface.brdf);
-    surface.brdf.reset();
-  } else if (same_keyword(keyword.text, "pdf")) {
-    if (!reset) return parse_pdf_attribute(surface.pdf);
-    surface.pdf.reset();
-  } else if (same_keyword(keyword.text, "texture")) {
-    if (!reset) return parse_texture_attribute(surface);
-    surface.texture.reset();
-  } else if (same_keyword(keyword.text, "light")) {
-    if (!reset) return parse_emission(surface);
-    surface.emission.reset();
-  } else {
-    if (!reset) return parse_colour_attribute(surface);
-    surface.colour.reset();
+    return parse(surface.brdf, &Parser::parse_model_attribute<BrdfModel>);
   }
-  return true;
+  if (same_keyword(keyword.text, "pdf")) return parse(surface.pdf, &Parser::parse_model_attribute<PdfModel>);
+  if (same_keyword(keyword.text, "texture")) {
+    return parse(surface.texture, &Parser::parse_texture_attribute);
+  }
+  if (same_keyword(keyword.text, "light")) return parse(surface.emission, &Parser::parse_emission);
+  return parse(surface.colour, &Parser::parse_colour_attribute);
 }
 
-bool Parser::parse_emission(Surface& surface) {
-  if (lexer_.peek().kind != TokenKind::Word || !is_colour_keyword(lexer_.peek().text)) {
-    return fail_expected("'rgb' and the emitted radiance");
-  }
-  lexer_.next();
-  return parse_vector(surface.emission.emplace(0.0F));
+bool Parser::parse_emission(std::optional<Colour>& emission) {
+  if (!accept_colour()) return fail_expected("'rgb' and the emitted radiance");
+  return parse_vector(emission.emplace(0.0F));
 }
 
-bool Parser::parse_colour_attribute(Surface& surface) {
+bool Parser::parse_colour_attribute(std::optional<ColourAttribute>& attribute) {
   if (lexer_.peek().kind != TokenKind::Word) {
     Colour colour(0);
     if (!parse_vector(colour)) return false;
-    surface.colour = colour;
+    attribute = colour;
     return true;
   }
-  if (!is_identifier(lexer_.peek().text)) return fail_expected("three numbers or the name of a colour");
-  parse_reference<Colour>(surface.colour.emplace().emplace<Reference>());
+  if (!at_identifier()) return fail_expected("three numbers or the name of a colour");
+  parse_reference<Colour>(attribute.emplace().emplace<Reference>());
   return true;
 }
 
-bool Parser::parse_texture_attribute(Surface& surface) {
+bool Parser::parse_texture_attribute(std::optional<TextureAttribute>& attribute) {
   if (lexer_.peek().kind == TokenKind::String) {
     const Token file = lexer_.next();
-    surface.texture = Texture{std::string(file.text), lexer_.location(file)};
+    attribute = Texture{std::string(file.text), lexer_.location(file)};
     return true;
   }
-  const bool is_name = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
-  if (!is_name) return fail_expected("the name of an image file, in quotes, or of a texture");
-  parse_reference<Texture>(surface.texture.emplace().emplace<Reference>());
+  if (!at_identifier()) return fail_expected("the name of an image file, in quotes, or of a texture");
+  parse_reference<Texture>(attribute.emplace().emplace<Reference>());
   return true;
 }
 
@@ -115,29 +108,17 @@ void Parser::parse_reference(Reference& reference) {
 template void Parser::parse_reference<BrdfModel>(Reference&);
 template void Parser::parse_reference<Shared<Mesh>>(Reference&);
 
-bool Parser::parse_brdf_attribute(std::optional<BrdfAttribute>& attribute) {
-  BrdfModel brdf;
-  if (!parse_brdf(brdf, nullptr)) return false;
-  take_reference(std::move(brdf), attribute);
-  return true;
-}
-
-bool Parser::parse_pdf_attribute(std::optional<PdfAttribute>& attribute) {
-  PdfModel pdf;
-  if (!parse_model(pdf, nullptr)) return false;
-  take_reference(std::move(pdf), attribute);
-  return true;
-}
-
 // A bare word is a reference where a definition of the kind has that name, and else a model's keyword.
 template <class ModelOfKind>
-void Parser::take_reference(ModelOfKind model,
-                            std::optional<std::variant<ModelOfKind, Reference>>& attribute) const {
+bool Parser::parse_model_attribute(std::optional<std::variant<ModelOfKind, Reference>>& attribute) {
+  ModelOfKind model;
+  if (!parse_model(model, nullptr)) return false;
   if (is_bare_word(model) && context_.scope.scope().template find<ModelOfKind>(model.keyword) != nullptr) {
     attribute = Reference{model.keyword, model.location};
   } else {
     attribute = std::move(model);
   }
+  return true;
 }
 
 }  // namespace grf

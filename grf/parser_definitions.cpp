@@ -108,11 +108,8 @@ bool Parser::parse_definition(const Token& name, Definitions& definitions,
 }
 
 bool Parser::parse_definition_body(Definition& definition, std::optional<NextDefinition>& next) {
-  if (lexer_.peek().kind == TokenKind::Word && is_colour_keyword(lexer_.peek().text)) {
-    lexer_.next();
-    return parse_vector(definition.body.emplace<Colour>());
-  }
-  if (accept("brdf")) return parse_brdf(definition.body.emplace<BrdfModel>(), &next);
+  if (accept_colour()) return parse_vector(definition.body.emplace<Colour>());
+  if (accept("brdf")) return parse_model(definition.body.emplace<BrdfModel>(), &next);
   if (accept("pdf")) return parse_model(definition.body.emplace<PdfModel>(), &next);
   if (accept("texture")) {
     Texture& texture = definition.body.emplace<Texture>();

@@ -101,8 +101,7 @@ bool Parser::parse_vertex(MeshDraft& mesh) {
     if (accept("normal")) {
       if (!parse_vector(value)) return false;
       mesh.normals.set(vertex, value);
-    } else if (is_colour_keyword(lexer_.peek().text)) {
-      lexer_.next();
+    } else if (accept_colour()) {
       if (!parse_vector(value)) return false;
       mesh.colours.set(vertex, value);
     } else if (accept("uv")) {

@@ -35,21 +35,23 @@ std::optional<BrdfModel> Parser::parse_lone_brdf() {
   }
   if (lexer_.peek().kind == TokenKind::String) brdf.data_file = lexer_.next().text;
   if (!parse_arguments(brdf, nullptr)) return std::nullopt;
-  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the BRDF");
-  if (context_.has_errors()) return std::nullopt;
-  return brdf;
+  return if_alone(brdf, "BRDF");
 }
 
 std::optional<PdfModel> Parser::parse_lone_pdf() {
   accept("pdf");
   PdfModel pdf;
   if (!parse_model(pdf, nullptr)) return std::nullopt;
-  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected("the end of the PDF");
-  if (context_.has_errors()) return std::nullopt;
-  return pdf;
+  return if_alone(pdf, "PDF");
 }
 
-bool Parser::parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next) {
+template <class ModelOfKind>
+std::optional<ModelOfKind> Parser::if_alone(const ModelOfKind& model, std::string_view kind) {
+  if (lexer_.peek().kind != TokenKind::EndOfFile) fail_expected(fmt::format("the end of the {}", kind));
+  return context_.has_errors() ? std::nullopt : std::optional(model);
+}
+
+bool Parser::parse_model(BrdfModel& brdf, std::optional<NextDefinition>* next) {
   if (lexer_.peek().kind == TokenKind::String) return parse_brdf_file(brdf);
   if (!parse_keyword(brdf)) return false;
   if (same_keyword(brdf.keyword, "combine") && lexer_.peek().kind == TokenKind::Number) {
@@ -65,13 +67,12 @@ bool Parser::parse_brdf(BrdfModel& brdf, std::optional<NextDefinition>* next) {
   return parse_arguments(brdf, next);
 }
 
-bool Parser::parse_model(Model& model, std::optional<NextDefinition>* next) {
-  return parse_keyword(model) && parse_arguments(model, next);
+bool Parser::parse_model(PdfModel& pdf, std::optional<NextDefinition>* next) {
+  return parse_keyword(pdf) && parse_arguments(pdf, next);
 }
 
 bool Parser::parse_keyword(Model& model) {
-  const bool is_model = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
-  if (!is_model) return fail_expected("a model's keyword or the name of a definition");
+  if (!at_identifier()) return fail_expected("a model's keyword or the name of a definition");
   const Token keyword = lexer_.next();
   model.keyword = keyword.text;
   model.location = lexer_.location(keyword);
@@ -136,8 +137,7 @@ bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
     if (!parse_number(term.weight)) return false;
     if (term.weight < 0)
       error(weight, fmt::format("the weight {} of a BRDF, expected 0 or more", weight.text));
-    const bool is_name = lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
-    if (!is_name) return fail_expected("the name of a BRDF, behind its weight");
+    if (!at_identifier()) return fail_expected("the name of a BRDF, behind its weight");
     parse_reference<BrdfModel>(term.brdf);
     terms.push_back(std::move(term));
   } while (accept(',') || at_term());

@@ -80,6 +80,20 @@ bool Parser::at(std::string_view first, std::string_view second) {
   return next.kind == TokenKind::Word && same_keyword(next.text, second);
 }
 
+bool Parser::at_identifier() const {
+  return lexer_.peek().kind == TokenKind::Word && is_identifier(lexer_.peek().text);
+}
+
+bool Parser::at_colour() const {
+  return lexer_.peek().kind == TokenKind::Word && is_colour_keyword(lexer_.peek().text);
+}
+
+bool Parser::accept_colour() {
+  if (!at_colour()) return false;
+  lexer_.next();
+  return true;
+}
+
 // Counts blocks that are open, which recovery from an error needs to know.
 Token Parser::take() {
   if (at("begin")) ++open_;

@@ -1,6 +1,5 @@
 #include "grf/summary.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -11,42 +10,12 @@
 
 #include "grf/keywords.h"
 #include "grf/text_file.h"
+#include "grf/vertex_tree.h"
 #include "grf/visit.h"
 #include "grf/write.h"
 
 namespace grf {
 namespace {
-
-constexpr std::size_t VerticesOfABox = 256;
-
-/// What is the same of a mesh wherever it is placed.
-struct MeshFigures {
-  std::vector<Box3f> boxes;  ///< of each so many vertices
-  bool emits = false;
-};
-
-void add_place(const Vec3f& position, const Matrix44d& to_world, Box3f& bounds) {
-  bounds.extendBy(Vec3f(Vec3d(position) * to_world));
-}
-
-/// A box, along the axes of the world, around another one that was placed there.
-Box3f box_around(const Box3f& box, const Matrix44d& to_world) {
-  Box3f placed;
-  for (unsigned i = 0; i < 8; ++i) {
-    add_place({(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
-               (i & 4U) != 0 ? box.max.z : box.min.z},
-              to_world, placed);
-  }
-  return placed;
-}
-
-double area_of(const Geometry& geometry, const Matrix44d& to_world) {
-  double area = 0;
-  for (std::size_t i = 0; i < geometry.face_count(); ++i) {
-    area += doubled_area_vector(geometry, i, to_world).length() / 2;
-  }
-  return area;
-}
 
 /// The factor by which a transform scales all lengths, or nothing if it depends on the direction.
 std::optional<double> uniform_scale(const Matrix44d& to_world) {
@@ -97,16 +66,15 @@ class Counter {
     ++summary_.lights;
     const Vec3f opposite = light.corner + light.edge1 + light.edge2;
     for (const Vec3f& p : {light.corner, light.corner + light.edge1, light.corner + light.edge2, opposite}) {
-      add_place(p, to_world, summary_.bounds);
+      summary_.bounds.extendBy(Vec3f(Vec3d(p) * to_world));
     }
   }
 
   void add(const Mesh& mesh, const Placement& placement, bool is_light) {
-    const auto [known, is_new] = figures_.try_emplace(&mesh);
-    MeshFigures& figures = known->second;
+    const auto [known, is_new] = emits_.try_emplace(&mesh);
     const Topology& topology = mesh.geometry.topology();
     if (is_new) {
-      figures = figures_of(mesh);
+      known->second = add_surfaces(mesh);
       summary_.different_meshes.push_back(
           {name_of(mesh, placement), mesh.geometry->positions.size(), mesh.face_count(), topology});
     }
@@ -118,33 +86,18 @@ class Counter {
     summary_.boundary_loops += topology.boundary_loops;
     summary_.nonmanifold_edges += topology.nonmanifold_edges;
     summary_.nonmanifold_vertices += topology.nonmanifold_vertices;
-    if (figures.emits && !is_light) ++summary_.lights;
+    if (known->second && !is_light) ++summary_.lights;
     const auto scale = uniform_scale(placement.to_world);
     summary_.area +=
         scale ? *scale * *scale * mesh.geometry.area() : area_of(*mesh.geometry, placement.to_world);
-    add_bounds(mesh.geometry->positions, figures.boxes, placement.to_world);
+    const Box3d bounds = mesh.geometry.vertices().bounds_under(placement.to_world);
+    if (bounds.isEmpty()) return;
+    for (const Vec3d& corner : {bounds.min, bounds.max}) summary_.bounds.extendBy(Vec3f(corner));
   }
 
-  // Where many instances are placed, most vertices are in boxes that lie inside of what is known already.
-  void add_bounds(const std::vector<Vec3f>& positions, const std::vector<Box3f>& boxes,
-                  const Matrix44d& to_world) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const Box3f box = box_around(boxes[i], to_world);
-      if (summary_.bounds.intersects(box.min) && summary_.bounds.intersects(box.max)) continue;
-      const std::size_t end = std::min(positions.size(), (i + 1) * VerticesOfABox);
-      for (std::size_t k = i * VerticesOfABox; k < end; ++k) {
-        add_place(positions[k], to_world, summary_.bounds);
-      }
-    }
-  }
-
-  MeshFigures figures_of(const Mesh& mesh) {
-    MeshFigures figures;
-    const std::vector<Vec3f>& positions = mesh.geometry->positions;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      if (i % VerticesOfABox == 0) figures.boxes.emplace_back();
-      figures.boxes.back().extendBy(positions[i]);
-    }
+  /// Whether any face emits.
+  bool add_surfaces(const Mesh& mesh) {
+    bool emits = false;
     const std::vector<bool> is_used = used_surfaces(mesh);
     for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
       if (!is_used[i]) continue;
@@ -153,9 +106,9 @@ class Counter {
       if (surface.pdf) add_model<PdfModel>(*surface.pdf, pdfs_);
       const auto* texture = surface.texture ? std::get_if<Texture>(&*surface.texture) : nullptr;
       if (texture != nullptr) add_image(*texture);
-      figures.emits = figures.emits || surface.emission.has_value();
+      emits = emits || surface.emission.has_value();
     }
-    return figures;
+    return emits;
   }
 
   void add_image(const Texture& texture) {
@@ -169,7 +122,7 @@ class Counter {
   }
 
   Summary summary_;
-  std::unordered_map<const Mesh*, MeshFigures> figures_;
+  std::unordered_map<const Mesh*, bool> emits_;  ///< by mesh, wherever it is placed
   std::set<std::string> brdfs_;
   std::set<std::string> pdfs_;
   std::set<std::string> images_;

@@ -32,7 +32,8 @@ struct Surface {
 /// Equal surfaces have equal hashes.
 std::size_t hash_value(const Surface& surface);
 
-/// Equal, and written alike too: with the same sign of each zero and the same case of each keyword.
-bool is_written_alike(const Surface& a, const Surface& b);
+/// Bytes that two surfaces share if they are equal and written alike too: with the same sign of each zero and
+/// the same case of each keyword.
+std::string written_key(const Surface& surface);
 
 }  // namespace grf

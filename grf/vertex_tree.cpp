@@ -1,7 +1,7 @@
 #include "grf/vertex_tree.h"
 
 #include <algorithm>
-#include <limits>
+#include <span>
 
 namespace grf {
 namespace {
@@ -22,39 +22,29 @@ std::vector<Box3d> boxes_of(const Geometry& geometry) {
 
 VertexTree::VertexTree(const Geometry& geometry) : geometry_(&geometry), boxes_(boxes_of(geometry)) {}
 
-std::span<const Vec3f> VertexTree::run(std::size_t index) const {
-  const auto rest = std::span(geometry_->positions).subspan(index * VerticesOfABox);
-  return rest.first(std::min(VerticesOfABox, rest.size()));
-}
-
-bool VertexTree::any_in(const BoxTree::OverlapOfBox& overlap,
-                        const std::function<bool(const Vec3d&)>& has) const {
-  return boxes_.any_in(overlap, [&](std::size_t index) {
-    const auto vertices = run(index);
-    return std::any_of(vertices.begin(), vertices.end(),
-                       [&](const Vec3f& vertex) { return has(Vec3d(vertex)); });
-  });
-}
-
-double VertexTree::highest(const Matrix44d& transform, int axis, double sign) const {
-  const auto bound = [&](const Box3d& box) {
+double VertexTree::highest(const BoxTree::ValueOfBox& bound, const ValueOfVertex& value, double least,
+                           double enough) const {
+  const auto highest_of_run = [&](std::size_t run) {
+    const auto rest = std::span(geometry_->positions).subspan(run * VerticesOfABox);
     double most = -std::numeric_limits<double>::infinity();
-    for (const Vec3d& corner : corners_of(box, transform)) most = std::max(most, sign * corner[axis]);
+    for (const Vec3f& vertex : rest.first(std::min(VerticesOfABox, rest.size()))) {
+      most = std::max(most, value(Vec3d(vertex)));
+    }
     return most;
   };
-  return boxes_.highest(bound, [&](std::size_t index) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (const Vec3f& vertex : run(index)) most = std::max(most, sign * (Vec3d(vertex) * transform)[axis]);
-    return most;
-  });
+  return boxes_.highest(bound, highest_of_run, least, enough);
 }
 
 Box3d VertexTree::bounds_under(const Matrix44d& transform) const {
   Box3d bounds;
   if (boxes_.bounds().isEmpty()) return bounds;
   for (int axis = 0; axis < 3; ++axis) {
-    bounds.min[axis] = -highest(transform, axis, -1);
-    bounds.max[axis] = highest(transform, axis, 1);
+    const auto highest_along = [&](double sign) {
+      const auto value = [&](const Vec3d& vertex) { return sign * (vertex * transform)[axis]; };
+      return highest([&](const Box3d& box) { return highest_at_corners(box, value); }, value);
+    };
+    bounds.min[axis] = -highest_along(-1);
+    bounds.max[axis] = highest_along(1);
   }
   return bounds;
 }

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
+#include <limits>
 
 #include "grf/box_tree.h"
 #include "grf/geometry.h"
@@ -17,8 +17,11 @@ class VertexTree {
   /// It must stay as it is.
   explicit VertexTree(const Geometry& geometry);
 
-  /// Whether a vertex lies in a region: `overlap` tells that of whole boxes, `has` of single vertices.
-  bool any_in(const BoxTree::OverlapOfBox& overlap, const std::function<bool(const Vec3d&)>& has) const;
+  using ValueOfVertex = std::function<double(const Vec3d&)>;
+  /// The highest value of any vertex, found as `BoxTree` finds that of things.
+  double highest(const BoxTree::ValueOfBox& bound, const ValueOfVertex& value,
+                 double least = -std::numeric_limits<double>::infinity(),
+                 double enough = std::numeric_limits<double>::infinity()) const;
 
   /// The box around all vertices, in the coordinates of the mesh.
   Box3d bounds() const { return boxes_.bounds(); }
@@ -26,10 +29,6 @@ class VertexTree {
   Box3d bounds_under(const Matrix44d& transform) const;
 
  private:
-  std::span<const Vec3f> run(std::size_t index) const;
-  /// The highest value that a coordinate of the transformed vertices has, times the sign.
-  double highest(const Matrix44d& transform, int axis, double sign) const;
-
   const Geometry* geometry_ = nullptr;
   BoxTree boxes_;  ///< of runs of vertices
 };

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "grf/scene.h"
@@ -20,7 +21,7 @@ std::vector<std::uint32_t> first_with_value(const grf::Geometry& geometry,
   grf::MeshDraft of_one_kind;
   of_one_kind.positions = geometry.positions;
   of_one_kind.*values = geometry.*values;
-  return first_alike(of_one_kind);
+  return first_alike(std::move(of_one_kind));
 }
 
 /// Faces of a mesh with other corners, before they are a mesh themselves. The name, the comments and the

@@ -261,7 +261,7 @@ Level first_level(const grf::Mesh& mesh, SubdivisionScheme scheme) {
   bare.irradiance = {};
   fill(bare.uvs, bare.positions.size(), grf::Vec2f(0));
   fill(bare.colours, bare.positions.size(), grf::Colour(1));
-  const grf::Mesh flat = with_flat_faces(bare);
+  const grf::Mesh flat = with_flat_faces(std::move(bare));
   const grf::Mesh whole = scheme == SubdivisionScheme::Loop ? triangulated(flat) : flat;
   const grf::Geometry& geometry = *whole.geometry;
   return {grf::MeshDraft(whole), grf::first_at_place(geometry),

@@ -76,7 +76,7 @@ TEST(EmbeddedFiles, AreNamedFromTheOutputWhereOthersAreNamedFromTheInput) {
   for (const std::string to : {"out/scene.grf", "in/scene.grf"}) {
     grf::Scene scene;
     scene.contents.blocks.emplace_back();
-    scene.contents.blocks[0].content = grf::Shared<grf::Mesh>(mesh);
+    scene.contents.blocks[0].content = grf::Shared<grf::Mesh>(grf::MeshDraft(mesh));
     grf::relocate(scene, folder.path("in/model.glb"), folder.path(to), {{"embedded.png", "free.png"}});
     const auto& moved = *std::get<grf::Shared<grf::Mesh>>(scene.contents.blocks[0].content);
     EXPECT_EQ(std::get<grf::Texture>(*moved.surfaces[0].texture).file, "free.png");

@@ -53,17 +53,15 @@ TEST(VertexTree, FindsWhetherAVertexIsBeyondAPlane) {
     for (int i = 0; i < 200; ++i) {
       const Vec3d normal = Vec3d(number(random), number(random), number(random)).normalized();
       const double height = 8 * number(random);
-      const auto is_beyond = [&](const Vec3d& position) { return position.dot(normal) > height; };
-      const auto overlap = [&](const Box3d& box) {
-        int beyond = 0;
-        for (const Vec3d& corner : corners_of(box, Matrix44d())) beyond += is_beyond(corner) ? 1 : 0;
-        if (beyond == 0) return BoxTree::Overlap::None;
-        return beyond == 8 ? BoxTree::Overlap::All : BoxTree::Overlap::Some;
-      };
+      const auto above = [&](const Vec3d& position) { return position.dot(normal) - height; };
       bool expected = false;
       for (const Vec3f& position : mesh.geometry->positions)
-        expected = expected || is_beyond(Vec3d(position));
-      EXPECT_EQ(tree.any_in(overlap, is_beyond), expected) << vertices;
+        expected = expected || above(Vec3d(position)) > 0;
+      const auto bound = [&](const Box3d& box) { return highest_at_corners(box, above); };
+      EXPECT_EQ(tree.highest(bound, above, 0, 0) > 0, expected) << vertices;
+      const double highest = tree.highest(bound, above);
+      EXPECT_EQ(highest > 0, expected) << vertices;
+      EXPECT_EQ(tree.highest(bound, above, highest + 1), highest + 1) << "none is over that";
       found += expected ? 1 : 0;
     }
     EXPECT_GT(found, 20);

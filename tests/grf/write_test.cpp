@@ -117,7 +117,7 @@ TEST(Writing, MakesReadableFilesOfTextThatNoFileCanHold) {
   MeshDraft mesh;
   mesh.name = "a \"b\"\n“c”";
   mesh.comments.end = {std::string(" one\nend\r\0two", 13), "three\r\r"};
-  EXPECT_EQ(written(scene_with({Shared<Mesh>(mesh), {{"x\ny"}, "\r"}, {}})),
+  EXPECT_EQ(written(scene_with({Shared<Mesh>(grf::MeshDraft(mesh)), {{"x\ny"}, "\r"}, {}})),
             "//x y\n"
             "begin mesh “a \"b\" \"c\"”\n"
             "  begin vertexs\n"
@@ -132,7 +132,8 @@ TEST(Writing, MakesReadableFilesOfTextThatNoFileCanHold) {
 TEST(Writing, KeepsCommentsOfAttributesThatAreGone) {
   MeshDraft mesh;
   mesh.comments.brdf.before = {" shiny"};
-  EXPECT_THAT(written(scene_with({Shared<Mesh>(mesh), {}, {}})), HasSubstr("  // shiny\n  begin vertexs\n"));
+  EXPECT_THAT(written(scene_with({Shared<Mesh>(grf::MeshDraft(mesh)), {}, {}})),
+              HasSubstr("  // shiny\n  begin vertexs\n"));
 }
 
 TEST(Writing, KeepsTheMeaningOfBlocksThatTheGrammarLacks) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -26,7 +27,7 @@ std::string make_file(const test::TemporaryFolder& folder, bool with_colours) {
   if (with_colours) mesh.surfaces.front().colour = grf::Colour(0.123F);
   std::string path = folder.path("mesh.ply");
   grf::Diagnostics diagnostics;
-  if (!find_format("ply")->write(grf::scene_of_mesh(mesh), path, diagnostics)) {
+  if (!find_format("ply")->write(grf::scene_of_mesh(std::move(mesh)), path, diagnostics)) {
     throw std::logic_error(diagnostics.to_text());
   }
   return path;

@@ -100,7 +100,7 @@ TEST(MeshOperations, SmoothSubdivideAndCutInThisOrder) {
   grf::MeshDraft bent(sheet(2));
   bent.positions[4].z = 1;  // in the middle
   bent.irradiance.set(0, grf::Colour(1));
-  scene.contents.blocks[0].content = grf::Shared<grf::Mesh>(bent);
+  scene.contents.blocks[0].content = grf::Shared<grf::Mesh>(grf::MeshDraft(bent));
   MeshOperations operations;
   operations.smooth = 1;
   operations.subdivide = Subdivision{SubdivisionScheme::CatmullClark, 1};
@@ -162,7 +162,7 @@ TEST(Triangulated, KeepsSurfacesWithTheirFaces) {
   grf::MeshDraft mesh(cube());
   mesh.surfaces.emplace_back();
   mesh.surface_of_face[1] = 1;
-  const grf::Mesh triangles = triangulated(mesh);
+  const grf::Mesh triangles = triangulated(grf::MeshDraft(mesh));
   EXPECT_EQ(triangles.geometry->positions, mesh.positions);
   EXPECT_THAT(*triangles.surface_of_face, ElementsAre(0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0));
 }

@@ -52,7 +52,7 @@ TEST(SmoothNormals, AreWeightedByAngle) {
     halves.add_face(std::array{c[0], c[1], c[2]}, 0);
     halves.add_face(std::array{c[0], c[2], c[3]}, 0);
   }
-  const grf::Mesh mesh = with_smooth_normals(halves, std::numbers::pi);
+  const grf::Mesh mesh = with_smooth_normals(grf::MeshDraft(halves), std::numbers::pi);
   for (std::size_t i = 0; i < mesh.geometry->positions.size(); ++i) {
     const grf::Vec3f outwards = (mesh.geometry->positions[i] - grf::Vec3f(0.5F)).normalized();
     EXPECT_LT((mesh.geometry->normals[i] - outwards).length(), 1e-6F);
@@ -65,7 +65,7 @@ TEST(SmoothNormals, DoNotReachOverAVertex) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
   mesh.add_face(std::array{0U, 1U, 2U}, 0);
   mesh.add_face(std::array{0U, 3U, 4U}, 0);
-  const grf::Mesh smooth = with_smooth_normals(mesh, std::numbers::pi);
+  const grf::Mesh smooth = with_smooth_normals(grf::MeshDraft(mesh), std::numbers::pi);
   EXPECT_LT(distance_to(smooth, 0, {0, 0, 1}), 1e-6F);
   EXPECT_LT(distance_to(smooth, 1, {0, 1, 0}), 1e-6F);
 }
@@ -78,7 +78,7 @@ TEST(SmoothNormals, KeepAllElse) {
     mesh.uvs.set(i, {mesh.positions[i].x, mesh.positions[i].y});
     mesh.irradiance.set(i, grf::Colour(float(i)));
   }
-  const grf::Mesh smooth = with_smooth_normals(mesh, 0);
+  const grf::Mesh smooth = with_smooth_normals(grf::MeshDraft(mesh), 0);
   EXPECT_EQ(smooth.name, "sheet");
   EXPECT_EQ(smooth.geometry->positions.size(), mesh.positions.size());
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
@@ -98,7 +98,7 @@ TEST(SmoothNormals, OfAFaceWithoutAreaAreNone) {
   grf::MeshDraft mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   mesh.add_face(std::array{0U, 1U, 2U}, 0);
-  EXPECT_TRUE(with_smooth_normals(mesh, std::numbers::pi).geometry->normals.empty());
+  EXPECT_TRUE(with_smooth_normals(grf::MeshDraft(mesh), std::numbers::pi).geometry->normals.empty());
 }
 
 TEST(FlatFaces, HaveNoNormalsAndShareVertices) {

@@ -67,7 +67,7 @@ TEST(Smoothed, HasTheFactorOfATaubinStep) {
   for (const auto& face : {std::array{0U, 1U, 2U}, {0U, 3U, 1U}, {0U, 2U, 3U}, {1U, 3U, 2U}})
     four.add_face(face, 0);
   const double factor = (1 - Forth * 4 / 3) * (1 - Back * 4 / 3);
-  const grf::Mesh twice = smoothed(four, 2);
+  const grf::Mesh twice = smoothed(grf::MeshDraft(four), 2);
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3f expected = four.positions[i] * static_cast<float>(factor * factor);
     EXPECT_LT((twice.geometry->positions[i] - expected).length(), 1e-6F);
@@ -95,7 +95,7 @@ TEST(Smoothed, KeepsBoundariesAndAllElse) {
     mesh.colours.set(i, grf::Colour(float(i)));
     mesh.irradiance.set(i, grf::Colour(float(i)));
   }
-  const grf::Mesh before(mesh);
+  const grf::Mesh before = grf::MeshDraft(mesh);
   const grf::Mesh after = smoothed(before, 5);
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
     const std::uint32_t x = i % 9;
@@ -106,7 +106,7 @@ TEST(Smoothed, KeepsBoundariesAndAllElse) {
   }
   grf::MeshDraft moved_back(after);
   moved_back.positions = mesh.positions;
-  EXPECT_EQ(grf::Mesh(moved_back), before);
+  EXPECT_EQ(grf::Mesh(grf::MeshDraft(moved_back)), before);
 }
 
 TEST(Smoothed, KeepsWhatIsEvenAsItIs) {
@@ -119,7 +119,7 @@ TEST(Smoothed, KeepsWhatIsEvenAsItIs) {
 TEST(Smoothed, OpensNoSeams) {
   grf::MeshDraft mesh(torn(noisy(sheet(4), 0.2F)));
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) mesh.uvs.set(i, grf::Vec2f(float(i), 0));
-  const grf::Mesh after = smoothed(mesh, 5);
+  const grf::Mesh after = smoothed(grf::MeshDraft(mesh), 5);
   EXPECT_EQ(grf::topology_of(*after.geometry).boundary_edges, 16U);
 }
 
@@ -131,8 +131,8 @@ TEST(Smoothed, KeepsNormalsSharedOrApart) {
     soft.normals.set(i, hard.positions[i] - Vec3f(0.5F));
     soft.uvs.set(i, grf::Vec2f(float(i), 0));
   }
-  const grf::Mesh with_edges = smoothed(hard, 3);
-  const grf::Mesh without_edges = smoothed(soft, 3);
+  const grf::Mesh with_edges = smoothed(grf::MeshDraft(hard), 3);
+  const grf::Mesh without_edges = smoothed(grf::MeshDraft(soft), 3);
   for (std::uint32_t i = 0; i < 24; ++i) {
     EXPECT_LT((with_edges.geometry->normals[i] - hard.normals[i].normalized()).length(), 1e-6F);
     EXPECT_LT((without_edges.geometry->normals[i] - soft.normals[i].normalized()).length(), 1e-6F);
@@ -140,7 +140,7 @@ TEST(Smoothed, KeepsNormalsSharedOrApart) {
   EXPECT_TRUE(smoothed(cube(), 3).geometry->normals.empty());
   grf::MeshDraft mixed(cube());
   mixed.normals.set(2, Vec3f(1, 0, 0));
-  const grf::Mesh still_mixed = smoothed(mixed, 3);
+  const grf::Mesh still_mixed = smoothed(grf::MeshDraft(mixed), 3);
   for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(still_mixed.geometry->normals.has(i), i == 2);
 }
 

@@ -136,20 +136,21 @@ TEST_P(Schemes, MakeBoundariesBSplines) {
   std::vector<Vec3f> positions = rim;
   for (const Vec3f& p : rim) positions.emplace_back(p.x, 5, 0);
   const grf::MeshDraft strip = mesh_of(positions, {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}});
-  const grf::Mesh mesh = subdivided(strip, GetParam());
+  const grf::Mesh mesh = subdivided(grf::MeshDraft(strip), GetParam());
   for (std::size_t i = 1; i < 3; ++i) {
     EXPECT_TRUE(has(mesh, (rim[i - 1] + 6.0F * rim[i] + rim[i + 1]) / 8.0F));
     EXPECT_TRUE(has(mesh, (rim[i - 1] + rim[i]) / 2.0F));
-    EXPECT_TRUE(has(subdivided(strip, times(GetParam(), 6)), (rim[i - 1] + 4.0F * rim[i] + rim[i + 1]) / 6.0F,
-                    1e-3F));
+    EXPECT_TRUE(has(subdivided(grf::MeshDraft(strip), times(GetParam(), 6)),
+                    (rim[i - 1] + 4.0F * rim[i] + rim[i + 1]) / 6.0F, 1e-3F));
   }
   EXPECT_TRUE(has(mesh, (6.0F * rim[0] + rim[1] + positions[4]) / 8.0F)) << "a corner is part of the curve";
 }
 
 TEST_P(Schemes, KeepTheSurfacesOfFaces) {
   grf::MeshDraft mesh(sheet(4, true));
-  const grf::Mesh result = subdivided(mesh, times(GetParam(), 2));
-  EXPECT_EQ(static_cast<double>(result.face_count()), faces_after(mesh, times(GetParam(), 2)));
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), times(GetParam(), 2));
+  EXPECT_EQ(static_cast<double>(result.face_count()),
+            faces_after(grf::MeshDraft(mesh), times(GetParam(), 2)));
   EXPECT_EQ(result.surfaces, mesh.surfaces);
   const std::size_t children = result.face_count() / mesh.face_count();
   for (std::size_t i = 0; i < result.face_count(); ++i) {
@@ -217,7 +218,7 @@ TEST_P(Schemes, KeepSeamsOfTextureCoordinates) {
   };
   const grf::MeshDraft mesh =
       with_uvs(squares(4), [&](std::size_t face, const Vec3f& p) { return uv(face % 4 >= 2, p); });
-  const grf::Mesh result = subdivided(mesh, times(GetParam(), 2));
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), times(GetParam(), 2));
   const std::size_t children = result.face_count() / mesh.face_count();
   std::size_t seam_corners = 0;
   for (std::size_t i = 0; i < result.face_count(); ++i) {
@@ -239,10 +240,10 @@ TEST(CatmullClark, DoesNotMindWhereTextureCoordinatesAre) {
   };
   grf::MeshDraft mesh(torn(centred_cube()));
   for (std::uint32_t i = 0; i < 24; ++i) mesh.uvs.set(i, uv(i));
-  const grf::Mesh result = subdivided(mesh, CatmullClark);
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), CatmullClark);
   ASSERT_EQ(result.face_count(), 24U);
   EXPECT_EQ(result.geometry->positions.size(), 6U * 9U);
-  const grf::Mesh twice = subdivided(mesh, times(CatmullClark, 2));
+  const grf::Mesh twice = subdivided(grf::MeshDraft(mesh), times(CatmullClark, 2));
   const grf::Mesh plain_twice = subdivided(centred_cube(), times(CatmullClark, 2));
   for (std::size_t i = 0; i < 96; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
@@ -262,7 +263,7 @@ TEST_P(Schemes, GiveAllVerticesWhatSomeHave) {
   grf::MeshDraft mesh = octahedron();
   mesh.colours.set(0, grf::Colour(0.25F));
   mesh.uvs.set(0, Vec2f(4, 4));
-  const grf::Mesh result = subdivided(mesh, times(GetParam(), 2));
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), times(GetParam(), 2));
   float least = 1;
   float least_uv = 4;
   for (std::size_t i = 0; i < result.geometry->positions.size(); ++i) {
@@ -280,7 +281,7 @@ TEST_P(Schemes, GiveNewNormalsWhereThereWereSome) {
   EXPECT_TRUE(subdivided(octahedron(), GetParam()).geometry->normals.empty());
   grf::MeshDraft mesh = octahedron();
   mesh.normals.set(0, Vec3f(0, 1, 0));
-  const grf::Mesh result = subdivided(mesh, times(GetParam(), 2));
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), times(GetParam(), 2));
   for (std::size_t i = 0; i < result.geometry->positions.size(); ++i) {
     ASSERT_TRUE(result.geometry->normals.has(i));
     EXPECT_NEAR(result.geometry->normals[i].length(), 1, 1e-6F);
@@ -318,7 +319,7 @@ TEST(CatmullClark, HasASeamOfTextureCoordinatesAtAnEdgeOfFourFaces) {
   const auto uv = [](std::size_t face, const Vec3f& p) {
     return Vec2f(std::abs(p.x) + 10 * float(face / 2), p.z);
   };
-  const grf::Mesh result = subdivided(with_uvs(mesh, uv), CatmullClark);
+  const grf::Mesh result = subdivided(with_uvs(grf::MeshDraft(mesh), uv), CatmullClark);
   std::size_t found = 0;
   for (std::uint32_t i = 0; i < result.geometry->positions.size(); ++i) {
     if (result.geometry->positions[i] != Vec3f(0, 0, 1)) continue;
@@ -339,8 +340,8 @@ TEST_P(Schemes, KeepNameAndComments) {
   grf::MeshDraft mesh = octahedron();
   mesh.name = "gem";
   mesh.comments.end = {"# the end"};
-  EXPECT_EQ(subdivided(mesh, GetParam()).name, "gem");
-  EXPECT_EQ(subdivided(mesh, GetParam()).comments, mesh.comments);
+  EXPECT_EQ(subdivided(grf::MeshDraft(mesh), GetParam()).name, "gem");
+  EXPECT_EQ(subdivided(grf::MeshDraft(mesh), GetParam()).comments, mesh.comments);
 }
 
 TEST_P(Schemes, KeepVerticesWherePartsOfASurfaceMeet) {
@@ -352,8 +353,8 @@ TEST_P(Schemes, KeepVerticesWherePartsOfASurfaceMeet) {
     for (const std::uint32_t corner : one.face(face)) corners.push_back(corner + 6);
     mesh.add_face(corners, 0);
   }
-  EXPECT_TRUE(has(subdivided(mesh, times(GetParam(), 3)), {1, 0, 0}));
-  EXPECT_FALSE(has(subdivided(mesh, times(GetParam(), 3)), {-1, 0, 0}, 0.1F));
+  EXPECT_TRUE(has(subdivided(grf::MeshDraft(mesh), times(GetParam(), 3)), {1, 0, 0}));
+  EXPECT_FALSE(has(subdivided(grf::MeshDraft(mesh), times(GetParam(), 3)), {-1, 0, 0}, 0.1F));
 }
 
 // Two squares that meet in one corner, each with texture coordinates of its own.
@@ -362,7 +363,7 @@ TEST_P(Schemes, KeepTextureCoordinatesWherePartsOfASurfaceMeet) {
       with_uvs(mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}},
                        {{0, 1, 2, 3}, {0, 4, 5, 6}}),
                [](std::size_t face, const Vec3f& p) { return Vec2f(p.x + 5 * float(face), p.y); });
-  const grf::Mesh result = subdivided(mesh, GetParam());
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), GetParam());
   std::size_t found = 0;
   for (std::uint32_t i = 0; i < result.geometry->positions.size(); ++i) {
     if (result.geometry->positions[i] != Vec3f(0)) continue;
@@ -380,7 +381,7 @@ TEST_P(Schemes, DoNothingInNoLevels) {
 TEST_P(Schemes, LeaveOutIrradiance) {
   grf::MeshDraft mesh(torn(octahedron()));
   mesh.irradiance.set(0, grf::Colour(1));
-  const grf::Mesh result = subdivided(mesh, GetParam());
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), GetParam());
   EXPECT_TRUE(result.irradiance->empty());
   EXPECT_EQ(result.geometry->positions.size(),
             subdivided(octahedron(), GetParam()).geometry->positions.size());
@@ -414,8 +415,8 @@ RC_GTEST_PROP(SubdivisionProperty, AnyTangleStaysInItsBox, ()) {
   const Subdivision subdivision = times(*rc::gen::element(Loop, CatmullClark), *rc::gen::inRange(1, 4));
   grf::Box3f box;
   for (const Vec3f& position : mesh.positions) box.extendBy(position);
-  const grf::Mesh result = subdivided(mesh, subdivision);
-  RC_ASSERT(static_cast<double>(result.face_count()) == faces_after(mesh, subdivision));
+  const grf::Mesh result = subdivided(grf::MeshDraft(mesh), subdivision);
+  RC_ASSERT(static_cast<double>(result.face_count()) == faces_after(grf::MeshDraft(mesh), subdivision));
   for (const Vec3f& p : result.geometry->positions) {
     for (int i = 0; i < 3; ++i) RC_ASSERT(p[i] >= box.min[i] - 1e-5F && p[i] <= box.max[i] + 1e-5F);
   }

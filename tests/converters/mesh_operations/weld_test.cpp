@@ -26,7 +26,7 @@ TEST(Weld, MergesWhatIsNearerAndNothingElse) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0.09F, 0}, {0, 1.1F, 0}, {1, 1, 0}};
   mesh.add_face(std::array{0U, 1U, 2U}, 0);
   mesh.add_face(std::array{3U, 5U, 4U}, 0);
-  const Welded welded = weld(mesh, 0.1);
+  const Welded welded = weld(grf::MeshDraft(mesh), 0.1);
   EXPECT_EQ(welded.merged_vertices, 1U) << "the distance itself is not nearer";
   EXPECT_THAT(welded.mesh.geometry->corners, ElementsAre(0, 1, 2, 1, 4, 3));
   EXPECT_EQ(welded.mesh.geometry->positions[1], grf::Vec3f(1, 0, 0)) << "the first stays where it was";
@@ -40,7 +40,7 @@ TEST(Weld, LeavesOutFacesThatCollapseAndCountsThem) {
   mesh.add_face(std::array{0U, 4U, 2U}, 0);
   mesh.add_face(std::array{0U, 4U, 1U, 2U}, 1);
   mesh.add_face(std::array{0U, 3U, 4U, 3U}, 0);
-  const Welded welded = weld(mesh, 0.1);
+  const Welded welded = weld(grf::MeshDraft(mesh), 0.1);
   EXPECT_EQ(welded.collapsed_faces, 2U);
   ASSERT_EQ(welded.mesh.face_count(), 1U);
   EXPECT_EQ(welded.mesh.face(0).size(), 3U) << "a corner went";
@@ -51,7 +51,7 @@ TEST(Weld, KeepsSeamsAtOnePlace) {
   grf::MeshDraft mesh(torn(sheet(1)));
   mesh.positions[3].x += 0.01F;
   for (std::size_t i = 0; i < 6; ++i) mesh.uvs.set(i, grf::Vec2f(i < 3 ? 0.0F : 1.0F, 0));
-  const Welded welded = weld(mesh, 0.1);
+  const Welded welded = weld(grf::MeshDraft(mesh), 0.1);
   EXPECT_EQ(welded.mesh.geometry->positions.size(), 6U) << "both sides have coordinates of their own";
   EXPECT_EQ(welded.mesh.geometry->positions[3], welded.mesh.geometry->positions[0]);
   EXPECT_EQ(welded.mesh.geometry->uvs, mesh.uvs);
@@ -60,13 +60,14 @@ TEST(Weld, KeepsSeamsAtOnePlace) {
 TEST(Weld, KeepsIrradianceApart) {
   grf::MeshDraft mesh(torn(sheet(1)));
   mesh.irradiance.set(0, grf::Colour(1));
-  EXPECT_EQ(weld(mesh, 0).mesh.geometry->positions.size(), 5U);
+  EXPECT_EQ(weld(grf::MeshDraft(mesh), 0).mesh.geometry->positions.size(), 5U);
 }
 
 TEST(Weld, KeepsFacesOfNonManifoldEdges) {
-  grf::MeshDraft mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}};
-  for (const std::uint32_t tip : {2U, 3U, 4U, 2U}) mesh.add_face(std::array{0U, 1U, tip}, 0);
+  grf::MeshDraft draft;
+  draft.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}};
+  for (const std::uint32_t tip : {2U, 3U, 4U, 2U}) draft.add_face(std::array{0U, 1U, tip}, 0);
+  const grf::Mesh mesh = std::move(draft);
   EXPECT_EQ(weld(torn(mesh), 0.01).mesh, mesh);
 }
 
@@ -80,7 +81,7 @@ RC_GTEST_PROP(Weld, LeavesNoTwoPlacesNearerAndMovesNoneFurther, ()) {
   }
   // A fan in which each vertex is used, so that each is there afterwards.
   for (std::uint32_t i = 0; i + 2 < points.size(); ++i) mesh.add_face(std::array{i, i + 1, i + 2}, 0);
-  const Welded welded = weld(mesh, distance);
+  const Welded welded = weld(grf::MeshDraft(mesh), distance);
   RC_ASSERT(welded.mesh.face_count() + welded.collapsed_faces == mesh.face_count());
   for (const grf::Vec3f& a : welded.mesh.geometry->positions) {
     for (const grf::Vec3f& b : welded.mesh.geometry->positions) {

@@ -229,7 +229,7 @@ TEST(ObjWriter, NamesAreReadBackWhateverTheyHave) {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.add_face(std::vector<std::uint32_t>{0, 1, 2}, 0);
     grf::Scene scene;
-    scene.contents.blocks.push_back({grf::Shared<grf::Mesh>(mesh), {}, {}});
+    scene.contents.blocks.push_back({grf::Shared<grf::Mesh>(grf::MeshDraft(mesh)), {}, {}});
     const test::TemporaryFolder folder;
     grf::Diagnostics diagnostics;
     ASSERT_TRUE(write_obj(scene, folder.path("x.obj"), diagnostics));

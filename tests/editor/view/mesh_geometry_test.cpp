@@ -62,7 +62,7 @@ TEST(MeshGeometry, KnowsFacesOfTrianglesAndEdgesOfPolygons) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
   mesh.add_face(std::array{0U, 1U, 2U, 3U}, 0);
   mesh.add_face(std::array{1U, 4U, 2U}, 0);
-  const MeshGeometry geometry(mesh);
+  const MeshGeometry geometry(std::move(mesh));
   EXPECT_EQ(geometry.arrays().face_of_triangle, (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_EQ(geometry.edges().size(), 6);
   EXPECT_EQ(geometry.first_triangle(1), 2);
