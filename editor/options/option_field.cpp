@@ -11,6 +11,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/text.h"
 #include "editor/options/path_field.h"
 
@@ -18,13 +19,6 @@ namespace editor {
 namespace {
 
 using namespace options;
-
-QHBoxLayout* row_of(QWidget* widget) {
-  auto* row = new QHBoxLayout(widget);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(Grid);
-  return row;
-}
 
 /// The words of an option that nobody has given.
 QStringList default_words(const OptionInfo& option) {
@@ -61,7 +55,7 @@ class NumbersField : public OptionField {
  public:
   NumbersField(const OptionInfo& option, NumberRange range, QWidget* parent)
       : OptionField(parent), defaults_(default_words(option)) {
-    QHBoxLayout* row = row_of(this);
+    auto* row = tight_layout<QHBoxLayout>(this, Grid);
     // Words of a default that is no numbers stand under the boxes; in one of several they have no room.
     const QString in_words = word_count(option) > 1 ? tr("auto") : text_of(option.default_value);
     for (std::size_t i = 0; i < word_count(option); ++i) {
@@ -110,7 +104,7 @@ class BooleanField : public OptionField {
  public:
   BooleanField(const OptionInfo& option, QWidget* parent)
       : OptionField(parent), box_(new QCheckBox(tr("On"), this)), default_(option.default_value == "true") {
-    row_of(this)->addWidget(box_);
+    tight_layout<QHBoxLayout>(this)->addWidget(box_);
     box_->setAccessibleName(text_of(option.key));
     setFocusProxy(box_);
     connect(box_, &QCheckBox::clicked, this, [this](bool is_on) {
@@ -133,7 +127,7 @@ class WordField : public OptionField {
  public:
   WordField(const OptionInfo& option, const WordOption& value, QWidget* parent)
       : OptionField(parent), list_(new QuietComboBox(this)), default_(default_words(option).value(0)) {
-    row_of(this)->addWidget(list_);
+    tight_layout<QHBoxLayout>(this)->addWidget(list_);
     list_->setAccessibleName(text_of(option.key));
     if (default_.isEmpty()) list_->addItem(text_of(option.default_value), QString());
     for (const std::string_view word : value.words) list_->addItem(text_of(word), text_of(word));
@@ -161,9 +155,7 @@ class ListField : public OptionField {
   ListField(const OptionInfo& option, const ListOption& value, QWidget* parent)
       : OptionField(parent), option_(option), value_(value) {
     constexpr int Columns = 2;
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(Grid / 2);
+    auto* grid = tight_layout<QGridLayout>(this);
     for (const std::string_view word : value.words) {
       auto* box = new QCheckBox(text_of(word), this);
       box->setAccessibleName(text_of(option.key) + " " + text_of(word));
@@ -207,7 +199,7 @@ class ListField : public OptionField {
 class TextField : public OptionField {
  public:
   TextField(const OptionInfo& option, QWidget* parent) : OptionField(parent), text_(new QLineEdit(this)) {
-    row_of(this)->addWidget(text_);
+    tight_layout<QHBoxLayout>(this)->addWidget(text_);
     text_->setPlaceholderText(text_of(option.default_value));
     text_->setAccessibleName(text_of(option.key));
     setFocusProxy(text_);

@@ -1,14 +1,13 @@
 #include "editor/options/option_row.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/text.h"
 #include "editor/options/option_field.h"
 #include "renderer/options/scheme_model.h"
@@ -17,12 +16,6 @@ namespace editor {
 namespace {
 
 constexpr int KeyWidth = 24 * Grid;
-
-void paint_text(QLabel* label, const QColor& colour) {
-  QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, colour);
-  label->setPalette(palette);
-}
 
 QString help_of(const options::OptionInfo& option) {
   return QObject::tr("%1\nValues: %2. Default: %3.")
@@ -37,20 +30,19 @@ OptionRow::OptionRow(const options::OptionInfo& option, OpDocument& document, QW
       document_(document),
       field_(make_option_field(option, this)),
       key_(new QLabel(text_of(option.key), this)),
-      meaning_(new QLabel(this)),
-      message_(new QLabel(this)),
-      reset_(new QToolButton(this)) {
+      meaning_(new ThemedLabel(&ThemeColours::faint_text, this)),
+      message_(new ThemedLabel(&ThemeColours::faint_text, this)) {
   meaning_->setText(tr("%1. Default: %2; %3.")
                         .arg(text_of(option.meaning), text_of(option.default_value), legal_values(option)));
-  meaning_->setWordWrap(true);
-  message_->setWordWrap(true);
   message_->hide();
   key_->setMinimumWidth(KeyWidth);
   key_->setFixedHeight(3 * Grid);  // that of one control
   key_->setBuddy(field_);
-  reset_->setIcon(icon("reset"));
-  reset_->setAutoRaise(true);
-  reset_->setAccessibleName(tr("Reset %1").arg(text_of(option.key)));
+  const auto reset = [this] {
+    document_.set_words(option_, {});
+    document_.finish_step();
+  };
+  reset_ = tool_button("reset", tr("Reset %1").arg(text_of(option.key)), {}, reset, this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid);
   line->addWidget(key_, 0, Qt::AlignTop);
@@ -65,11 +57,6 @@ OptionRow::OptionRow(const options::OptionInfo& option, OpDocument& document, QW
   connect(field_, &OptionField::edited, this,
           [this](const QStringList& words) { document_.set_words(option_, words); });
   connect(field_, &OptionField::finished, &document_, &OpDocument::finish_step);
-  connect(reset_, &QToolButton::clicked, this, [this] {
-    document_.set_words(option_, {});
-    document_.finish_step();
-  });
-  colour();
 }
 
 void OptionRow::show_state(const options::RenderOptions& partial) {
@@ -81,9 +68,8 @@ void OptionRow::show_state(const options::RenderOptions& partial) {
   }
   field_->show_words(words);
   is_given_ = given.has_value();
-  reset_->setEnabled(is_given_);
-  reset_->setToolTip(is_given_ ? tr("Back to the default: take the line out of the file.")
-                               : tr("It has its default: the file does not name it."));
+  enable(reset_, tr("Back to the default: take the line out of the file."),
+         is_given_ ? QString() : tr("It has its default: the file does not name it."));
   const auto why = options::why_unused(partial, option_);
   field_->setEnabled(!why);
   key_->setEnabled(!why);
@@ -94,9 +80,8 @@ void OptionRow::show_state(const options::RenderOptions& partial) {
 
 void OptionRow::show_message(const QString& message, bool is_error) {
   has_error_ = is_error;
-  message_->setText(message);
-  message_->setVisible(!message.isEmpty());
-  colour();
+  message_->set_colour(is_error ? &ThemeColours::error : &ThemeColours::faint_text);
+  show_problem(message_, message);
   update();
 }
 
@@ -106,24 +91,12 @@ bool OptionRow::matches(const QStringList& words) const {
                      [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }
 
-void OptionRow::colour() {
-  const ThemeColours colours = colours_of(theme_of(palette()));
-  paint_text(meaning_, colours.faint_text);
-  paint_text(message_, has_error_ ? colours.error : colours.faint_text);
-}
-
 /// A bar at the left of those that the file names.
 void OptionRow::paintEvent(QPaintEvent*) {
   if (!is_given_) return;
   const ThemeColours colours = colours_of(theme_of(palette()));
   QPainter painter(this);
   painter.fillRect(QRect(0, Grid, 3, height() - 2 * Grid), has_error_ ? colours.error : colours.accent);
-}
-
-void OptionRow::changeEvent(QEvent* event) {
-  // The palettes of the labels are set here too: what they say themselves is no change of the theme.
-  if (event->type() == QEvent::PaletteChange) colour();
-  QWidget::changeEvent(event);
 }
 
 }  // namespace editor

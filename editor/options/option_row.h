@@ -10,6 +10,7 @@ class QToolButton;
 namespace editor {
 
 class OptionField;
+class ThemedLabel;
 
 /// An option: its key, control, meaning, default and legal values; and, where that is so, that it is given,
 /// that it has no effect and why, or what is wrong with it.
@@ -30,18 +31,15 @@ class OptionRow : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
-  void colour();
-
   const options::OptionInfo& option_;
   OpDocument& document_;
   OptionField* field_;
   QLabel* key_;
   QLabel* meaning_;
-  QLabel* message_;
-  QToolButton* reset_;
+  ThemedLabel* message_;
+  QToolButton* reset_ = nullptr;
   bool is_given_ = false;
   bool has_error_ = false;
 };

@@ -12,6 +12,7 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/options/op_text_view.h"
 #include "editor/options/options_form.h"
 
@@ -85,9 +86,7 @@ void OptionsEditor::lay_out() {
   both->setStretchFactor(1, 2);
   both->setChildrenCollapsible(false);
   both->setSizes({75 * Grid, 50 * Grid});
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = tight_layout<QVBoxLayout>(this, 0);
   column->addWidget(tools);
   column->addWidget(both, 1);
 }

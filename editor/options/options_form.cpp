@@ -9,6 +9,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/text.h"
 #include "editor/options/option_field.h"
 #include "editor/options/option_row.h"
@@ -48,9 +49,7 @@ OptionsForm::OptionsForm(OpDocument& document, QWidget* parent)
   auto* page = new QWidget(scroll_);
   make_rows(page);
   scroll_->setWidget(page);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = tight_layout<QVBoxLayout>(this, 0);
   auto* top = new QVBoxLayout;
   top->setContentsMargins(Grid, Grid, Grid, Grid);
   top->addWidget(search_);

@@ -10,6 +10,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/text.h"
 
 namespace editor {
@@ -37,9 +38,7 @@ class RelativeCompleter : public QCompleter {
 
 PathField::PathField(const options::OptionInfo& option, options::PathOption value, QWidget* parent)
     : OptionField(parent), value_(std::move(value)), text_(new QLineEdit(this)) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(Grid / 2);
+  auto* row = tight_layout<QHBoxLayout>(this);
   text_->setPlaceholderText(text_of(option.default_value));
   text_->setAccessibleName(text_of(option.key));
   auto* button = new QToolButton(this);

@@ -5,7 +5,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/controls/colour_button.h"
 #include "editor/controls/number_box.h"
-#include "editor/panels/parts.h"
+#include "editor/controls/parts.h"
 
 namespace editor {
 

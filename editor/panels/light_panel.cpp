@@ -16,9 +16,9 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/document/object_edits.h"
 #include "editor/panels/colour_fields.h"
-#include "editor/panels/parts.h"
 
 namespace editor {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
+#include "editor/controls/parts.h"
 #include "editor/document/definitions.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/message_list.h"
-#include "editor/panels/parts.h"
 
 namespace editor {
 namespace {

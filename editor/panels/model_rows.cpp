@@ -10,8 +10,8 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/document/definitions.h"
-#include "editor/panels/parts.h"
 #include "grf/keywords.h"
 #include "grf/read.h"
 #include "grf/write.h"

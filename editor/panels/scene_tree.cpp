@@ -14,10 +14,10 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/document/definitions.h"
 #include "editor/document/light_edits.h"
 #include "editor/document/object_edits.h"
-#include "editor/panels/parts.h"
 #include "editor/panels/scene_model.h"
 
 namespace editor {

@@ -15,11 +15,11 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
+#include "editor/controls/parts.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/brdf_assignment.h"
 #include "editor/panels/model_rows.h"
-#include "editor/panels/parts.h"
 #include "editor/panels/texture_row.h"
 #include "editor/panels/value_rows.h"
 

@@ -14,7 +14,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/panels/parts.h"
+#include "editor/controls/parts.h"
 #include "editor/panels/texture_preview.h"
 
 namespace editor {

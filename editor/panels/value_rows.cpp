@@ -12,9 +12,9 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/document/light_edits.h"
 #include "editor/panels/colour_fields.h"
-#include "editor/panels/parts.h"
 
 namespace editor {
 namespace {

@@ -13,6 +13,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/notice_bar.h"
 #include "editor/document/light_edits.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
@@ -21,7 +22,6 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/mesh_actions.h"
-#include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"

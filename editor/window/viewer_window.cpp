@@ -17,9 +17,9 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
+#include "editor/controls/notice_bar.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/notice_bar.h"
 #include "editor/window/source_view.h"
 #include "editor/window/view_actions.h"
 

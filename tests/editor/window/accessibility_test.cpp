@@ -27,6 +27,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/brdf/brdf_editor.h"
+#include "editor/controls/notice_bar.h"
 #include "editor/image/image_browser.h"
 #include "editor/image/image_pane.h"
 #include "editor/options/options_window.h"
@@ -35,7 +36,6 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
 #include "editor/window/source_view.h"
 #include "editor/window/tools.h"

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/brdf/brdf_editor.h"
+#include "editor/controls/notice_bar.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/model_import.h"
@@ -24,7 +25,6 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/notice_bar.h"
 #include "editor/window/render_link.h"
 #include "grf/read.h"
 #include "renderer/options/op_file.h"

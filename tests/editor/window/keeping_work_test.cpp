@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/controls/notice_bar.h"
 #include "editor/document/light_edits.h"
 #include "editor/rendering/irradiance_bake.h"
 #include "editor/rendering/render_panel.h"
-#include "editor/window/notice_bar.h"
 #include "grf/read.h"
 #include "tests/editor/window/authoring.h"
 

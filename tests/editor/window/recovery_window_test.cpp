@@ -11,9 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/controls/notice_bar.h"
 #include "editor/document/model_import.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/notice_bar.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
 

@@ -19,7 +19,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "editor/window/notice_bar.h"
+#include "editor/controls/notice_bar.h"
 #include "editor/window/source_view.h"
 #include "tests/editor/view/shown_view.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "editor/window/notice_bar.h"
+#include "editor/controls/notice_bar.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

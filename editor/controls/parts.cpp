@@ -1,7 +1,7 @@
-#include "editor/panels/parts.h"
+#include "editor/controls/parts.h"
 
+#include <QComboBox>
 #include <QEvent>
-#include <QLabel>
 #include <QToolButton>
 
 #include "editor/appearance/icons.h"
@@ -9,35 +9,33 @@
 #include "editor/controls/number_box.h"
 
 namespace editor {
-namespace {
+ThemedLabel::ThemedLabel(QColor ThemeColours::*colour, QWidget* parent) : QLabel(parent), colour_(colour) {
+  setWordWrap(true);
+  set_colour(colour);
+}
 
-/// A label in a colour of the theme that the palette has no role for.
-class ThemedLabel : public QLabel {
- public:
-  ThemedLabel(QColor ThemeColours::*colour, QWidget* parent) : QLabel(parent), colour_(colour) {
-    setWordWrap(true);
-    apply_colour();
-  }
+void ThemedLabel::set_colour(QColor ThemeColours::*colour) {
+  colour_ = colour;
+  const QColor wanted = colours_of(theme_of(palette())).*colour_;
+  if (palette().color(QPalette::WindowText) == wanted) return;
+  QPalette own;
+  own.setColor(QPalette::WindowText, wanted);
+  setPalette(own);
+}
 
- protected:
-  void changeEvent(QEvent* event) override {
-    if (event->type() == QEvent::PaletteChange) apply_colour();
-    QLabel::changeEvent(event);
-  }
+void ThemedLabel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) set_colour(colour_);
+  QLabel::changeEvent(event);
+}
 
- private:
-  void apply_colour() {
-    const QColor wanted = colours_of(theme_of(palette())).*colour_;
-    if (palette().color(QPalette::WindowText) == wanted) return;
-    QPalette own;
-    own.setColor(QPalette::WindowText, wanted);
-    setPalette(own);
-  }
-
-  QColor ThemeColours::*colour_;
-};
-
-}  // namespace
+QComboBox* narrow_list(const QString& name, const QString& tool_tip, int letters, QWidget* parent) {
+  auto* list = new QComboBox(parent);
+  list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  list->setMinimumContentsLength(letters);
+  list->setAccessibleName(name);
+  list->setToolTip(tool_tip);
+  return list;
+}
 
 QToolButton* tool_button(const QString& icon_name, const QString& text, const QString& tool_tip,
                          const std::function<void()>& pressed, QWidget* parent) {
