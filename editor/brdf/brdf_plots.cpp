@@ -15,9 +15,11 @@
 
 #include <qcustomplot.h>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/charts/chart_painter.h"
 #include "editor/controls/expression.h"
+#include "editor/controls/parts.h"
+#include "editor/controls/text.h"
 #include "grf/keywords.h"
 
 namespace editor {
@@ -26,14 +28,10 @@ namespace {
 constexpr int RoughSamples = 256;
 constexpr int FineSamples = 4096;
 
-QComboBox* new_combo(QWidget* parent, const QString& name, const QString& tip, const QStringList& items) {
-  auto* combo = new QComboBox(parent);
-  combo->addItems(items);
-  combo->setAccessibleName(name);
-  combo->setToolTip(tip);
-  combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  combo->setMinimumContentsLength(6);
-  return combo;
+QComboBox* list_of(const QStringList& items, const QString& name, const QString& tip, QWidget* parent) {
+  QComboBox* list = narrow_list(name, tip, 6, parent);
+  list->addItems(items);
+  return list;
 }
 
 /// Angles in degrees, or nothing if one is none.
@@ -51,16 +49,12 @@ std::optional<std::vector<double>> read_views(const QString& text) {
 }  // namespace
 
 BrdfPlots::BrdfPlots(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(Grid / 2);
+  auto* column = tight_layout<QVBoxLayout>(this);
   auto* kinds = new QHBoxLayout;
   build_kinds(*kinds);
   column->addLayout(kinds);
   lobe_controls_ = new QWidget(this);
-  auto* controls = new QVBoxLayout(lobe_controls_);
-  controls->setContentsMargins(0, 0, 0, 0);
-  controls->setSpacing(Grid / 2);
+  auto* controls = tight_layout<QVBoxLayout>(lobe_controls_);
   auto* choices = new QHBoxLayout;
   build_choices(*choices);
   controls->addLayout(choices);
@@ -78,8 +72,7 @@ BrdfPlots::BrdfPlots(QWidget* parent) : QWidget(parent) {
   below->setMargins({0, 0, 0, Grid / 2});
   plot_->plotLayout()->setRowStretchFactor(1, 0.001);
   column->addWidget(plot_, 1);
-  words_ = new QLabel(this);
-  words_->setWordWrap(true);
+  words_ = new ThemedLabel(&ThemeColours::faint_text, this);
   column->addWidget(words_);
   set_kind(Kind::Polar);
 }
@@ -101,24 +94,19 @@ void BrdfPlots::build_kinds(QHBoxLayout& row) {
   add(Kind::Cartesian, "Angle", "The value in 1/sr over the light's angle in degrees");
   add(Kind::Albedo, "Albedo", "The share of light that is reflected, over the view's angle in degrees");
   connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { set_kind(static_cast<Kind>(id)); });
-  auto* button = new QToolButton(this);
-  button->setIcon(icon("export"));
-  button->setAutoRaise(true);
-  button->setToolTip("Save the plot as SVG, PNG or PDF, or its values as CSV");
-  button->setAccessibleName("Save the plot");
-  connect(button, &QToolButton::clicked, this, &BrdfPlots::choose_export);
-  row.addWidget(button);
+  row.addWidget(tool_button(
+      "export", "Save the plot", "Save the plot as SVG, PNG or PDF, or its values as CSV",
+      [this] { choose_export(); }, this));
 }
 
 void BrdfPlots::build_choices(QHBoxLayout& row) {
   row.setSpacing(Grid / 2);
-  quantity_ = new_combo(this, "What is plotted",
-                        "The BRDF f itself, or f times the cosine of the light's angle: both in 1/sr",
-                        {"f", "f cos"});
-  channel_ = new_combo(this, "Channel", "The channel of the value, or its luminance",
-                       {"Luminance", "Red", "Green", "Blue"});
+  quantity_ = list_of({"f", "f cos"}, "What is plotted",
+                      "The BRDF f itself, or f times the cosine of the light's angle: both in 1/sr", this);
+  channel_ = list_of({"Luminance", "Red", "Green", "Blue"}, "Channel",
+                     "The channel of the value, or its luminance", this);
   logarithmic_ = new QCheckBox("Log", this);
-  logarithmic_->setToolTip("A logarithmic scale, of five powers of ten under the peak");
+  logarithmic_->setToolTip("A logarithmic scale, of powers of ten under the peak");
   logarithmic_->setAccessibleName("Logarithmic scale");
   row.addWidget(quantity_, 1);
   row.addWidget(channel_, 2);
@@ -137,10 +125,10 @@ void BrdfPlots::build_views(QHBoxLayout& row) {
       "Angles of view in degrees from the normal, from 0 to under 90, with commas between");
   label->setBuddy(view_line_);
   connect(view_line_, &QLineEdit::editingFinished, this, &BrdfPlots::take_views);
-  scheme_ = new_combo(this, "Sampling scheme", "A sampling scheme whose density in 1/sr is drawn, dashed",
-                      {"No density"});
+  scheme_ = list_of({"No density"}, "Sampling scheme",
+                    "A sampling scheme whose density in 1/sr is drawn, dashed", this);
   for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
-    const auto keyword = QString::fromUtf8(info.keyword.data(), static_cast<qsizetype>(info.keyword.size()));
+    const QString keyword = text_of(info.keyword);
     scheme_->addItem(keyword, keyword);
   }
   connect(scheme_, &QComboBox::currentIndexChanged, this, [this] {
@@ -231,8 +219,11 @@ void BrdfPlots::compute() {
 void BrdfPlots::compute_albedo(int samples) {
   albedo_is_old_ = false;
   albedo_job_.start(
-      [brdf = brdf_, samples](const StopFlag& stop) { return albedo_curve(*brdf, samples, stop); },
-      [this, samples](AlbedoCurve curve) {
+      [brdf = brdf_, samples](const StopFlag& stop) {
+        const reflectance::Reflector reflector(*brdf, reflectance::OwnScheme());
+        return plot::albedo_curve(reflector, samples, [&stop] { return stop.is_set(); });
+      },
+      [this, samples](plot::AlbedoCurve curve) {
         albedo_ = std::move(curve);
         if (samples < FineSamples) compute_albedo(FineSamples);
         draw();
@@ -240,8 +231,8 @@ void BrdfPlots::compute_albedo(int samples) {
       });
 }
 
-ChartStyle BrdfPlots::style() const {
-  return {static_cast<Channel>(channel_->currentIndex()), quantity_->currentIndex() == 1,
+plot::LobeStyle BrdfPlots::style() const {
+  return {static_cast<plot::Channel>(channel_->currentIndex()), quantity_->currentIndex() == 1,
           logarithmic_->isChecked()};
 }
 
@@ -258,30 +249,35 @@ void BrdfPlots::draw() {
   }
   words_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   if (is_albedo) {
-    draw_albedo(*plot_, albedo_);
+    editor::draw(*plot_, plot::albedo_chart(albedo_));
     const EnergyWords words = energy_words(*brdf_, albedo_.largest);
     show_words(words.text, words.is_warning);
   } else {
-    const bool is_polar = kind_ == Kind::Polar;
-    (is_polar ? draw_polar : draw_cartesian)(*plot_, curves_, style());
-    const bool has_mirror =
-        std::any_of(curves_.curves.begin(), curves_.curves.end(),
-                    [](const LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
-    QStringList words;
-    if (!curves_.scheme_mistake.isEmpty()) words << "No density: " + curves_.scheme_mistake + ".";
-    if (has_mirror) words << "Dotted: the mirror part, as long as the share of light it carries.";
-    show_words(words.join('\n'), !curves_.scheme_mistake.isEmpty());
+    draw_lobes();
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void BrdfPlots::draw_lobes() {
+  if (kind_ == Kind::Polar) {
+    editor::draw(*plot_, polar_lobe_chart(curves_.curves, style()));
+  } else {
+    plot::Chart chart = lobe_chart(curves_.curves, style());
+    add_mirror_lines(chart, curves_.curves, style().channel);
+    editor::draw(*plot_, chart);
+  }
+  const bool has_mirror =
+      std::any_of(curves_.curves.begin(), curves_.curves.end(),
+                  [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
+  QStringList words;
+  if (!curves_.scheme_mistake.isEmpty()) words << "No density: " + curves_.scheme_mistake + ".";
+  if (has_mirror) words << "Straight lines: the mirror part, as long as the share of light it carries.";
+  show_words(words.join('\n'), !curves_.scheme_mistake.isEmpty());
+}
+
 void BrdfPlots::show_words(const QString& text, bool is_warning) {
-  const ThemeColours colours = colours_of(theme_of(palette()));
-  QPalette look = words_->palette();
-  look.setColor(QPalette::WindowText, is_warning ? colours.warning : colours.faint_text);
-  words_->setPalette(look);
-  words_->setText(text);
-  words_->setVisible(!text.isEmpty());
+  words_->set_colour(is_warning ? &ThemeColours::warning : &ThemeColours::faint_text);
+  show_problem(words_, text);
 }
 
 QString BrdfPlots::export_to(const QString& path) {

@@ -12,23 +12,11 @@ class QCheckBox;
 class QComboBox;
 class QCustomPlot;
 class QHBoxLayout;
-class QLabel;
 class QLineEdit;
-class QToolButton;
 
 namespace editor {
 
-/// How a plot is drawn, from data: see brdf_charts.cpp.
-struct ChartStyle {
-  Channel channel = Channel::Luminance;
-  bool with_cosine = false;
-  bool is_logarithmic = false;
-};
-
-/// Each clears the plot and draws it anew, in the colours of the plot's palette.
-void draw_polar(QCustomPlot& plot, const LobeCurves& curves, const ChartStyle& style);
-void draw_cartesian(QCustomPlot& plot, const LobeCurves& curves, const ChartStyle& style);
-void draw_albedo(QCustomPlot& plot, const AlbedoCurve& curve);
+class ThemedLabel;
 
 /// Plots of a BRDF in the plane of incidence, polar and over the angle, with the density of a sampling
 /// scheme, and its albedo over the angle of view. All is computed in threads, and stopped when the BRDF
@@ -53,7 +41,7 @@ class BrdfPlots : public QWidget {
 
   /// What is drawn now.
   const LobeCurves& curves() const { return curves_; }
-  const AlbedoCurve& albedo() const { return albedo_; }
+  const plot::AlbedoCurve& albedo() const { return albedo_; }
   bool is_busy() const { return curves_job_.is_busy() || albedo_job_.is_busy(); }
 
   /// Writes the plot as .svg, .png or .pdf, or its values as .csv; what failed is in the answer, empty if
@@ -77,15 +65,16 @@ class BrdfPlots : public QWidget {
   void compute();
   void compute_albedo(int samples);
   void draw();
+  void draw_lobes();
   void show_words(const QString& text, bool is_warning);
   void choose_export();
-  ChartStyle style() const;
+  plot::LobeStyle style() const;
 
   SharedBrdf brdf_;
   std::vector<double> views_ = {0, 30, 60, 80};
   Kind kind_ = Kind::Polar;
   LobeCurves curves_;
-  AlbedoCurve albedo_;
+  plot::AlbedoCurve albedo_;
   bool curves_are_old_ = true;
   bool albedo_is_old_ = true;
 
@@ -98,10 +87,10 @@ class BrdfPlots : public QWidget {
   std::optional<grf::PdfModel> own_scheme_;  ///< with parameters, as the caller set it
   QCustomPlot* plot_ = nullptr;
   QString hint_;  // instead of plots
-  QLabel* words_ = nullptr;
+  ThemedLabel* words_ = nullptr;
   QWidget* lobe_controls_ = nullptr;
   BackgroundJob<LobeCurves> curves_job_{this};
-  BackgroundJob<AlbedoCurve> albedo_job_{this};
+  BackgroundJob<plot::AlbedoCurve> albedo_job_{this};
 };
 
 }  // namespace editor

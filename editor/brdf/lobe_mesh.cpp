@@ -77,11 +77,11 @@ LobeMesh lobe_mesh(const reflectance::Brdf& brdf, double view, bool with_cosine,
   LobeMesh mesh;
   mesh.view = view;
   mesh.directions = directions_about(view);
-  const Vec3f u = direction_at(-view);
-  mesh.mirror = channel_of(reflectance::mirror(brdf, u), Channel::Luminance);
+  const Vec3f u = plot::direction_at(-view);
+  mesh.mirror = plot::channel_of(reflectance::mirror(brdf, u), plot::Channel::Luminance);
   for (const Vec3f& v : mesh.directions) {
     if (stop.is_set()) return {};
-    const double value = channel_of(reflectance::evaluate(brdf, u, v), Channel::Luminance);
+    const double value = plot::channel_of(reflectance::evaluate(brdf, u, v), plot::Channel::Luminance);
     mesh.values.push_back(static_cast<float>(with_cosine ? value * v.z : value));
     mesh.peak = std::max(mesh.peak, static_cast<double>(mesh.values.back()));
   }

@@ -164,8 +164,8 @@ void LobeView::paint_over(QPainter& painter, const QMatrix4x4& matrix) const {
   }
   painter.setPen(QPen(colours.line, 1));
   painter.drawPolyline(rim);
-  const Vec3f u = direction_at(-view_);
-  const Vec3f r = direction_at(view_);
+  const Vec3f u = plot::direction_at(-view_);
+  const Vec3f r = plot::direction_at(view_);
   const auto line = [&](const Vec3f& direction, int series, Qt::PenStyle style, const QString& name) {
     const QPointF end = place_of(direction, matrix);
     painter.setPen(QPen(series_colour(theme, series), 1.5, style));

@@ -50,7 +50,7 @@ MirrorTable mirror_table(const reflectance::Brdf& brdf) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double degrees =
         std::min(89.9999, 90.0 * static_cast<double>(i) / static_cast<double>(table.size() - 1));
-    table[i] = reflectance::mirror(brdf, direction_at(degrees));
+    table[i] = reflectance::mirror(brdf, plot::direction_at(degrees));
   }
   return table;
 }

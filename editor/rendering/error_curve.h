@@ -1,15 +1,18 @@
 #pragma once
 
-#include <QPointF>
-#include <QWidget>
+#include <QStackedWidget>
 #include <optional>
 #include <vector>
+
+#include "renderer/plot/svg.h"
+
+class QCustomPlot;
 
 namespace editor {
 
 /// How the estimated error of a render falls with time, on a logarithmic scale, and the target that it is to
 /// reach.
-class ErrorCurve : public QWidget {
+class ErrorCurve : public QStackedWidget {
   Q_OBJECT
 
  public:
@@ -26,19 +29,14 @@ class ErrorCurve : public QWidget {
   QSize minimumSizeHint() const override;
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
-  struct Range {
-    double least = 0;
-    double most = 0;
-  };
-  Range error_range() const;
-  QPointF place(const QRectF& area, const Range& errors, double seconds, double error) const;
-  void draw_frame(QPainter& painter, const QRectF& area, const Range& errors) const;
+  void draw();
 
-  std::vector<QPointF> points_;  ///< seconds, error
-  std::optional<double> target_;
+  QCustomPlot* plot_;
+  std::vector<plot::Point> points_;  ///< seconds, error in percent
+  std::optional<double> target_;     ///< in percent
 };
 
 }  // namespace editor

@@ -16,6 +16,7 @@ constexpr Stroke Grid = {"#ddd", 1};
 constexpr Stroke Frame = {"#888", 1};
 constexpr double LineWidth = 1.6;
 constexpr double SmallText = 11;
+constexpr int Decades = 5;  // of a logarithmic polar chart
 
 /// The next step that people count in.
 double round_step(double step) {
@@ -32,20 +33,9 @@ class Scale {
   Scale(const Axis& axis, const std::vector<Series>& series, double Point::*coordinate, double from,
         double to)
       : is_logarithmic_(axis.is_logarithmic), step_(axis.step), from_(from), to_(to) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Series& one : series) {
-      for (const Point& point : one.points) {
-        const double value = point.*coordinate;
-        if (!std::isfinite(value) || (is_logarithmic_ && value <= 0)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-    }
-    if (!(low <= high)) low = high = 1;
-    low_ = on_axis(axis.minimum.value_or(is_logarithmic_ ? std::pow(10, std::floor(std::log10(low))) : low));
-    high_ =
-        on_axis(axis.maximum.value_or(is_logarithmic_ ? std::pow(10, std::ceil(std::log10(high))) : high));
+    const AxisEnds ends = ends_of(axis, series, coordinate);
+    low_ = on_axis(ends.low);
+    high_ = on_axis(ends.high);
     if (!(high_ > low_)) high_ = low_ + 1;
   }
 
@@ -200,6 +190,25 @@ void draw_axes(const Chart& chart, const Scale& x, const Scale& y, const Place& 
 
 }  // namespace
 
+AxisEnds ends_of(const Axis& axis, const std::vector<Series>& series, double Point::*coordinate) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Series& one : series) {
+    for (const Point& point : one.points) {
+      const double value = point.*coordinate;
+      if (!std::isfinite(value) || (axis.is_logarithmic && value <= 0)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (!(low <= high)) low = high = 1;
+  if (axis.is_logarithmic) {
+    low = std::pow(10, std::floor(std::log10(low)));
+    high = std::pow(10, std::ceil(std::log10(high)));
+  }
+  return {axis.minimum.value_or(low), axis.maximum.value_or(high)};
+}
+
 std::string_view colour_of_series(std::size_t index) {
   constexpr std::array<std::string_view, 7> Colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                        "#56b4e9", "#e69f00", "#555555"};
@@ -261,50 +270,6 @@ void draw(const Chart& chart, const Place& place, Svg& svg) {
 
 namespace {
 
-/// A half circle in which distances from the centre are values.
-class Fan {
- public:
-  /// With some rings at round values, the last of them at or over `largest`.
-  Fan(const Point& centre, double radius, double largest)
-      : centre_(centre), radius_(radius), step_(round_step(largest / 3)), ring_count_(rings_up_to(largest)) {}
-
-  const Point& centre() const { return centre_; }
-  Point at(double degrees, double value) const {
-    const double angle = degrees * std::numbers::pi / 180;
-    return centre_ + Point(std::sin(angle), -std::cos(angle)) * (value / outermost() * radius_);
-  }
-
-  double outermost() const { return ring_count_ * step_; }
-
-  void draw_rings(Svg& svg) const {
-    for (int k = 1; k <= ring_count_; ++k) {
-      std::vector<Point> arc;
-      for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, k * step_));
-      svg.polyline(arc, Grid);
-      svg.text(at(90, k * step_) + Point(0, 14), label_of(k * step_), {SmallText, "#333", Anchor::Middle, 0});
-    }
-    svg.text(centre_ + Point(0, 14), "0", {SmallText, "#333", Anchor::Middle, 0});
-  }
-
-  void draw_spokes(Svg& svg) const {
-    for (int degrees = -90; degrees <= 90; degrees += 30) {
-      svg.line(centre_, at(degrees, outermost()), Grid);
-      if (std::abs(degrees) == 90) continue;
-      svg.text(at(degrees, 1.06 * outermost()), fmt::format("{}\u00B0", std::abs(degrees)),
-               {SmallText, "#333", Anchor::Middle, 0});
-    }
-    svg.line(at(-90, outermost()), at(90, outermost()), Frame);
-  }
-
- private:
-  int rings_up_to(double largest) const { return static_cast<int>(std::ceil(largest / step_ - 1e-9)); }
-
-  Point centre_;
-  double radius_;
-  double step_;
-  int ring_count_;
-};
-
 double largest_distance(const Series& series) {
   double largest = 0;
   for (const Point& point : series.points) largest = std::max(largest, point.y);
@@ -319,36 +284,95 @@ double largest_distance(const PolarChart& chart) {
   return largest > 0 ? largest : 1;
 }
 
-void draw_lines(const std::vector<Series>& series, const Fan& fan, double unit, Svg& svg) {
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    std::vector<Point> line;
-    for (const Point& point : series[i].points) {
-      line.push_back(fan.at(point.x, std::min(point.y * unit, fan.outermost())));
-    }
-    svg.polyline(line, {colour_of(series, i), LineWidth, series[i].dashes});
+/// A half circle in which distances from the centre are shares of its radius.
+class Fan {
+ public:
+  Fan(const Point& centre, double radius) : centre_(centre), radius_(radius) {}
+
+  const Point& centre() const { return centre_; }
+  Point at(double degrees, double share) const {
+    const double angle = degrees * std::numbers::pi / 180;
+    return centre_ + Point(std::sin(angle), -std::cos(angle)) * (share * radius_);
   }
-}
+
+  void draw_rings(const PolarScale& scale, Svg& svg) const {
+    for (const double ring : scale.rings()) {
+      std::vector<Point> arc;
+      for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, scale.share(ring)));
+      svg.polyline(arc, Grid);
+      svg.text(at(90, scale.share(ring)) + Point(0, 14), label_of(ring),
+               {SmallText, "#333", Anchor::Middle, 0});
+    }
+    svg.text(centre_ + Point(0, 14), "0", {SmallText, "#333", Anchor::Middle, 0});
+  }
+
+  void draw_spokes(Svg& svg) const {
+    for (int degrees = -90; degrees <= 90; degrees += 30) {
+      svg.line(centre_, at(degrees, 1), Grid);
+      if (std::abs(degrees) == 90) continue;
+      svg.text(at(degrees, 1.06), fmt::format("{}\u00B0", std::abs(degrees)),
+               {SmallText, "#333", Anchor::Middle, 0});
+    }
+    svg.line(at(-90, 1), at(90, 1), Frame);
+  }
+
+  template <class Share>
+  void draw_lines(const std::vector<Series>& series, const Share& share, Svg& svg) const {
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      std::vector<Point> line;
+      for (const Point& point : series[i].points) line.push_back(at(point.x, share(point.y)));
+      svg.polyline(line, {colour_of(series, i), LineWidth, series[i].dashes});
+    }
+  }
+
+ private:
+  Point centre_;
+  double radius_;
+};
 
 }  // namespace
+
+PolarScale::PolarScale(const PolarChart& chart) : is_logarithmic_(chart.is_logarithmic) {
+  const double largest = largest_distance(chart);
+  if (is_logarithmic_) {
+    outermost_ = largest;
+    const double top = std::floor(std::log10(largest) + 1e-9);
+    for (int decade = Decades - 1; decade >= 0; --decade) rings_.push_back(std::pow(10, top - decade));
+    if (rings_.back() < 0.98 * largest) rings_.push_back(largest);
+    return;
+  }
+  const double step = round_step(largest / 3);
+  const int count = static_cast<int>(std::ceil(largest / step - 1e-9));
+  for (int k = 1; k <= count; ++k) rings_.push_back(k * step);
+  outermost_ = rings_.back();
+}
+
+double PolarScale::share(double value) const {
+  if (value >= outermost_) return 1;
+  if (!is_logarithmic_) return value / outermost_;
+  return value > 0 ? std::max(0.0, 1 + std::log10(value / outermost_) / Decades) : 0;
+}
 
 void draw(const PolarChart& chart, const Place& place, Svg& svg) {
   constexpr double LeastLegend = 130;  // so that charts of one kind are of one size
   const double legend = legend_width(chart.series);
   const double width = place.width - (has_legend(chart.series) ? std::max(LeastLegend, legend) : legend);
   const double radius = std::min(width / 2 - 18, place.height - 86);
-  const Fan fan({place.corner.x + 18 + radius, place.corner.y + 40 + radius}, radius,
-                largest_distance(chart));
+  const PolarScale scale(chart);
+  const Fan fan({place.corner.x + 18 + radius, place.corner.y + 40 + radius}, radius);
   draw_title(chart.title, place, svg);
-  fan.draw_rings(svg);
+  fan.draw_rings(scale, svg);
   fan.draw_spokes(svg);
   svg.text(fan.centre() + Point(0, 32), chart.unit, {SmallText, "#333", Anchor::Middle, 0});
   svg.text(fan.centre() + Point(0, 48), chart.note, {SmallText, "#333", Anchor::Middle, 0});
-  draw_lines(chart.series, fan, 1, svg);
-  draw_lines(chart.shares, fan, fan.outermost(), svg);
+  fan.draw_lines(
+      chart.series, [&](double value) { return scale.share(value); }, svg);
+  fan.draw_lines(
+      chart.shares, [](double share) { return share; }, svg);
   std::vector<Series> named = chart.series;
   for (Series& one : named) {
     const double reach = largest_distance(one);
-    if (reach > fan.outermost()) one.name += fmt::format(", to {:.3g}", reach);
+    if (reach > scale.outermost()) one.name += fmt::format(", to {:.3g}", reach);
   }
   draw_legend(named, {place.corner.x + width + 4, place.corner.y + 48}, svg);
 }

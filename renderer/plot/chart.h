@@ -29,6 +29,14 @@ struct Axis {
   double step = 0;  ///< between ticks of a linear axis; 0: whatever suits
 };
 
+/// The values at the ends of an axis: its own, or those of the points, at whole powers of ten if it is
+/// logarithmic.
+struct AxisEnds {
+  double low = 0;
+  double high = 1;
+};
+AxisEnds ends_of(const Axis& axis, const std::vector<Series>& series, double Point::*coordinate);
+
 struct Place {
   Point corner;  ///< upper left
   double width = 0;
@@ -62,6 +70,24 @@ struct PolarChart {
   std::vector<Series> shares;  ///< the same, with shares of the outermost ring as distances
   /// As far as there are rings; longer ones are cut, and say so. Absent: all have place.
   std::optional<double> maximum;
+  bool is_logarithmic = false;  ///< distances go over five powers of ten
+};
+
+/// Where the values of a polar chart stand.
+class PolarScale {
+ public:
+  explicit PolarScale(const PolarChart& chart);
+
+  /// Round values, the innermost first. The last is the highest value's or, of a linear scale, over it.
+  const std::vector<double>& rings() const { return rings_; }
+  /// A value's distance as a share of the outermost one's. Those beyond are cut.
+  double share(double value) const;
+  double outermost() const { return outermost_; }
+
+ private:
+  bool is_logarithmic_;
+  double outermost_ = 1;
+  std::vector<double> rings_;
 };
 
 void draw(const PolarChart& chart, const Place& place, Svg& svg);

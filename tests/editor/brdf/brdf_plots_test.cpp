@@ -26,26 +26,14 @@ grf::PdfModel pdf(const std::string& text) {
   return *grf::read_pdf(text, "test", diagnostics);
 }
 
-TEST(LobeCurves, AreWhatTheBrdfIs) {
-  for (const reflectance::Preset& preset : reflectance::thesis_models().presets) {
-    const SharedBrdf one = made_brdf_of(std::string(preset.brdf));
-    const LobeCurves curves = lobe_curves(*one, {0, 60}, {}, {});
-    ASSERT_EQ(curves.curves.size(), 2U);
-    for (const LobeCurve& curve : curves.curves) {
-      ASSERT_GT(curve.degrees.size(), 1000U);
-      const reflectance::Vec3f u = direction_at(-curve.view);
-      for (std::size_t i = 0; i < curve.degrees.size(); i += 37) {
-        EXPECT_EQ(curve.values[i], reflectance::evaluate(*one, u, direction_at(curve.degrees[i])));
-      }
-      EXPECT_EQ(curve.mirror, reflectance::mirror(*one, u));
-    }
-  }
+plot::AlbedoCurve albedo_of(const reflectance::Brdf& brdf) {
+  return plot::albedo_curve(reflectance::Reflector(brdf, reflectance::OwnScheme()), 1024);
 }
 
 TEST(LobeCurves, HaveTheDensityOfAScheme) {
   const SharedBrdf ward = made_brdf_of("ward sx=0.2");
   const LobeCurves curves = lobe_curves(*ward, {30}, pdf("diffuse"), {});
-  const LobeCurve& curve = curves.curves.front();
+  const plot::LobeCurve& curve = curves.curves.front();
   ASSERT_EQ(curve.densities.size(), curve.degrees.size());
   for (std::size_t i = 0; i < curve.degrees.size(); i += 37) {
     EXPECT_NEAR(curve.densities[i], std::cos(curve.degrees[i] * std::numbers::pi / 180) / std::numbers::pi,
@@ -56,9 +44,9 @@ TEST(LobeCurves, HaveTheDensityOfAScheme) {
   EXPECT_TRUE(refused.curves.front().densities.empty());
 }
 
-TEST(AlbedoCurve, WarnsOfGainInTheModelsWords) {
+TEST(AlbedoCurves, WarnOfGainInTheModelsWords) {
   const SharedBrdf minnaert = made_brdf_of("minnaert k=0.8 kd=1");
-  const AlbedoCurve curve = albedo_curve(*minnaert, 1024, {});
+  const plot::AlbedoCurve curve = albedo_of(*minnaert);
   EXPECT_NEAR(curve.along_x.front().x, 1.111, 0.01);
   EXPECT_GT(curve.largest.albedo, 1.5F);
   const EnergyWords words = energy_words(*minnaert, curve.largest);
@@ -66,7 +54,7 @@ TEST(AlbedoCurve, WarnsOfGainInTheModelsWords) {
   const auto info = reflectance::info_of<reflectance::Minnaert>();
   EXPECT_TRUE(words.text.contains(QString::fromStdString(std::string(info.not_conserving))));
   const SharedBrdf matte = made_brdf_of("diffuse kd=0.5");
-  EXPECT_FALSE(energy_words(*matte, albedo_curve(*matte, 256, {}).largest).is_warning);
+  EXPECT_FALSE(energy_words(*matte, albedo_of(*matte).largest).is_warning);
 }
 
 class Plots : public testing::Test {
@@ -104,7 +92,8 @@ TEST_F(Plots, DrawTheValuesInAllKinds) {
     if (combo->accessibleName() == "Channel") combo->setCurrentIndex(1);
   }
   const auto point = *plot().graph(1)->data()->findBegin(20, false);
-  EXPECT_NEAR(point.value, reflectance::evaluate(*one, direction_at(-30), direction_at(point.key)).x, 1e-6);
+  EXPECT_NEAR(point.value,
+              reflectance::evaluate(*one, plot::direction_at(-30), plot::direction_at(point.key)).x, 1e-6);
   plots.set_kind(BrdfPlots::Kind::Albedo);
   ASSERT_TRUE(settles());
   ASSERT_EQ(plot().graphCount(), 3);

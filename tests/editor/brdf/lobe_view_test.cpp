@@ -21,8 +21,9 @@ TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
     const LobeMesh mesh = lobe_mesh(*ward, view, false, false, {});
     ASSERT_EQ(mesh.values.size(), mesh.directions.size());
     for (std::size_t i = 0; i < mesh.directions.size(); i += 31) {
-      const double expected = channel_of(
-          reflectance::evaluate(*ward, direction_at(-view), mesh.directions[i]), Channel::Luminance);
+      const double expected =
+          plot::channel_of(reflectance::evaluate(*ward, plot::direction_at(-view), mesh.directions[i]),
+                           plot::Channel::Luminance);
       EXPECT_NEAR(mesh.values[i], expected, 1e-5 * expected);
       EXPECT_NEAR(mesh.positions[i].length(), expected / mesh.peak, 1e-4);
       EXPECT_GT(mesh.directions[i].z, 0);
