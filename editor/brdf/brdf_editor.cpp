@@ -12,6 +12,7 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/scaled_slider.h"
 #include "editor/controls/tab_order.h"
 #include "editor/document/brdf_mime.h"
@@ -22,9 +23,7 @@ namespace {
 constexpr int UnfoldedWidth = 110 * Grid;
 
 QHBoxLayout* new_row(QWidget* parent) {
-  auto* row = new QHBoxLayout(parent);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(Grid / 2);
+  auto* row = tight_layout<QHBoxLayout>(parent);
   return row;
 }
 
@@ -84,9 +83,7 @@ BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
   splitter_->setHandleWidth(Grid);
   column->addWidget(splitter_, 1);
   auto* holder = new QWidget(splitter_);
-  auto* grid = new QGridLayout(holder);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(Grid);
+  auto* grid = tight_layout<QGridLayout>(holder, Grid);
   plots_ = new BrdfPlots;
   library_ = new BrdfLibrary;
   add_view(View::Sphere, "sphere", "Sphere", "The BRDF on a sphere", sphere_with_exposure());
@@ -136,9 +133,7 @@ void BrdfEditor::add_view(View view, const char* icon_name, const QString& name,
 
 QWidget* BrdfEditor::sphere_with_exposure() {
   auto* holder = new QWidget;
-  auto* column = new QVBoxLayout(holder);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(Grid / 2);
+  auto* column = tight_layout<QVBoxLayout>(holder);
   sphere_ = new LiveSphere;
   column->addWidget(sphere_, 1);
   auto* row = new QHBoxLayout;
@@ -150,9 +145,7 @@ QWidget* BrdfEditor::sphere_with_exposure() {
 
 QWidget* BrdfEditor::lobe_with_choices() {
   auto* holder = new QWidget;
-  auto* column = new QVBoxLayout(holder);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(Grid / 2);
+  auto* column = tight_layout<QVBoxLayout>(holder);
   lobe_ = new LobeView;
   column->addWidget(lobe_, 1);
   auto* row = new QHBoxLayout;

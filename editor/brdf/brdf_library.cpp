@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -11,9 +10,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/brdf/picture_tiles.h"
+#include "editor/controls/parts.h"
+#include "editor/controls/text.h"
 #include "editor/document/brdf_mime.h"
 #include "grf/read.h"
 #include "grf/write.h"
@@ -27,10 +27,6 @@ constexpr int TileMargin = Grid / 2;
 /// The light alone shows a white matte surface as white, and there is a sky besides.
 constexpr double PictureStops = -1;
 constexpr int PictureSamples = 32;
-
-QString to_qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 grf::BrdfModel preset_of(std::string_view text) {
   grf::Diagnostics diagnostics;
@@ -46,13 +42,13 @@ void add_presets(std::vector<LibraryEntry>& entries) {
   for (const reflectance::PresetTable& table : reflectance::preset_tables()) {
     for (const reflectance::Preset& preset : table.presets) {
       entries.push_back(
-          {LibraryEntry::Source::Preset, to_qt(table.title), to_qt(preset.name), preset_of(preset.brdf)});
+          {LibraryEntry::Source::Preset, text_of(table.title), text_of(preset.name), preset_of(preset.brdf)});
     }
   }
   for (const grf::ModelInfo& info : reflectance::brdf_infos()) {
     if (info.example.empty()) continue;
-    entries.push_back(
-        {LibraryEntry::Source::Preset, "Examples of all models", to_qt(info.title), preset_of(info.example)});
+    entries.push_back({LibraryEntry::Source::Preset, "Examples of all models", text_of(info.title),
+                       preset_of(info.example)});
   }
 }
 
@@ -152,9 +148,7 @@ BrdfLibrary::BrdfLibrary(QWidget* parent) : QWidget(parent) {
 }
 
 void BrdfLibrary::build_controls() {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(Grid / 2);
+  auto* column = tight_layout<QVBoxLayout>(this);
   auto* top = new QHBoxLayout;
   top->setSpacing(Grid / 2);
   search_ = new QLineEdit(this);
@@ -162,45 +156,31 @@ void BrdfLibrary::build_controls() {
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName("Search in the library");
   search_->setToolTip("A part of a name, a model or a value");
-  group_ = new QComboBox(this);
-  group_->setAccessibleName("Part of the library");
-  group_->setToolTip("The part of the library that is shown");
-  group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  group_->setMinimumContentsLength(8);
+  group_ = narrow_list("Part of the library", "The part of the library that is shown", 8, this);
   top->addWidget(search_, 1);
   top->addWidget(group_, 1);
   column->addLayout(top);
   list_ = new LibraryList(this);
   column->addWidget(list_, 1);
-  message_ = new QLabel(this);
-  message_->setWordWrap(true);
+  message_ = new ThemedLabel(&ThemeColours::faint_text, this);
   column->addWidget(message_);
   auto* bottom = new QHBoxLayout;
   bottom->setSpacing(Grid / 2);
-  add_ = new_button("plus", "Keep the BRDF in the library", {});
-  rename_ = new_button("rename", "Rename", {});
-  remove_ = new_button("remove", "Remove", {});
-  auto* folder =
-      new_button("folder", "Choose the library's folder", "The folder where BRDFs are kept, one in a file");
+  add_ = tool_button(
+      "plus", "Keep the BRDF in the library", {}, [this] { add(); }, this);
+  rename_ = tool_button(
+      "rename", "Rename", {}, [this] { list_->editItem(list_->currentItem()); }, this);
+  remove_ = tool_button(
+      "remove", "Remove", {}, [this] { remove(); }, this);
+  auto* folder = tool_button(
+      "folder", "Choose the library's folder", "The folder where BRDFs are kept, one in a file",
+      [this] { choose_folder(); }, this);
   for (QToolButton* button : {add_, rename_, remove_}) bottom->addWidget(button);
   bottom->addStretch(1);
   bottom->addWidget(folder);
   column->addLayout(bottom);
   connect(search_, &QLineEdit::textChanged, this, &BrdfLibrary::filter);
   connect(group_, &QComboBox::currentIndexChanged, this, &BrdfLibrary::filter);
-  connect(add_, &QToolButton::clicked, this, &BrdfLibrary::add);
-  connect(rename_, &QToolButton::clicked, this, [this] { list_->editItem(list_->currentItem()); });
-  connect(remove_, &QToolButton::clicked, this, &BrdfLibrary::remove);
-  connect(folder, &QToolButton::clicked, this, &BrdfLibrary::choose_folder);
-}
-
-QToolButton* BrdfLibrary::new_button(const char* icon_name, const QString& name, const QString& tip) {
-  auto* button = new QToolButton(this);
-  button->setIcon(icon(icon_name));
-  button->setAutoRaise(true);
-  button->setAccessibleName(name);
-  button->setToolTip(tip);
-  return button;
 }
 
 void BrdfLibrary::set_definitions(Definitions definitions) {
@@ -287,23 +267,21 @@ void BrdfLibrary::filter() {
   QString text;
   if (shown == 0) text = word.isEmpty() ? "Nothing here yet." : QString("Nothing has '%1' in it.").arg(word);
   for (const QString& problem : problems_) text += (text.isEmpty() ? "" : "\n") + problem;
-  report(text);
+  show_problem(message_, text);
   show_state();
 }
 
 void BrdfLibrary::show_state() {
   const LibraryEntry* entry = list_->current_entry();
   const bool is_own = entry != nullptr && entry->source == LibraryEntry::Source::Folder;
-  add_->setEnabled(current_.has_value() && !folder_.path().isEmpty());
-  add_->setToolTip(folder_.path().isEmpty() ? "Choose a folder for the library first"
-                   : !current_              ? "There is no BRDF to keep: select faces, or choose one"
-                                            : "Keep the BRDF that is edited in the library's folder");
+  enable(add_, "Keep the BRDF that is edited in the library's folder",
+         folder_.path().isEmpty() ? "Choose a folder for the library first"
+         : !current_              ? "There is no BRDF to keep: select faces, or choose one"
+                                  : QString());
   const QString why = entry == nullptr ? "Choose an entry of your library first"
                                        : "Only what is in your library's folder can be changed here";
-  rename_->setEnabled(is_own);
-  rename_->setToolTip(is_own ? "Rename the file (F2)" : why);
-  remove_->setEnabled(is_own);
-  remove_->setToolTip(is_own ? "Move the file to the trash" : why);
+  enable(rename_, "Rename the file (F2)", is_own ? QString() : why);
+  enable(remove_, "Move the file to the trash", is_own ? QString() : why);
 }
 
 void BrdfLibrary::add() {
@@ -311,11 +289,7 @@ void BrdfLibrary::add() {
   const QString wanted = current_name_.isEmpty() ? QString::fromStdString(current_->keyword) : current_name_;
   const QString name = folder_.free_name(wanted);
   const QString problem = folder_.add(name, *current_);
-  if (!problem.isEmpty()) {
-    report(problem);
-    emit failed(problem);
-    return;
-  }
+  if (!problem.isEmpty()) return fail(problem);
   set_folder(folder_.path());
   for (std::size_t i = 0; i < list_->entries().size(); ++i) {
     const LibraryEntry& entry = list_->entries()[i];
@@ -335,9 +309,7 @@ void BrdfLibrary::rename(QListWidgetItem* item) {
       this,
       [this, problem] {
         reload();
-        if (problem.isEmpty()) return;
-        report(problem);
-        emit failed(problem);
+        if (!problem.isEmpty()) fail(problem);
       },
       Qt::QueuedConnection);
 }
@@ -347,9 +319,7 @@ void BrdfLibrary::remove() {
   if (entry == nullptr) return;
   const QString problem = folder_.remove(entry->name);
   reload();
-  if (problem.isEmpty()) return;
-  report(problem);
-  emit failed(problem);
+  if (!problem.isEmpty()) fail(problem);
 }
 
 void BrdfLibrary::choose_folder() {
@@ -363,17 +333,9 @@ void BrdfLibrary::choose_folder() {
   dialog->open();
 }
 
-void BrdfLibrary::report(const QString& message) {
-  message_->setText(message);
-  message_->setVisible(!message.isEmpty());
-  QPalette look = message_->palette();
-  look.setColor(QPalette::WindowText, colours_of(theme_of(palette())).faint_text);
-  message_->setPalette(look);
-}
-
-void BrdfLibrary::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) report(message_->text());
-  QWidget::changeEvent(event);
+void BrdfLibrary::fail(const QString& problem) {
+  show_problem(message_, problem);
+  emit failed(problem);
 }
 
 }  // namespace editor

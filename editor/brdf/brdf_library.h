@@ -70,12 +70,8 @@ class BrdfLibrary : public QWidget {
   void folder_changed(const QString& path);
   void failed(const QString& message);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void build_controls();
-  QToolButton* new_button(const char* icon_name, const QString& name, const QString& tip);
   void reload();
   void filter();
   void show_state();
@@ -83,7 +79,7 @@ class BrdfLibrary : public QWidget {
   void rename(QListWidgetItem* item);
   void remove();
   void choose_folder();
-  void report(const QString& message);
+  void fail(const QString& problem);
   void picture_next();
 
   Definitions definitions_;

@@ -8,13 +8,12 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 
 namespace editor {
 
 DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(Grid / 2);
+  auto* row = tight_layout<QHBoxLayout>(this);
   auto* name = new QLabel("Data", this);
   line_ = new QLineEdit(this);
   line_->setAccessibleName("File of measured data");

@@ -8,10 +8,10 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/colour_button.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/scaled_slider.h"
 #include "editor/controls/text.h"
 
@@ -43,9 +43,7 @@ constexpr std::array<const char*, 3> ChannelNames = {"red", "green", "blue"};
 
 ParameterRow::ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(Grid / 2);
+  auto* row = tight_layout<QHBoxLayout>(this);
   name_ = new QLabel(text_of(parameter.name), this);
   name_->setToolTip(help_of(parameter));
   row->addWidget(name_);
@@ -157,18 +155,14 @@ void ParameterRow::add_choice() {
 }
 
 void ParameterRow::add_reset() {
-  reset_ = new QToolButton(this);
-  reset_->setIcon(icon("reset"));
-  reset_->setAutoRaise(true);
-  reset_->setAccessibleName(text_of(parameter_.name) + ", back to default");
+  reset_ = tool_button(
+      "reset", text_of(parameter_.name) + ", back to default", {}, [this] { emit reset(); }, this);
   layout()->addWidget(reset_);
-  connect(reset_, &QToolButton::clicked, this, &ParameterRow::reset);
 }
 
 void ParameterRow::show_values(const std::vector<Value>& values, bool is_default) {
   const QScopedValueRollback told(is_told_, true);
-  reset_->setEnabled(!is_default);
-  reset_->setToolTip(is_default ? "Has its default already" : "Back to the default");
+  enable(reset_, "Back to the default", is_default ? "Has its default already" : QString());
   if (check_ != nullptr) {
     const auto* flag = std::get_if<bool>(&values.front());
     check_->setTristate(!are_equal(values));

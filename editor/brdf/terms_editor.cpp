@@ -10,18 +10,15 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/parts.h"
 #include "editor/controls/tab_order.h"
 
 namespace editor {
 
 TermsEditor::TermsEditor(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(Grid / 2);
+  auto* column = tight_layout<QVBoxLayout>(this);
   holder_ = new QWidget(this);
-  rows_ = new QVBoxLayout(holder_);
-  rows_->setContentsMargins(0, 0, 0, 0);
-  rows_->setSpacing(Grid / 2);
+  rows_ = tight_layout<QVBoxLayout>(holder_);
   column->addWidget(holder_);
   hint_ = new QLabel(this);
   hint_->setWordWrap(true);
@@ -71,9 +68,7 @@ void TermsEditor::rebuild() {
 
 void TermsEditor::add_row(std::size_t index) {
   auto* row = new QWidget(holder_);
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(Grid / 2);
+  auto* line = tight_layout<QHBoxLayout>(row);
   const QString name = QString::fromStdString(terms_[index].brdf.name);
   auto* weight = new NumberBox(row);
   weight->set_range(0, 10);
@@ -82,21 +77,17 @@ void TermsEditor::add_row(std::size_t index) {
   weight->setFixedWidth(10 * Grid);
   weight->set_value(terms_[index].weight);
   line->addWidget(weight);
-  auto* choice = new QComboBox(row);
+  QComboBox* choice = narrow_list("BRDF of the term", "A BRDF that the scene defines", 6, row);
   for (const QString& one : names_) choice->addItem(one);
   if (choice->findText(name, Qt::MatchFixedString) < 0) choice->addItem(name);
   choice->setCurrentIndex(choice->findText(name, Qt::MatchFixedString));
-  choice->setAccessibleName("BRDF of the term");
-  choice->setToolTip("A BRDF that the scene defines");
-  choice->setMinimumContentsLength(6);
-  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   line->addWidget(choice, 1);
-  auto* away = new QToolButton(row);
-  away->setIcon(icon("remove"));
-  away->setAutoRaise(true);
-  away->setToolTip("Take this BRDF out of the sum");
-  away->setAccessibleName("take out " + name);
-  line->addWidget(away);
+  const auto take_out = [this, index] {
+    terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(index));
+    rebuild();
+    emit edited(terms_);
+  };
+  line->addWidget(tool_button("remove", "take out " + name, "Take this BRDF out of the sum", take_out, row));
   rows_->addWidget(row);
   row->show();
   connect(weight, &NumberBox::changing, this, [this, index](double value) {
@@ -109,11 +100,6 @@ void TermsEditor::add_row(std::size_t index) {
   });
   connect(choice, &QComboBox::activated, this, [this, index, choice] {
     terms_[index].brdf.name = choice->currentText().toStdString();
-    emit edited(terms_);
-  });
-  connect(away, &QToolButton::clicked, this, [this, index] {
-    terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(index));
-    rebuild();
     emit edited(terms_);
   });
 }

@@ -3,17 +3,16 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <variant>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/brdf/parameter_rows.h"
 #include "editor/controls/parts.h"
 #include "editor/document/definitions.h"
 #include "grf/keywords.h"
-#include "grf/read.h"
 #include "grf/write.h"
 
 namespace editor {
@@ -57,10 +56,7 @@ void add_models(QComboBox* list, const std::vector<grf::ModelInfo>& models) {
 }
 
 QComboBox* choice_list(const QString& name, QWidget* parent) {
-  auto* list = new QComboBox(parent);
-  list->setAccessibleName(name);
-  list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  list->setMinimumContentsLength(6);
+  QComboBox* list = narrow_list(name, {}, 6, parent);
   list->setMaxVisibleItems(24);
   list->setFocusPolicy(Qt::StrongFocus);
   list->setIconSize({2 * Grid, 2 * Grid});
@@ -183,6 +179,7 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
       document_(document),
       catalogue_(catalogue),
       choice_(choice_list(tr("Sampling scheme"), this)),
+      parameters_(new ParameterRows(this)),
       problem_(problem_label(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -195,16 +192,10 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
       [this] { assign(tr("Reset PDF"), AttributeEdit<grf::PdfAttribute>::remove()); }, this);
   line->addWidget(reset_);
   layout->addLayout(line);
-  parameters_ = new QLineEdit(this);
-  parameters_->setAccessibleName(tr("Parameters of the sampling scheme"));
-  parameters_->setPlaceholderText(tr("parameters, such as exp=20"));
-  auto* below = new QHBoxLayout;
-  below->setContentsMargins(0, 0, reset_->sizeHint().width() + Grid / 4, 0);
-  below->addWidget(parameters_);
-  layout->addLayout(below);
+  layout->addWidget(parameters_);
   layout->addWidget(problem_);
   connect(choice_, &QComboBox::activated, this, &PdfRow::choose);
-  connect(parameters_, &QLineEdit::editingFinished, this, &PdfRow::take_parameters);
+  connect(parameters_, &ParameterRows::edited, this, &PdfRow::edit_parameters);
 }
 
 QWidget* PdfRow::field() const { return choice_; }
@@ -217,12 +208,8 @@ void PdfRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.pdf;
   const grf::PdfModel* model = nullptr;
   if (common.value && !common.is_mixed) model = std::get_if<grf::PdfModel>(&*common.value);
-  keyword_ = model == nullptr ? std::string() : model->keyword;
-  const QString text = model == nullptr ? QString() : QString::fromStdString(grf::to_text(*model));
-  parameters_->setText(text.section(' ', 1));
-  parameters_->setVisible(model != nullptr);
-  parameters_->setToolTip(
-      tr("Parameters of %1: name=value, with spaces between them").arg(QString::fromStdString(keyword_)));
+  model_ = model == nullptr ? std::nullopt : std::optional(*model);
+  show_parameters();
   enable(reset_, tr("Reset: each BRDF has its own scheme"),
          common.is_mixed || common.value ? QString() : tr("The faces have no sampling scheme of their own."));
 }
@@ -287,17 +274,24 @@ void PdfRow::assign(const QString& text, const AttributeEdit<grf::PdfAttribute>&
   document_.edit_surfaces(text, edit);
 }
 
-void PdfRow::take_parameters() {
-  if (keyword_.empty() || !parameters_->isModified()) return;
+void PdfRow::show_parameters() {
+  const grf::ModelInfo* info = model_ ? grf::find_model(catalogue_.pdfs, model_->keyword) : nullptr;
+  parameters_->show_models(info, {model_ ? &*model_ : nullptr});
+  parameters_->setVisible(info != nullptr && !info->parameters.empty());
+}
+
+void PdfRow::edit_parameters(const std::function<void(grf::Model&)>& edit, bool is_done) {
+  edit(*model_);
   grf::Diagnostics diagnostics;
-  const auto pdf = grf::read_pdf(keyword_ + " " + parameters_->text().toStdString(), "PDF", diagnostics);
-  if (!pdf || !grf::check(*pdf, catalogue_.pdfs, "PDF", diagnostics)) {
-    show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
-    return;
+  if (!grf::check(*model_, catalogue_.pdfs, "PDF", diagnostics)) {
+    show_parameters();
+    return show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
   }
-  parameters_->setModified(false);
-  assign(tr("Parameters of %1").arg(QString::fromStdString(keyword_)),
-         AttributeEdit<grf::PdfAttribute>::set(*pdf));
+  SurfaceEdit parameters;
+  parameters.pdf = AttributeEdit<grf::PdfAttribute>::set(*model_);
+  document_.edit_surfaces(tr("Parameters of %1").arg(QString::fromStdString(model_->keyword)), parameters,
+                          QStringLiteral("parameters of the sampling scheme"));
+  if (is_done) document_.finish_gesture();
 }
 
 }  // namespace editor

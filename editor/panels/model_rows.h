@@ -2,17 +2,19 @@
 #pragma once
 
 #include <QWidget>
-#include <string>
+#include <functional>
+#include <optional>
 
 #include "editor/panels/surface_facts.h"
 #include "grf/catalogue.h"
 
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QToolButton;
 
 namespace editor {
+
+class ParameterRows;
 
 /// A BRDF of the scene by its name, or a new one of a model.
 class BrdfRow : public QWidget {
@@ -45,7 +47,7 @@ class BrdfRow : public QWidget {
   QToolButton* reset_;
 };
 
-/// A sampling scheme by its name, or on the spot with parameters that are typed.
+/// A sampling scheme by its name, or on the spot with a row for each parameter.
 class PdfRow : public QWidget {
   Q_OBJECT
 
@@ -61,13 +63,14 @@ class PdfRow : public QWidget {
   void select_model(const grf::PdfModel& model);
   void choose(int index);
   void assign(const QString& text, const AttributeEdit<grf::PdfAttribute>& pdf);
-  void take_parameters();
+  void show_parameters();
+  void edit_parameters(const std::function<void(grf::Model&)>& edit, bool is_done);
 
   Document& document_;
   const grf::Catalogue& catalogue_;
-  std::string keyword_;  // of a scheme on the spot; else empty
+  std::optional<grf::PdfModel> model_;  ///< a scheme on the spot, as the rows have it
   QComboBox* choice_;
-  QLineEdit* parameters_;
+  ParameterRows* parameters_;
   QLabel* problem_;
   QToolButton* reset_;
 };

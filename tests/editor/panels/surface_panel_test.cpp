@@ -20,6 +20,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"
+#include "editor/controls/scaled_slider.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/light_edits.h"
 #include "editor/panels/texture_preview.h"
@@ -184,14 +185,21 @@ TEST_F(SurfacePanels, CheckParametersOfASamplingScheme) {
   select({{1, 0}});
   QApplication::setDoubleClickInterval(1);
   choose("Sampling scheme", "new hemisphere");
-  auto* parameters = find<QLineEdit>("Parameters of the sampling scheme");
-  ASSERT_TRUE(parameters->isVisible());
-  type(parameters, "exp=20");
-  EXPECT_EQ(grf::to_text(std::get<grf::PdfModel>(*sides().surface(0).pdf)), "hemisphere exp=20");
   const int steps = document_.undo_stack().count();
-  type(parameters, "exponent=20");
-  EXPECT_EQ(document_.undo_stack().count(), steps);
-  EXPECT_TRUE(says("exponent"));
+  auto* exponent = find<NumberBox>("exp");
+  ASSERT_TRUE(exponent->isVisible());
+  type(exponent, "20");
+  EXPECT_EQ(grf::to_text(std::get<grf::PdfModel>(*sides().surface(0).pdf)), "hemisphere exp=20");
+  EXPECT_EQ(document_.undo_stack().count(), steps + 1);
+  auto* slider = find<ScaledSlider>("exp");
+  const int y = slider->height() / 2;
+  QTest::mousePress(slider, Qt::LeftButton, {}, {4, y});
+  for (int x = 8; x < slider->width() - 4; x += 4) QTest::mouseMove(slider, {x, y});
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() - 5, y});
+  EXPECT_EQ(document_.undo_stack().count(), steps + 2) << "a drag is one step";
+  EXPECT_NE(grf::to_text(std::get<grf::PdfModel>(*sides().surface(0).pdf)), "hemisphere exp=20");
+  document_.undo_stack().undo();
+  EXPECT_EQ(exponent->text(), "20");
 }
 
 TEST_F(SurfacePanels, ShowAnUnknownSamplingSchemeAsOne) {
