@@ -1,25 +1,17 @@
 #pragma once
 
-#include <QStringList>
 #include <QWidget>
 #include <optional>
-#include <vector>
 
-#include "editor/image/image_entry.h"
-#include "editor/image/image_pane.h"
+#include "editor/image/image_selection.h"
+#include "editor/image/image_tools.h"
 
-class QAction;
-class QComboBox;
 class QLabel;
-class QToolBar;
-class QToolButton;
 
 namespace editor {
 
+class NoticeBar;
 class ScaleBar;
-class ScreenControls;
-
-enum class Comparison { None, Wipe, SideBySide, Signed, Absolute, Relative };
 
 /// Images of files and renders, one of which is shown, alone or against another one: the view, what it shows
 /// and how, the values under the pointer, and figures. Files are read and written on threads.
@@ -41,23 +33,18 @@ class ImageBrowser : public QWidget {
   /// Puts what the view shows of the whole image on the clipboard.
   void copy() const;
 
-  QStringList names() const;
+  QStringList names() const { return selection_.names(); }
   /// Selects by name; an empty reference is none.
   void select_image(const QString& name);
   void select_reference(const QString& name);
-  void set_comparison(Comparison comparison);
+  void set_comparison(Comparison comparison) { tools_->set_comparison(comparison); }
 
   ImagePane& pane() { return *pane_; }
-  ScreenControls& controls() { return *controls_; }
+  ScreenControls& controls() { return tools_->controls(); }
+  /// With the actions, for menus.
+  const ImageTools& tools() const { return *tools_; }
   /// The last one that was made; it belongs to what is shown once `analysed` came after the last change.
   const ImageAnalysis& analysis() const { return analysis_; }
-
-  /// For menus. Their shortcuts work in the view alone, so that they stand in nobody's way.
-  QAction* open_action() const { return open_; }
-  QAction* save_action() const { return save_; }
-  QAction* copy_action() const { return copy_; }
-  const std::vector<QAction*>& view_actions() const { return view_actions_; }
-  const std::vector<QAction*>& comparison_actions() const { return comparison_actions_; }
 
  signals:
   void opened(const QString& path);
@@ -69,64 +56,34 @@ class ImageBrowser : public QWidget {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
-  void make_actions();
-  QAction* add_action(const QString& icon_name, const QString& text, const QString& help,
-                      const QKeySequence& key);
-  void add_keys();
+  void connect_tools();
   void lay_out();
-  QToolBar* make_tools();
-  QWidget* make_comparison_row();
   void ask_for_files();
   void ask_for_name();
   void take_loaded(const LoadedImage& loaded);
   void put(const ImageEntry& entry, bool is_wanted);
-  QString name_of(const QString& path);
-  ImageEntry* find(const QString& name);
-  ImageEntry* image();
-  ImageEntry* reference();
-  void fill_lists();
   void show_selection();
   void show_on_pane();
   void start_analysis();
   void take_analysis(const ImageAnalysis& made);
-  bool is_current(const ImageAnalysis& made);
-  std::optional<Difference> difference() const;
+  bool is_current(const ImageAnalysis& made) const;
   ScreenSettings screen_settings() const;
-  void swap();
   void show_pixel(const std::optional<QPoint>& pixel);
-  void say(const QString& problem);
   void say(const grf::Diagnostics& diagnostics);
-  void colour_message();
 
-  std::vector<ImageEntry> entries_;
-  QString image_name_;
-  QString reference_name_;
+  ImageSelection selection_;
   ImageAnalysis analysis_;
   bool is_analysing_ = false;
   std::optional<QPoint> pixel_;
 
   ImagePane* pane_;
-  ScreenControls* controls_;
+  ImageTools* tools_;
   ScaleBar* scale_bar_;
-  QComboBox* image_list_ = nullptr;
-  QComboBox* reference_list_ = nullptr;
-  QComboBox* comparison_ = nullptr;
-  QLabel* zoom_ = nullptr;
-  QLabel* values_ = nullptr;
-  QLabel* figures_ = nullptr;
-  QWidget* message_row_ = nullptr;
-  QLabel* message_ = nullptr;
-  QAction* open_ = nullptr;
-  QAction* save_ = nullptr;
-  QAction* copy_ = nullptr;
-  QAction* flip_ = nullptr;
-  QAction* swap_ = nullptr;
-  QAction* remove_ = nullptr;
-  std::vector<QAction*> view_actions_;
-  std::vector<QAction*> comparison_actions_;
+  NoticeBar* notice_;
+  QLabel* values_;
+  QLabel* figures_;
 };
 
 }  // namespace editor

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "editor/controls/text.h"
 #include "editor/image/screen_colours.h"
 #include "renderer/transport/image/image_file.h"
 
@@ -66,9 +67,7 @@ QString image_read_filter() {
 QString image_write_filter() {
   QStringList filters;
   for (const transport::ImageFormat& format : transport::image_formats()) {
-    filters << QStringLiteral("%1 (*.%2)")
-                   .arg(QString::fromUtf8(format.title.data(), qsizetype(format.title.size())),
-                        QString::fromUtf8(format.extension.data(), qsizetype(format.extension.size())));
+    filters << QStringLiteral("%1 (*.%2)").arg(text_of(format.title), text_of(format.extension));
   }
   return filters.join(QStringLiteral(";;"));
 }

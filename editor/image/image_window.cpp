@@ -34,17 +34,17 @@ void ImageWindow::make_menus() {
     action->setShortcutContext(Qt::WindowShortcut);
     file->addAction(action);
   };
-  add(browser_->open_action(), QKeySequence::Open);
-  add(browser_->save_action(), QKeySequence::SaveAs);
-  add(browser_->copy_action(), QKeySequence::Copy);
+  add(browser_->tools().open, QKeySequence::Open);
+  add(browser_->tools().save, QKeySequence::SaveAs);
+  add(browser_->tools().copy, QKeySequence::Copy);
   file->addSeparator();
   QAction* close = file->addAction(tr("&Close"), this, &QWidget::close);
   close->setShortcut(QKeySequence::Close);
   close->setToolTip(tr("Closes this window"));
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  for (QAction* action : browser_->view_actions()) view->addAction(action);
+  view->addActions(browser_->tools().of_view);
   view->addSeparator();
-  for (QAction* action : browser_->comparison_actions()) view->addAction(action);
+  view->addActions({browser_->tools().flip, browser_->tools().swap});
 }
 
 }  // namespace editor

@@ -283,11 +283,12 @@ void MainWindow::show_scene() {
 ImageBrowser& MainWindow::image_browser() {
   if (images_ == nullptr) {
     images_ = new ImageBrowser(this);
-    image_menu_->addActions({images_->open_action(), images_->save_action(), images_->copy_action()});
-    for (const auto& actions : {images_->view_actions(), images_->comparison_actions()}) {
-      image_menu_->addSeparator();
-      for (QAction* action : actions) image_menu_->addAction(action);
-    }
+    const ImageTools& tools = images_->tools();
+    image_menu_->addActions({tools.open, tools.save, tools.copy});
+    image_menu_->addSeparator();
+    image_menu_->addActions(tools.of_view);
+    image_menu_->addSeparator();
+    image_menu_->addActions({tools.flip, tools.swap});
     image_menu_->menuAction()->setVisible(true);
   }
   show_page(*images_, tr("Images"), tr("Images of renders and files, to look at and to compare"));

@@ -277,6 +277,33 @@ TEST_F(Browser, SavesAndCopies) {
   EXPECT_EQ(copied.pixel(4, 3), ScreenColours({.exposure = 1})(Rgb(0.25F, 0.25F, 0)));
 }
 
+TEST(ImageSelection, KeepsTheTwoImagesApart) {
+  ImageSelection images;
+  for (const char* name : {"a", "b", "c"}) images.put({name, {}, shared(ramp(2, 2))}, false);
+  EXPECT_EQ(images.image().name, "c") << "a new one is shown";
+  images.put({"a", {}, shared(ramp(3, 2))}, false);
+  EXPECT_EQ(images.image().name, "c") << "a new state of another one is not";
+  images.select_reference("a");
+  EXPECT_EQ(images.reference().image->width, 3);
+  images.select("a");
+  EXPECT_EQ(images.image().name + images.reference().name, "ac") << "exchanged";
+  images.select_reference("a");
+  EXPECT_EQ(images.image().name + images.reference().name, "ca");
+  images.put({"a", {}, shared(ramp(4, 2))}, true);
+  EXPECT_EQ(images.image().name + images.reference().name, "ca") << "the reference is shown already";
+  images.remove("c");
+  EXPECT_EQ(images.image().name, "b");
+  images.select_reference("none");
+  EXPECT_EQ(images.reference().name, "a");
+  images.select_reference({});
+  EXPECT_EQ(images.reference().image, nullptr);
+  images.swap();
+  EXPECT_EQ(images.image().name, "b") << "there is nothing to exchange it with";
+  images.remove("a");
+  images.remove("b");
+  EXPECT_EQ(images.image().image, nullptr);
+}
+
 /// The least processor time of several calls, in seconds: other work of the machine takes no part in it.
 template <typename Function>
 double least_time(const Function& function) {

@@ -1,0 +1,186 @@
+#include "editor/image/image_tools.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "editor/appearance/icons.h"
+#include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
+#include "editor/image/image_selection.h"
+#include "editor/image/screen_controls.h"
+
+namespace editor {
+
+ImageTools::ImageTools(ImagePane& pane, QWidget* parent)
+    : QWidget(parent), pane_(pane), controls_(new ScreenControls) {
+  make_actions();
+  add_keys();
+  auto* column = tight_layout<QVBoxLayout>(this, 0);
+  column->addWidget(make_actions_row());
+  column->addWidget(make_comparison_row());
+}
+
+QAction* ImageTools::add_action(const QString& icon_name, const QString& text, const QString& help,
+                                const QKeySequence& key) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetShortcut);
+  const QString keys = key.isEmpty() ? QString() : tr(" (%1)").arg(key.toString(QKeySequence::NativeText));
+  action->setToolTip(text + keys + "\n" + help);
+  pane_.addAction(action);
+  return action;
+}
+
+void ImageTools::make_actions() {
+  open = add_action("open", tr("Open images"),
+                    tr("Shows images of files: exr, hdr, pfm, raw, png, jpg or tga."), {});
+  save = add_action(
+      "save_as", tr("Save image as"),
+      tr("Writes image A: linear to exr, hdr, pfm and raw, with the exposure to png, jpg and tga."), {});
+  copy = add_action("copy", tr("Copy image"), tr("Puts the image on the clipboard as the screen shows it."),
+                    QKeySequence::Copy);
+  remove = add_action("close", tr("Close image"), tr("Takes image A off the list; its file stays."),
+                      Qt::Key_Delete);
+  QAction* fit = add_action("fit", tr("Fit"), tr("Shows all of the image."), Qt::Key_0);
+  QAction* actual =
+      add_action("actual_size", tr("Actual size"), tr("One pixel on one of the screen."), Qt::Key_1);
+  QAction* in =
+      add_action("zoom_in", tr("Zoom in"), tr("Also with the wheel, about the pointer."), Qt::Key_Plus);
+  QAction* out =
+      add_action("zoom_out", tr("Zoom out"), tr("Also with the wheel, about the pointer."), Qt::Key_Minus);
+  flip = add_action("flip", tr("Flip to B"), tr("Shows B in the place of A until it is pressed again."),
+                    Qt::Key_Space);
+  flip->setCheckable(true);
+  swap = add_action("swap", tr("Swap A and B"), tr("Makes the image the reference."), Qt::Key_X);
+  in->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});  // they share a key on many keyboards
+  of_view = {fit, actual, in, out};
+  connect(fit, &QAction::triggered, &pane_, &ImagePane::fit);
+  connect(actual, &QAction::triggered, &pane_, &ImagePane::show_actual_size);
+  connect(in, &QAction::triggered, &pane_, [this] { pane_.zoom_by(2); });
+  connect(out, &QAction::triggered, &pane_, [this] { pane_.zoom_by(0.5); });
+}
+
+/// Keys of the view that need no button: they work the controls.
+void ImageTools::add_keys() {
+  const auto add = [this](const QKeySequence& key, const QString& text, const QString& tip,
+                          const auto& work) {
+    auto* action = new QAction(text, this);
+    action->setToolTip(tip);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, work);
+    pane_.addAction(action);
+  };
+  constexpr float Step = 0.5F;
+  add(Qt::Key_E, tr("Brighter"), tr("Shows half a stop more"),
+      [this] { controls_->set_exposure(controls_->settings().exposure + Step); });
+  add(Qt::SHIFT | Qt::Key_E, tr("Darker"), tr("Shows half a stop less"),
+      [this] { controls_->set_exposure(controls_->settings().exposure - Step); });
+  const auto add_channel = [&](Qt::Key key, const QString& text, const QString& tip, ImageChannel channel) {
+    add(key, text, tip, [this, channel] { controls_->set_channel(channel); });
+  };
+  add_channel(Qt::Key_C, tr("Colour"), tr("Shows all three channels"), ImageChannel::Colour);
+  add_channel(Qt::Key_R, tr("Red"), tr("Shows the red channel"), ImageChannel::Red);
+  add_channel(Qt::Key_G, tr("Green"), tr("Shows the green channel"), ImageChannel::Green);
+  add_channel(Qt::Key_B, tr("Blue"), tr("Shows the blue channel"), ImageChannel::Blue);
+  add_channel(Qt::Key_Y, tr("Luminance"), tr("Shows how bright pixels are"), ImageChannel::Luminance);
+  add(Qt::Key_P, tr("False colour"), tr("Shows luminance as colours"),
+      [this] { controls_->set_false_colour(true); });
+}
+
+QToolBar* ImageTools::make_bar() {
+  auto* bar = new QToolBar(this);
+  bar->setIconSize({2 * Grid, 2 * Grid});
+  return bar;
+}
+
+QToolBar* ImageTools::make_actions_row() {
+  QToolBar* tools = make_bar();
+  tools->addActions({open, save, copy, remove});
+  tools->addSeparator();
+  tools->addActions(of_view);
+  auto* zoom = new QLabel(tr("100 %"), tools);
+  zoom->setAlignment(Qt::AlignCenter);
+  zoom->setFixedWidth(zoom->fontMetrics().horizontalAdvance(QStringLiteral("00000.0 %")) + Grid);
+  zoom->setToolTip(tr("Pixels of the screen for one of the image."));
+  connect(&pane_, &ImagePane::zoomed, zoom,
+          [zoom](double factor) { zoom->setText(tr("%1 %").arg(100 * factor, 0, 'g', 4)); });
+  tools->addWidget(zoom);
+  tools->addSeparator();
+  tools->addWidget(controls_);
+  return tools;
+}
+
+QToolBar* ImageTools::make_comparison_row() {
+  QToolBar* tools = make_bar();
+  images_ = narrow_list(tr("Image A"), tr("The image that is shown."), 12, tools);
+  references_ = narrow_list(tr("Image B"), {}, 12, tools);
+  comparison_ = narrow_list(tr("Comparison"), {}, 12, tools);
+  comparison_->addItems({tr("A alone"), tr("Wipe"), tr("Side by side"), tr("Signed difference"),
+                         tr("Absolute difference"), tr("Relative difference")});
+  const auto add = [&](const QString& text, QComboBox* list) {
+    auto* label = new QLabel(text, tools);
+    label->setContentsMargins(Grid, 0, Grid / 2, 0);
+    tools->addWidget(label);
+    tools->addWidget(list);
+  };
+  add(tr("A"), images_);
+  add(tr("B"), references_);
+  tools->addActions({swap, flip});
+  add(tr("Compare"), comparison_);
+  connect(images_, &QComboBox::textActivated, this, &ImageTools::image_chosen);
+  connect(references_, &QComboBox::activated, this,
+          [this](int index) { emit reference_chosen(references_->itemData(index).toString()); });
+  connect(comparison_, &QComboBox::currentIndexChanged, this, &ImageTools::comparison_changed);
+  return tools;
+}
+
+void ImageTools::show_selection(const ImageSelection& selection) {
+  const QSignalBlocker block_images(images_);
+  const QSignalBlocker block_references(references_);
+  images_->clear();
+  references_->clear();
+  references_->addItem(tr("none"), QString());
+  for (const QString& name : selection.names()) {
+    images_->addItem(name);
+    references_->addItem(name, name);
+  }
+  images_->setCurrentIndex(images_->findText(selection.image().name));
+  references_->setCurrentIndex(std::max(0, references_->findData(selection.reference().name)));
+  const bool has_image = selection.image().image != nullptr;
+  const bool has_reference = selection.reference().image != nullptr;
+  const bool has_several = selection.entries().size() > 1;
+  for (QAction* action : {save, copy, remove}) action->setEnabled(has_image);
+  for (QAction* action : {flip, swap}) action->setEnabled(has_reference);
+  enable(comparison_,
+         tr("How A and B are shown: in turn, on both sides of a line that can be dragged, side by side, or "
+            "their difference."),
+         has_reference ? QString() : tr("Choose an image as B first: there is nothing to compare with."));
+  images_->setEnabled(has_image);
+  enable(references_, tr("The reference that A is compared with."),
+         has_several ? QString() : tr("Open a second image to compare with."));
+}
+
+Comparison ImageTools::comparison() const { return static_cast<Comparison>(comparison_->currentIndex()); }
+
+void ImageTools::set_comparison(Comparison comparison) {
+  comparison_->setCurrentIndex(static_cast<int>(comparison));
+}
+
+Arrangement ImageTools::arrangement() const {
+  if (flip->isChecked()) return Arrangement::Reference;
+  if (comparison() == Comparison::Wipe) return Arrangement::Wipe;
+  return comparison() == Comparison::SideBySide ? Arrangement::SideBySide : Arrangement::Alone;
+}
+
+std::optional<Difference> ImageTools::difference() const {
+  if (comparison() < Comparison::Signed) return std::nullopt;
+  return static_cast<Difference>(comparison_->currentIndex() - static_cast<int>(Comparison::Signed));
+}
+
+}  // namespace editor
