@@ -1,5 +1,6 @@
 #include "grf/writer.h"
 
+#include <array>
 #include <variant>
 
 #include <fmt/format.h>
@@ -71,18 +72,9 @@ void Writer::put_block(const Params& params) {
 
 void Writer::put_block(const Transform& transform) {
   begin_line("transform");
+  constexpr std::array<const char*, 3> Keywords = {" scale ", " rotation ", " translation "};  // by kind
   for (const TransformStep& step : transform.steps) {
-    switch (step.kind) {
-      case TransformStep::Kind::Scale:
-        text_ += " scale ";
-        break;
-      case TransformStep::Kind::Rotation:
-        text_ += " rotation ";
-        break;
-      case TransformStep::Kind::Translation:
-        text_ += " translation ";
-        break;
-    }
+    text_ += Keywords[static_cast<std::size_t>(step.kind)];
     put(step.value);
   }
   if (transform.steps.empty()) text_ += NoTransform;

@@ -30,23 +30,17 @@ void Writer::put_vertices(const Mesh& mesh) {
   ++indentation_;
   const Geometry& geometry = *mesh.geometry;
   const VertexIrradiance& irradiance = *mesh.irradiance;
+  const auto put_value = [this](const char* keyword, const auto& values, std::size_t i) {
+    if (!values.has(i)) return;
+    text_ += keyword;
+    put(values[i]);
+    text_ += ' ';
+  };
   for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
     begin_line("");
-    if (geometry.normals.has(i)) {
-      text_ += "normal ";
-      put(geometry.normals[i]);
-      text_ += ' ';
-    }
-    if (geometry.colours.has(i)) {
-      text_ += "rgb ";
-      put(geometry.colours[i]);
-      text_ += ' ';
-    }
-    if (geometry.uvs.has(i)) {
-      text_ += "uv ";
-      put(geometry.uvs[i]);
-      text_ += ' ';
-    }
+    put_value("normal ", geometry.normals, i);
+    put_value("rgb ", geometry.colours, i);
+    put_value("uv ", geometry.uvs, i);
     if (irradiance.has(i)) {
       put_irradiance(irradiance[i]);
       text_ += ' ';
