@@ -6,8 +6,6 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "editor/appearance/icons.h"
-#include "editor/appearance/theme.h"
 #include "editor/controls/parts.h"
 
 namespace editor {
@@ -19,15 +17,12 @@ DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
   line_->setAccessibleName("File of measured data");
   line_->setToolTip("A .binary file of the MERL data base, by its path or its place beside the scene");
   name->setBuddy(line_);
-  auto* button = new QToolButton(this);
-  button->setIcon(icon("open"));
-  button->setToolTip("Choose the file of measured data");
-  button->setAccessibleName("Choose the file of measured data");
+  const QString choose_file = "Choose the file of measured data";
   row->addWidget(name);
   row->addWidget(line_, 1);
-  row->addWidget(button);
+  row->addWidget(tool_button(
+      "open", choose_file, choose_file, [this] { choose(); }, this));
   connect(line_, &QLineEdit::editingFinished, this, [this] { take(line_->text()); });
-  connect(button, &QToolButton::clicked, this, &DataFileRow::choose);
 }
 
 void DataFileRow::set_file(const QString& file, bool is_mixed) {

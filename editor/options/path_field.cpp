@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/parts.h"
 #include "editor/controls/text.h"
@@ -41,19 +40,17 @@ PathField::PathField(const options::OptionInfo& option, options::PathOption valu
   auto* row = tight_layout<QHBoxLayout>(this);
   text_->setPlaceholderText(text_of(option.default_value));
   text_->setAccessibleName(text_of(option.key));
-  auto* button = new QToolButton(this);
-  button->setIcon(icon("open"));
-  button->setToolTip(value_.is_written ? tr("Choose where it is written") : tr("Choose the file"));
-  button->setAccessibleName(tr("Choose %1").arg(text_of(option.key)));
   row->addWidget(text_, 1);
-  row->addWidget(button);
+  row->addWidget(tool_button(
+      "open", tr("Choose %1").arg(text_of(option.key)),
+      value_.is_written ? tr("Choose where it is written") : tr("Choose the file"), [this] { browse(); },
+      this));
   setFocusProxy(text_);
   connect(text_, &QLineEdit::textEdited, this, [this](const QString& text) {
     complete();
     emit edited(text.isEmpty() ? QStringList() : QStringList(text));
   });
   connect(text_, &QLineEdit::editingFinished, this, &OptionField::finished);
-  connect(button, &QToolButton::clicked, this, &PathField::browse);
 }
 
 void PathField::show_words(const std::optional<QStringList>& words) {
