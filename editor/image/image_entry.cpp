@@ -1,5 +1,6 @@
 #include "editor/image/image_entry.h"
 
+#include "editor/programs/image_process.h"
 #include "renderer/transport/image/image_file.h"
 
 namespace editor {
@@ -7,7 +8,7 @@ namespace editor {
 LoadedImage load_image(const QString& path) {
   LoadedImage loaded;
   loaded.path = path;
-  auto image = transport::read_image(path.toStdString(), loaded.diagnostics);
+  auto image = ImageProcess().read(path.toStdString(), loaded.diagnostics);
   if (image) loaded.image = std::make_shared<const transport::Image>(std::move(*image));
   return loaded;
 }

@@ -1,26 +1,38 @@
 #include "editor/panels/texture_preview.h"
 
 #include <QFileInfo>
-#include <QImageReader>
 #include <QPainter>
 #include <QPainterPath>
 #include <QtConcurrentRun>
 #include <algorithm>
 
 #include "editor/appearance/theme.h"
+#include "editor/programs/image_process.h"
+#include "renderer/transport/image/srgb.h"
+#include "renderer/transport/scene/texture.h"
 
 namespace editor {
 namespace {
 
-QImage read_small(const QString& path) {
-  constexpr int Largest = 512;
-  QImageReader reader(path);
-  reader.setAutoTransform(false);  // textures are looked up as they are stored
-  const QSize size = reader.size();
-  if (size.width() > Largest || size.height() > Largest) {
-    reader.setScaledSize(size.scaled(Largest, Largest, Qt::KeepAspectRatio));
+SmallImage read_small(const QString& path, const std::stop_token& stop) {
+  grf::Diagnostics diagnostics;
+  std::optional<transport::Image> image = ImageProcess().read(path.toStdString(), diagnostics, {}, stop);
+  if (!image) {
+    const bool is_told = diagnostics.error_count() > 0;
+    return {{}, is_told ? QString::fromStdString(diagnostics.entries().front().message) : QString()};
   }
-  return reader.read();
+  constexpr int Largest = 512;
+  while (std::max(image->width, image->height) > Largest) image = transport::halved(*image);
+  SmallImage small = {QImage(image->width, image->height, QImage::Format_RGB32), {}};
+  for (int y = 0; y < image->height; ++y) {
+    for (int x = 0; x < image->width; ++x) {
+      const reflectance::Rgb& pixel = image->at(x, y);
+      small.image.setPixel(x, y,
+                           qRgb(transport::to_srgb_byte(pixel.x), transport::to_srgb_byte(pixel.y),
+                                transport::to_srgb_byte(pixel.z)));
+    }
+  }
+  return small;
 }
 
 }  // namespace
@@ -29,17 +41,21 @@ TexturePreview::TexturePreview(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Texture"));
   setToolTip(tr("The image, and where on it the selected faces are by their texture coordinates"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  connect(&reading_, &QFutureWatcher<QImage>::finished, this, [this] {
-    image_ = reading_.result();
+  connect(&reading_, &QFutureWatcher<SmallImage>::finished, this, [this] {
+    shown_ = reading_.result();
     update();
   });
 }
 
+TexturePreview::~TexturePreview() { stop_.request_stop(); }
+
 void TexturePreview::show_image(const QString& path) {
   if (path == path_) return;
   path_ = path;
-  image_ = {};
-  if (!path.isEmpty()) reading_.setFuture(QtConcurrent::run(read_small, path));
+  shown_ = {};
+  stop_.request_stop();
+  stop_ = {};
+  if (!path.isEmpty()) reading_.setFuture(QtConcurrent::run(&threads_, read_small, path, stop_.get_token()));
   update();
 }
 
@@ -61,18 +77,17 @@ void TexturePreview::paintEvent(QPaintEvent*) {
   painter.setBrush(colours.base);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
   const QRectF inside = QRectF(rect()).adjusted(2, 2, -2, -2);
-  if (image_.isNull()) {
+  if (!has_image()) {
     painter.setPen(colours.faint_text);
     const QString name = QFileInfo(path_).fileName();
-    const QString text = reading_.isRunning()        ? tr("reading %1 …").arg(name)
-                         : !QFileInfo::exists(path_) ? tr("there is no image %1").arg(name)
-                                                     : tr("%1 has no preview").arg(name);
+    const QString text =
+        reading_.isRunning() ? tr("reading %1 …").arg(name) : QString("%1: %2").arg(name, shown_.problem);
     painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
     return;
   }
-  const QSizeF size = QSizeF(image_.size()).scaled(inside.size(), Qt::KeepAspectRatio);
+  const QSizeF size = QSizeF(shown_.image.size()).scaled(inside.size(), Qt::KeepAspectRatio);
   const QRectF place(inside.center() - QPointF(size.width(), size.height()) / 2, size);
-  painter.drawImage(place, image_);
+  painter.drawImage(place, shown_.image);
   painter.setClipRect(place);
   painter.setBrush(Qt::NoBrush);
   // Dark under the accent, so that the lines are seen on any image.

@@ -9,12 +9,25 @@
 namespace editor {
 namespace {
 
+// Sanitizers take terabytes of address space, most of which is never touched.
+#ifdef GRANADA_HAS_SANITIZERS
+constexpr bool LimitsMemory = false;
+#else
+constexpr bool LimitsMemory = true;
+#endif
+
 /// In the child, before the program begins.
 void prepare_child(const ChildManners& manners) {
   static_cast<void>(::nice(manners.niceness));
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   const rlimit none = {0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
+  if (manners.output >= 0) ::dup2(manners.output, STDOUT_FILENO);
+  if (manners.errors >= 0) ::dup2(manners.errors, STDERR_FILENO);
+  if (manners.memory == 0) return;
+  const rlimit memory = {manners.memory, manners.memory};
+  ::setrlimit(RLIMIT_FSIZE, &memory);
+  if (LimitsMemory) ::setrlimit(RLIMIT_AS, &memory);
 }
 
 }  // namespace

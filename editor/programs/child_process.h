@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 #include <QTimer>
+#include <cstdint>
 
 namespace editor {
 
@@ -13,6 +14,11 @@ namespace editor {
 struct ChildManners {
   int niceness = 0;     ///< see nice(2): the window comes before a child with more
   int patience = 2000;  ///< milliseconds to end by itself once it is cancelled
+  /// Bytes of address space, which sanitizers do not heed, and of each file that it writes; 0: no limit.
+  std::uint64_t memory = 0;
+  /// Descriptors that become its standard output and standard error; -1: these are heard.
+  int output = -1;
+  int errors = -1;
 };
 
 /// How a child process ended.
@@ -35,6 +41,9 @@ class ChildProcess : public QObject {
 
   void start(const QString& program, const QStringList& arguments);
   bool is_running() const { return process_.state() != QProcess::NotRunning; }
+  /// For threads without an event loop: waits so many milliseconds at most for `ended`, which comes before
+  /// this returns true.
+  bool wait(int milliseconds) { return process_.waitForFinished(milliseconds); }
   /// Asks for what there is so far, by SIGINT. `ended` follows.
   void interrupt();
   /// Asks it to end, by SIGTERM, and ends it if its patience is over. `ended` follows.

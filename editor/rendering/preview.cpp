@@ -13,7 +13,12 @@ constexpr std::chrono::milliseconds Patience(400);
 
 }  // namespace
 
-Preview::Preview(QObject* parent) : QObject(parent), render_(listener()) {
+Preview::Preview(QObject* parent, const ImageProcess& images)
+    : QObject(parent),
+      render_(listener(), [images](const std::string& path, grf::Diagnostics& diagnostics,
+                                   const grf::SourceLocation& asked_for_at, const std::stop_token& stop) {
+        return images.read(path, diagnostics, asked_for_at, stop);
+      }) {
   patience_.setSingleShot(true);
   patience_.setInterval(Patience);
   connect(&patience_, &QTimer::timeout, this, &Preview::start_waiting);

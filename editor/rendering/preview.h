@@ -6,17 +6,18 @@
 #include <mutex>
 #include <optional>
 
+#include "editor/programs/image_process.h"
 #include "renderer/job/preview_render.h"
 
 namespace editor {
 
 /// A scene's image while one goes on editing: begins coarse, refines, and begins anew with each edit. Renders
-/// in threads of its own.
+/// in threads of its own; images are read in processes of their own.
 class Preview : public QObject {
   Q_OBJECT
 
  public:
-  explicit Preview(QObject* parent = nullptr);
+  explicit Preview(QObject* parent = nullptr, const ImageProcess& images = ImageProcess());
 
   /// Shows this from now on. While edits follow each other faster than images come, each image is of the
   /// newest edit that there was when it was begun.

@@ -21,10 +21,11 @@ bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver)
+SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver, const ImageProcess& images)
     : QWidget(parent),
       objects_(std::make_shared<const SceneObjects>()),
       selection_(std::make_shared<const FaceSelection>()),
+      textures_(images),
       renderer_(driver) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);

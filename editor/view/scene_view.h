@@ -37,7 +37,8 @@ class SceneView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SceneView(QWidget* parent = nullptr, const GraphicsDriver& driver = {});
+  explicit SceneView(QWidget* parent = nullptr, const GraphicsDriver& driver = {},
+                     const ImageProcess& images = ImageProcess());
 
   using QWidget::show;
   /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.

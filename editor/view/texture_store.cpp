@@ -15,13 +15,14 @@ void TextureStore::set_paths(const std::vector<std::string>& paths) {
       continue;
     }
     if (!entries_.try_emplace(path).second) continue;
-    QtConcurrent::run(read, path).then(this, [this, path](Result result) {
-      const auto entry = entries_.find(path);
-      if (entry == entries_.end() || entry->second.is_read) return;
-      entry->second = {std::move(result.image), true};
-      if (!result.message.empty()) emit failed(QString::fromStdString(result.message));
-      emit changed(path);
-    });
+    QtConcurrent::run(&threads_, read, images_, path, stop_.get_token())
+        .then(this, [this, path](Result result) {
+          const auto entry = entries_.find(path);
+          if (entry == entries_.end() || entry->second.is_read) return;
+          entry->second = {std::move(result.image), true};
+          if (!result.message.empty()) emit failed(QString::fromStdString(result.message));
+          emit changed(path);
+        });
   }
 }
 
@@ -38,10 +39,12 @@ std::vector<ReadTexture> TextureStore::textures() const {
   return textures;
 }
 
-TextureStore::Result TextureStore::read(const std::string& path) {
+TextureStore::Result TextureStore::read(const ImageProcess& images, const std::string& path,
+                                        const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
-  auto image = transport::read_image(path, diagnostics);
+  auto image = images.read(path, diagnostics, {}, stop);
   if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}};
+  if (stop.stop_requested()) return {};
   return {nullptr, path + ": " + diagnostics.entries().front().message};
 }
 

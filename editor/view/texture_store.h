@@ -1,12 +1,13 @@
 #pragma once
 
 #include <QObject>
+#include <QThreadPool>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "renderer/transport/image/image.h"
+#include "editor/programs/image_process.h"
 
 namespace editor {
 
@@ -18,12 +19,13 @@ struct ReadTexture {
   bool operator==(const ReadTexture&) const = default;
 };
 
-/// The images that faces name, read in other threads, each once.
+/// The images that faces name, read in processes of their own, each once.
 class TextureStore : public QObject {
   Q_OBJECT
 
  public:
-  explicit TextureStore(QObject* parent = nullptr) : QObject(parent) {}
+  explicit TextureStore(ImageProcess images = ImageProcess()) : images_(std::move(images)) {}
+  ~TextureStore() override { stop_.request_stop(); }
 
   /// Starts to read those that are new, and forgets the others.
   void set_paths(const std::vector<std::string>& paths);
@@ -49,8 +51,11 @@ class TextureStore : public QObject {
     std::string message;
   };
 
-  static Result read(const std::string& path);
+  static Result read(const ImageProcess& images, const std::string& path, const std::stop_token& stop);
 
+  const ImageProcess images_;
+  std::stop_source stop_;
+  QThreadPool threads_;  // of its own: they wait for processes, which may hang
   std::map<std::string, Entry> entries_;
 };
 

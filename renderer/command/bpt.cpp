@@ -16,6 +16,7 @@
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/options/render_options.h"
+#include "renderer/transport/image/image_encoders.h"
 
 namespace {
 
@@ -178,6 +179,32 @@ void add_compare(CLI::App& app, command::CompareArguments& arguments) {
   compare->add_flag("--json", arguments.json, "print one JSON object");
 }
 
+void add_decode(CLI::App& app, std::string& image) {
+  CLI::App* decode =
+      app.add_subcommand("decode", "Write the pixels of an image to standard output, as a raw file has them");
+  decode->add_option("IMAGE", image, "exr, hdr, pfm, raw, png, jpg or tga")->required();
+}
+
+/// For programs that leave images of strangers to a process of its own: what is wrong with one is said
+/// without its name.
+ExitCode decode(const std::string& path) {
+  const auto fail = [](const std::string& why) {
+    fmt::print(stderr, "{}\n", why);
+    return ExitCode::BadInput;
+  };
+  try {
+    grf::Diagnostics diagnostics;
+    const auto image = transport::read_image(path, diagnostics);
+    if (!image) return fail(diagnostics.entries().front().message);
+    const std::string bytes = transport::encode_raw({*image});
+    const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+    return is_written && std::fflush(stdout) == 0 ? ExitCode::Done
+                                                  : fail("cannot write the image to standard output");
+  } catch (const std::bad_alloc&) {
+    return fail("cannot read the image: it needs more memory than there is");
+  }
+}
+
 /// Of the options for images, those that are neither swept nor say how much is rendered or written.
 void add_cost(CLI::App& app, command::CostArguments& arguments) {
   CLI::App* cost = app.add_subcommand(
@@ -244,6 +271,8 @@ ExitCode run(int argc, char** argv) {
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
   add_compare(app, compare_arguments);
+  std::string decoded_image;
+  add_decode(app, decoded_image);
   command::CostArguments cost_arguments;
   add_cost(app, cost_arguments);
   app.set_version_flag("--version", "bpt " GRANADA_VERSION);
@@ -254,6 +283,7 @@ ExitCode run(int argc, char** argv) {
   }
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
+  if (app.got_subcommand("decode")) return decode(decoded_image);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);

@@ -38,8 +38,8 @@ struct PreviewRender::Kept {
   }
 };
 
-PreviewRender::PreviewRender(PreviewListener listener)
-    : listener_(std::move(listener)), thread_([this] { work(); }) {}
+PreviewRender::PreviewRender(PreviewListener listener, StoppableImageReader image_reader)
+    : listener_(std::move(listener)), scene_(std::move(image_reader)), thread_([this] { work(); }) {}
 
 PreviewRender::~PreviewRender() {
   {

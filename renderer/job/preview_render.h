@@ -36,7 +36,7 @@ struct PreviewListener {
 /// from any thread.
 class PreviewRender {
  public:
-  explicit PreviewRender(PreviewListener listener);
+  explicit PreviewRender(PreviewListener listener, StoppableImageReader image_reader = {});
   PreviewRender(const PreviewRender&) = delete;
   PreviewRender& operator=(const PreviewRender&) = delete;
   /// Stops, and waits for the thread.

@@ -30,6 +30,7 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
   if (!compile_settings) return std::nullopt;
   compile_settings->effects = request.options.effects();
   compile_settings->stop = stop;
+  compile_settings->image_reader = reader_until(stop);
   const bool is_again = last_ && are_same(*last_, request);
   if (is_again || !compiles_alike(request, *compile_settings)) {
     if (!compile(request, *compile_settings, diagnostics)) return std::nullopt;
@@ -39,13 +40,22 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
   if (!counts_samples(request.options)) settings.samples = RenderSettings::Unlimited;
   if (!is_again) keep_surroundings(request.options, settings);
   last_ = request;
-  const bool is_surrounded = load_surroundings(request.options, settings, diagnostics);
+  const bool is_surrounded =
+      load_surroundings(request.options, settings, diagnostics, compile_settings->image_reader);
   environment_ = settings.integrator.environment;
   backplate_ = settings.backplate;
   const bool is_something = has_something(*compiled_, request.options, diagnostics);
   if (!is_surrounded || !is_something || !has_direction(settings.view, diagnostics)) return std::nullopt;
   transport::keep_only(compile_settings->effects, settings);
   return settings;
+}
+
+transport::ImageReader PreviewScene::reader_until(const std::stop_token& stop) const {
+  if (!image_reader_) return transport::read_image;
+  return [this, stop](const std::string& path, Diagnostics& diagnostics,
+                      const grf::SourceLocation& asked_for_at) {
+    return image_reader_(path, diagnostics, asked_for_at, stop);
+  };
 }
 
 bool PreviewScene::compiles_alike(const PreviewRequest& request, const CompileSettings& settings) const {

@@ -69,13 +69,13 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
 }
 
 bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
-                       Diagnostics& diagnostics) {
+                       Diagnostics& diagnostics, const transport::ImageReader& image_reader) {
   const std::string& path = render_options.environment;
   if (path.empty()) return true;
   const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
   if (render_options.projection == "backplate") {
     if (settings.backplate) return true;
-    auto image = transport::read_image(path, diagnostics, location);
+    auto image = image_reader(path, diagnostics, location);
     if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
     return settings.backplate != nullptr;
   }
@@ -83,7 +83,7 @@ bool load_surroundings(const RenderOptions& render_options, transport::RenderSet
     settings.integrator.resampling = {render_options.resampling->first, render_options.resampling->second};
   }
   if (settings.integrator.environment) return true;
-  auto map = transport::read_environment_map(path, diagnostics, location);
+  auto map = transport::read_environment_map(path, diagnostics, location, image_reader);
   if (!map) return false;
   settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
   return true;

@@ -54,7 +54,8 @@ transport::RenderSettings settings_of(const options::RenderOptions& render_optio
 bool has_direction(const transport::View& view, grf::Diagnostics& diagnostics);
 /// Reads the image around or behind the scene into the settings; what is there already is kept.
 bool load_surroundings(const options::RenderOptions& render_options, transport::RenderSettings& settings,
-                       grf::Diagnostics& diagnostics);
+                       grf::Diagnostics& diagnostics,
+                       const transport::ImageReader& image_reader = transport::read_image);
 /// Whether samples are counted: time and error decide how many there are, unless their number was given.
 bool counts_samples(const options::RenderOptions& render_options);
 /// An error if there is nothing to render.

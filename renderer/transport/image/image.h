@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,10 @@ struct Image {
 /// are as they stand there, NaN and negative ones too.
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at = {});
+
+/// Reads images as `read_image` does, which it may be. One of another kind may do so in another process.
+using ImageReader = std::function<std::optional<Image>(const std::string& path, grf::Diagnostics& diagnostics,
+                                                       const grf::SourceLocation& asked_for_at)>;
 
 /// Whether a file's name ends so, without regard to case.
 bool has_extension(const std::string& path, std::string_view extension);

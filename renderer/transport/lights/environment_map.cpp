@@ -211,8 +211,9 @@ EnvironmentMap::Seen EnvironmentMap::seen(const Vec3f& normal, const Vec3f& dire
 }
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
-                                                   const grf::SourceLocation& asked_for_at) {
-  auto image = read_image(path, diagnostics, asked_for_at);
+                                                   const grf::SourceLocation& asked_for_at,
+                                                   const ImageReader& image_reader) {
+  auto image = image_reader(path, diagnostics, asked_for_at);
   if (!image) return std::nullopt;
   EnvironmentMap map(std::move(*image));
   if (map.wrong_texels() > 0) {

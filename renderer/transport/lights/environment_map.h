@@ -99,6 +99,7 @@ class EnvironmentMap {
 
 /// Reads a map, and warns of texels that count as 0.
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
-                                                   const grf::SourceLocation& asked_for_at = {});
+                                                   const grf::SourceLocation& asked_for_at = {},
+                                                   const ImageReader& image_reader = read_image);
 
 }  // namespace transport

@@ -62,7 +62,7 @@ class Compiler {
         survey_(scene, most_copied_triangles(settings)),
         reflectors_(settings.scheme, settings.missed_part, settings.precision, diagnostics,
                     before != nullptr ? &before->reflectors() : nullptr),
-        textures_(diagnostics),
+        textures_(settings.image_reader, diagnostics),
         surfaces_(reflectors_, textures_, effects_, settings.reflecting.get()) {
     geometry_.origin = survey_.origin;
   }

@@ -101,6 +101,7 @@ struct CompileSettings {
   /// A mesh that is placed more than once is copied if all its copies together have no more triangles than
   /// that: rays meet them sooner than instances.
   std::size_t most_copied_triangles = 10'000;
+  ImageReader image_reader = read_image;  ///< reads textures, perhaps in several threads at once
   /// Asks for an end at the next of the steps; a table of a sampling scheme is one.
   std::stop_token stop;
 };

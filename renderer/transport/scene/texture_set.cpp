@@ -17,7 +17,7 @@ struct Read {
   grf::Diagnostics diagnostics;
 };
 
-void read(const std::string& path, const grf::SourceLocation& asked_for_at,
+void read(const std::string& path, const grf::SourceLocation& asked_for_at, const ImageReader& read_image,
           std::span<const TextureFile> before, Read& result) {
   TextureFile& file = result.file;
   file.path = grf::canonical_path(path);
@@ -52,7 +52,7 @@ std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture) {
 std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> before) {
   std::vector<Read> results(files_.size());
   parallel::for_each_index(files_.size(), [&](std::size_t i) {
-    read(files_[i].path, files_[i].asked_for_at, before, results[i]);
+    read(files_[i].path, files_[i].asked_for_at, read_image_, before, results[i]);
   });
   std::vector<TextureFile> textures;
   for (Read& result : results) {

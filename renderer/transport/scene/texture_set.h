@@ -26,7 +26,8 @@ struct TextureFile {
 /// Collects the images that faces name, and then reads them: each file once.
 class TextureSetBuilder {
  public:
-  explicit TextureSetBuilder(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  TextureSetBuilder(const ImageReader& read_image, grf::Diagnostics& diagnostics)
+      : read_image_(read_image), diagnostics_(diagnostics) {}
 
   /// Which texture a surface will have.
   std::uint32_t index_of(const grf::Texture& texture);
@@ -41,6 +42,7 @@ class TextureSetBuilder {
     grf::SourceLocation asked_for_at;
   };
 
+  const ImageReader& read_image_;
   grf::Diagnostics& diagnostics_;
   std::vector<File> files_;
   std::map<std::string, std::uint32_t> index_by_path_;

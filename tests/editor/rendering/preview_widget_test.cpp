@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/rendering/preview.h"
+#include "tests/editor/programs/shell_program.h"
 #include "tests/editor/rendering/rendering_helpers.h"
 
 namespace {
@@ -59,6 +60,26 @@ TEST(PreviewObject, SaysWhyThereIsNoImage) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !preview.is_on(); }, test::Minute));
   EXPECT_THAT(text, testing::HasSubstr("lost.png"));
   EXPECT_TRUE(images.empty());
+}
+
+TEST(PreviewObject, OutlivesDecodersThatCrash) {
+  const test::TemporaryFolder folder;
+  Preview preview(nullptr, editor::ImageProcess(test::shell_program(folder, "kill -SEGV $$")));
+  std::string text;
+  QObject::connect(&preview, &Preview::diagnosed,
+                   [&](const grf::Diagnostics& diagnostics) { text = diagnostics.to_text(); });
+  job::PreviewRequest request = test::request(test::scene_of_text(test::Corner));
+  test::first_mesh(request.scene).edit().surfaces[0].texture = grf::Texture{folder.path("evil.png"), {}};
+  preview.restart(request);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !preview.is_on(); }, test::Minute));
+  EXPECT_THAT(text,
+              testing::HasSubstr("evil.png': cannot read the image: it is broken (its decoder crashed)"));
+  test::first_mesh(request.scene).edit().surfaces[0].texture.reset();
+  request.options.environment = folder.path("evil.exr");
+  preview.restart(request);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !preview.is_on(); }, test::Minute));
+  EXPECT_THAT(text, testing::HasSubstr("evil.exr"));
+  EXPECT_THAT(text, testing::HasSubstr("its decoder crashed"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/view/region_selection.h"
+#include "tests/editor/programs/shell_program.h"
 #include "tests/editor/view/shown_view.h"
 #include "tests/support/paths.h"
 
@@ -378,6 +379,24 @@ TEST(SceneView, AMissingTextureIsSaid) {
   view.show(std::make_shared<const SceneObjects>(objects));
   ASSERT_TRUE(test::wait_for([&] { return spy.count() > 0; }));
   EXPECT_TRUE(spy.front().front().toString().contains("nowhere.png"));
+}
+
+/// A texture whose decoder crashes is said, and the view draws what else there is.
+TEST(SceneView, OutlivesADecoderOfTexturesThatCrashes) {
+  const test::TemporaryFolder folder;
+  const ImageProcess crashing(test::shell_program(folder, "kill -SEGV $$"));
+  SceneView view(nullptr, {}, crashing);
+  QSignalSpy spy(&view, &SceneView::message);
+  view.resize(300, 200);
+  view.set_mode(DisplayMode::Textured);
+  view.set_camera(test::front_camera());
+  view.show(std::make_shared<const SceneObjects>(
+      test::objects_of_text(test::cube_text("texture \"" + folder.path("evil.png") + "\""))));
+  view.show();
+  EXPECT_TRUE(test::wait_for([&] { return view.is_complete(); }));
+  ASSERT_EQ(spy.count(), 1);
+  EXPECT_TRUE(spy.front().front().toString().contains("evil.png: cannot read the image: it is broken (its"));
+  EXPECT_EQ(view.face_at({150, 100}), Front);
 }
 
 TEST(SceneView, CanBeNamedToThoseWhoDoNotSee) {

@@ -1,0 +1,113 @@
+#include "editor/programs/image_process.h"
+
+#include <QElapsedTimer>
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "tests/editor/programs/shell_program.h"
+
+namespace editor {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+/// A shell script in the place of `bpt`, and what comes of an image that it reads.
+class ImageProcesses : public testing::Test {
+ protected:
+  std::string read_by(const std::string& script, const ImageProcess::Limits& limits = {}) {
+    return read(ImageProcess(test::shell_program(folder_, script), limits));
+  }
+  std::string read(const ImageProcess& images, const std::string& name = "image.pfm") {
+    diagnostics_ = {};
+    image_ = images.read(folder_.path(name), diagnostics_);
+    EXPECT_EQ(image_.has_value(), diagnostics_.entries().empty());
+    return image_ ? "read" : diagnostics_.entries().front().message;
+  }
+  test::TemporaryFolder folder_;
+  grf::Diagnostics diagnostics_;
+  std::optional<transport::Image> image_;
+};
+
+TEST_F(ImageProcesses, ReadWhatAFileHolds) {
+  folder_.add("image.pfm", std::string("Pf\n2 1\n-1.0\n\0\0\x80\x3f\0\0\0\xc0", 20));  // 1 and -2
+  ASSERT_EQ(read(ImageProcess()), "read");
+  ASSERT_EQ(image_->width, 2);
+  ASSERT_EQ(image_->height, 1);
+  EXPECT_EQ(image_->pixels[0], reflectance::Rgb(1));
+  EXPECT_EQ(image_->pixels[1], reflectance::Rgb(-2));
+}
+
+TEST_F(ImageProcesses, TellWhatTheDecoderSaysOfABrokenFile) {
+  folder_.add("image.pfm", "PF\n2 1\n-1.0\n");
+  EXPECT_EQ(read(ImageProcess()), "cannot read the image: it is broken (it ends early)");
+  EXPECT_EQ(diagnostics_.entries().front().location.file->path, folder_.path("image.pfm"));
+  EXPECT_THAT(read(ImageProcess(), "--help"), HasSubstr("No such file"));
+}
+
+TEST_F(ImageProcesses, SayAtThePlaceThatNamesTheFileWhatIsWrong) {
+  grf::SourceLocation place = grf::whole_file("scene.grf");
+  place.line = 3;
+  place.column = 20;
+  EXPECT_FALSE(ImageProcess().read("none.png", diagnostics_, place));
+  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("scene.grf:3:20: error: 'none.png': "));
+}
+
+TEST_F(ImageProcesses, OutliveADecoderThatCrashes) {
+  EXPECT_EQ(read_by("kill -SEGV $$"), "cannot read the image: it is broken (its decoder crashed)");
+}
+
+TEST_F(ImageProcesses, EndADecoderThatHangs) {
+  QElapsedTimer clock;
+  clock.start();
+  EXPECT_EQ(read_by("trap '' TERM INT; while :; do :; done", {0.3}),
+            "cannot read the image: it takes longer than 0.3 s");
+  EXPECT_LT(clock.elapsed(), 5000);
+}
+
+TEST_F(ImageProcesses, EndAtOnceWhenTheyAreAskedToStop) {
+  const QString program = test::shell_program(folder_, "exec sleep 100");
+  std::stop_source stop;
+  QElapsedTimer clock;
+  clock.start();
+  std::thread reading(
+      [&] { EXPECT_FALSE(ImageProcess(program).read("image.png", diagnostics_, {}, stop.get_token())); });
+  stop.request_stop();
+  reading.join();
+  EXPECT_LT(clock.elapsed(), 10'000);
+  EXPECT_TRUE(diagnostics_.entries().empty());
+}
+
+#ifndef GRANADA_HAS_SANITIZERS
+TEST_F(ImageProcesses, KeepADecoderFromTakingAllMemory) {
+  const ImageProcess::Limits limits = {60, std::uint64_t(300) << 20U};
+  const std::string size("\x70\x17\0\0\x70\x17\0\0", 8);  // 6000 x 6000, 432 MB
+  std::filesystem::resize_file(folder_.add("image.raw", size), size.size() + 12ULL * 6000 * 6000);
+  EXPECT_THAT(read(ImageProcess(bundled_program("bpt"), limits), "image.raw"), HasSubstr("memory"));
+}
+#endif
+
+TEST_F(ImageProcesses, BelieveNothingThatADecoderWrites) {
+  const std::string refused = "cannot read the image: it is broken (its decoder wrote no image)";
+  EXPECT_EQ(read_by("exit 0"), refused);
+  EXPECT_EQ(read_by("printf '\\002\\0\\0\\0'"), refused) << "half a size";
+  EXPECT_EQ(read_by("printf '\\002\\0\\0\\0\\001\\0\\0\\0'; printf '%20s' x"), refused) << "too few pixels";
+  EXPECT_EQ(read_by("printf '\\002\\0\\0\\0\\001\\0\\0\\0'; printf '%25s' x"), refused) << "too many bytes";
+  EXPECT_EQ(read_by("printf '\\0\\0\\0\\0\\001\\0\\0\\0'"), refused) << "no pixels";
+  EXPECT_EQ(read_by("printf '\\377\\377\\377\\377\\377\\377\\377\\377'; printf '%12s' x"), refused)
+      << "negative";
+  EXPECT_EQ(read_by("printf '\\377\\377\\377\\177\\377\\377\\377\\177'; printf '%12s' x"), refused) << "huge";
+  EXPECT_EQ(read_by("printf '\\002\\0\\0\\0\\001\\0\\0\\0'; printf '%24s' x"), "read");
+  EXPECT_EQ(read_by("head -c 3000000 /dev/zero | tr '\\0' 'e' >&2; exit 1").size(), 999U)
+      << "an endless message";
+}
+
+TEST_F(ImageProcesses, SayThatTheProgramIsMissing) {
+  EXPECT_EQ(read(ImageProcess(QString())), "cannot read the image: the program bpt is not there");
+  EXPECT_THAT(read(ImageProcess("/no/such/program")), HasSubstr("cannot be started"));
+}
+
+}  // namespace
+}  // namespace editor
