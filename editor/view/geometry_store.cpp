@@ -10,43 +10,23 @@
 namespace editor {
 namespace {
 
-/// Meshes of fewer corners are prepared at once.
-constexpr std::size_t SmallMesh = 40'000;
+/// Meshes that have no more corners than this together are prepared at once; the others in threads.
+constexpr std::size_t SmallMeshes = 40'000;
+/// What a thread makes before it shows it has somewhat more.
+constexpr std::size_t CornersPerTask = 400'000;
 /// Nothing is gained by standing in for fewer triangles.
 constexpr std::size_t LeastStoodInFor = 1'000;
 
+bool is_of_same_shape(const grf::Mesh& a, const grf::Mesh& b) {
+  return a.geometry.shares(b.geometry) && a.irradiance.shares(b.irradiance);
+}
+
 }  // namespace
 
-/// Finds the entries of before by the geometry that they are made from.
-class GeometryStore::KnownEntries {
- public:
-  explicit KnownEntries(const std::vector<Entry>& entries) : entries_(entries) {}
-
-  /// The entry that has the same geometry and irradiance, or null. Most often it has the same number.
-  const Entry* find(std::size_t number, const Entry& entry) {
-    if (number < entries_.size() && is_of_same_shape(entries_[number], entry)) return &entries_[number];
-    if (by_geometry_.empty()) {
-      for (const Entry& each : entries_) by_geometry_.emplace(&*each.mesh->geometry, &each);
-    }
-    const auto [begin, end] = by_geometry_.equal_range(&*entry.mesh->geometry);
-    const auto found = std::find_if(
-        begin, end, [&entry](const auto& each) { return is_of_same_shape(*each.second, entry); });
-    return found == end ? nullptr : found->second;
-  }
-
- private:
-  static bool is_of_same_shape(const Entry& a, const Entry& b) {
-    return a.mesh->geometry.shares(b.mesh->geometry) && a.mesh->irradiance.shares(b.mesh->irradiance);
-  }
-
-  const std::vector<Entry>& entries_;
-  std::unordered_multimap<const grf::Geometry*, const Entry*> by_geometry_;
-};
-
 void GeometryStore::set_objects(const SceneObjects& objects) {
-  std::vector<Entry> old = std::exchange(entries_, {});
-  KnownEntries known(old);
-  entries_.resize(objects.meshes.size());
+  std::unordered_multimap<const grf::Geometry*, Entry> before;
+  for (Entry& entry : entries_) before.emplace(&*entry.mesh->geometry, std::move(entry));
+  entries_.assign(objects.meshes.size(), {});
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     Entry& entry = entries_[i];
     entry.mesh = objects.meshes[i].mesh;
@@ -56,51 +36,74 @@ void GeometryStore::set_objects(const SceneObjects& objects) {
       entry.quick_triangles =
           std::max<std::size_t>(100, static_cast<std::size_t>(static_cast<double>(triangles) * share));
     }
-    if (const Entry* same = known.find(i, entry)) reuse(*same, entry);
+    const auto [begin, end] = before.equal_range(&*entry.mesh->geometry);
+    const auto same = std::find_if(
+        begin, end, [&entry](const auto& each) { return is_of_same_shape(*each.second.mesh, *entry.mesh); });
+    if (same != end) reuse(same->second, entry);
   }
-  // Makers look entries up, so that all of them are there first.
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].shape.geometry == nullptr) {
-      make_geometry(entries_[i]);
-    } else if (entries_[i].quick_triangles > 0 && !entries_[i].has_stand_in) {
-      make_stand_in(entries_[i]);
+  make_missing();
+}
+
+void GeometryStore::make_missing() {
+  std::size_t corners_at_once = 0;
+  std::vector<grf::Shared<grf::Mesh>> later;
+  std::size_t corners_later = 0;
+  for (Entry& entry : entries_) {
+    if (entry.is_in_work) continue;
+    const std::size_t corners = entry.mesh->geometry->corners.size();
+    if (entry.shape.geometry == nullptr && corners_at_once + corners > SmallMeshes) {
+      entry.is_in_work = true;
+      later.push_back(entry.mesh);
+      corners_later += corners;
+      if (corners_later > CornersPerTask) {
+        make_geometries(std::exchange(later, {}));
+        corners_later = 0;
+      }
+      continue;
     }
+    if (entry.shape.geometry == nullptr) {
+      corners_at_once += corners;
+      entry.shape.geometry = std::make_shared<const MeshGeometry>(*entry.mesh);
+    }
+    if (entry.quick_triangles > 0 && !entry.has_stand_in) make_stand_in(entry);
   }
+  if (!later.empty()) make_geometries(std::move(later));
 }
 
 void GeometryStore::reuse(const Entry& old, Entry& entry) {
   entry.shape.geometry = old.shape.geometry;
+  entry.is_in_work = old.is_in_work && entry.shape.geometry == nullptr;
   if (entry.quick_triangles == 0) return;
   entry.shape.quick = old.shape.quick;
   // A stand-in of about the wanted size does.
   const double ratio = static_cast<double>(old.quick_triangles) / static_cast<double>(entry.quick_triangles);
-  entry.has_stand_in = old.has_stand_in && ratio > 0.5 && ratio < 2;
+  const bool is_alike = ratio > 0.5 && ratio < 2;
+  entry.has_stand_in = old.has_stand_in && is_alike;
+  entry.is_in_work = old.is_in_work && (is_alike || entry.shape.geometry == nullptr);
 }
 
-void GeometryStore::make_geometry(Entry& entry) {
-  if (entry.mesh->geometry->corners.size() < SmallMesh) {
-    entry.shape.geometry = std::make_shared<const MeshGeometry>(*entry.mesh);
-    if (entry.quick_triangles > 0) make_stand_in(entry);
-    return;
-  }
-  QtConcurrent::run([mesh = entry.mesh] {
-    return std::make_shared<const MeshGeometry>(*mesh);
-  }).then(this, [this, mesh = entry.mesh](const std::shared_ptr<const MeshGeometry>& geometry) {
-    take_geometry(mesh, geometry);
+void GeometryStore::make_geometries(std::vector<grf::Shared<grf::Mesh>> meshes) {
+  QtConcurrent::run([meshes = std::move(meshes)] {
+    std::vector<MadeGeometry> made;
+    for (const auto& mesh : meshes) made.emplace_back(mesh, std::make_shared<const MeshGeometry>(*mesh));
+    return made;
+  }).then(this, [this](const std::vector<MadeGeometry>& made) {
+    for (const MadeGeometry& each : made) take_geometry(each);
+    emit changed();
   });
 }
 
-void GeometryStore::take_geometry(const grf::Shared<grf::Mesh>& mesh,
-                                  const std::shared_ptr<const MeshGeometry>& geometry) {
+void GeometryStore::take_geometry(const MadeGeometry& made) {
   for (Entry& entry : entries_) {
-    if (entry.shape.geometry != nullptr || !entry.mesh.shares(mesh)) continue;
-    entry.shape.geometry = geometry;
+    if (entry.shape.geometry != nullptr || !is_of_same_shape(*entry.mesh, *made.first)) continue;
+    entry.shape.geometry = made.second;
+    entry.is_in_work = false;
     if (entry.quick_triangles > 0) make_stand_in(entry);
   }
-  emit changed();
 }
 
 void GeometryStore::make_stand_in(Entry& entry) {
+  entry.is_in_work = true;
   const std::size_t triangles = entry.quick_triangles;
   if (entry.shape.quick == nullptr) {
     entry.shape.quick =
@@ -113,6 +116,7 @@ void GeometryStore::make_stand_in(Entry& entry) {
       if (other.shape.geometry != geometry || other.quick_triangles == 0) continue;
       other.shape.quick = quick;
       other.has_stand_in = true;
+      other.is_in_work = false;
     }
     emit changed();
   });

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "editor/document/scene_objects.h"
@@ -19,8 +20,8 @@ struct MeshShape {
   bool operator==(const MeshShape&) const = default;
 };
 
-/// What meshes are drawn from, made in other threads, and kept while only surfaces change. Small meshes are
-/// there at once, so that none of their edits flickers.
+/// What meshes are drawn from, made in other threads, and kept while only surfaces change. A few small meshes
+/// are there at once, so that none of their edits flickers.
 class GeometryStore : public QObject {
   Q_OBJECT
 
@@ -45,17 +46,20 @@ class GeometryStore : public QObject {
   void changed();
 
  private:
-  class KnownEntries;
   struct Entry {
     grf::Shared<grf::Mesh> mesh;
     MeshShape shape;
     std::size_t quick_triangles = 0;  ///< wanted; 0: no stand-in
     bool has_stand_in = false;
+    bool is_in_work = false;  ///< its geometry, or its stand-in, is being made
   };
+  /// A mesh, and what was made of it.
+  using MadeGeometry = std::pair<grf::Shared<grf::Mesh>, std::shared_ptr<const MeshGeometry>>;
 
   static void reuse(const Entry& old, Entry& entry);
-  void make_geometry(Entry& entry);
-  void take_geometry(const grf::Shared<grf::Mesh>& mesh, const std::shared_ptr<const MeshGeometry>& geometry);
+  void make_missing();
+  void make_geometries(std::vector<grf::Shared<grf::Mesh>> meshes);
+  void take_geometry(const MadeGeometry& made);
   void make_stand_in(Entry& entry);
 
   std::vector<Entry> entries_;

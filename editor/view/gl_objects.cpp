@@ -8,40 +8,27 @@
 static void need_resources() { Q_INIT_RESOURCE(view_shaders); }
 
 namespace editor {
+namespace {
 
-GlObject::GlObject(Gl& gl, GlKind kind) : gl_(gl), kind_(kind) {
-  switch (kind_) {
-    case GlKind::Buffer:
-      gl_.glGenBuffers(1, &name_);
-      break;
-    case GlKind::Texture:
-      gl_.glGenTextures(1, &name_);
-      break;
-    case GlKind::Framebuffer:
-      gl_.glGenFramebuffers(1, &name_);
-      break;
-    case GlKind::VertexArray:
-      gl_.glGenVertexArrays(1, &name_);
-      break;
-  }
+struct GlFunctions {
+  void (Gl::*make)(GLsizei, GLuint*);
+  void (Gl::*destroy)(GLsizei, const GLuint*);
+};
+
+const GlFunctions& functions_of(GlKind kind) {
+  static constexpr GlFunctions Functions[] = {{&Gl::glGenBuffers, &Gl::glDeleteBuffers},
+                                              {&Gl::glGenTextures, &Gl::glDeleteTextures},
+                                              {&Gl::glGenFramebuffers, &Gl::glDeleteFramebuffers},
+                                              {&Gl::glGenVertexArrays, &Gl::glDeleteVertexArrays}};
+  return Functions[static_cast<std::size_t>(kind)];
 }
 
+}  // namespace
+
+GlObject::GlObject(Gl& gl, GlKind kind) : gl_(gl), kind_(kind) { (gl_.*functions_of(kind_).make)(1, &name_); }
+
 GlObject::~GlObject() {
-  if (name_ == 0) return;
-  switch (kind_) {
-    case GlKind::Buffer:
-      gl_.glDeleteBuffers(1, &name_);
-      break;
-    case GlKind::Texture:
-      gl_.glDeleteTextures(1, &name_);
-      break;
-    case GlKind::Framebuffer:
-      gl_.glDeleteFramebuffers(1, &name_);
-      break;
-    case GlKind::VertexArray:
-      gl_.glDeleteVertexArrays(1, &name_);
-      break;
-  }
+  if (name_ != 0) (gl_.*functions_of(kind_).destroy)(1, &name_);
 }
 
 BufferTexture::BufferTexture(Gl& gl, GLenum format)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QOpenGLShaderProgram>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -37,6 +38,15 @@ class GlObject {
   GlKind kind_;
   GLuint name_ = 0;
 };
+
+/// So many objects of a kind.
+template <std::size_t Count>
+std::array<GlObject, Count> gl_objects(Gl& gl, GlKind kind) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<GlObject, Count>{(static_cast<void>(I), GlObject(gl, kind))...};
+  }
+  (std::make_index_sequence<Count>());
+}
 
 /// An array that shaders read by index.
 class BufferTexture {

@@ -63,7 +63,7 @@ struct LightFormula {
 
 using Vec3 = LightFormula::vec3;
 
-/// As normal_at of picture.glsl.
+/// As normal_at of g_buffer.glsl.
 Vec3 decoded_normal(const Imath::V4f& encoded) {
   const double x = 2.0 * encoded.x - 1;
   const double y = 2.0 * encoded.y - 1;
@@ -143,10 +143,10 @@ class Shading {
 }  // namespace
 
 void add_light_by_cpp(const LightByCpp& light, const FaceTables& faces, const SurfaceTables& surfaces,
-                      Picture& picture, int first_row, int rows) {
-  Picture::Rows read = picture.read_rows(first_row, rows);
-  Shading shading(light, surfaces, picture.size());
-  const int width = picture.size().width();
+                      GBuffer& g_buffer, int first_row, int rows) {
+  GBuffer::Rows read = g_buffer.read_rows(first_row, rows);
+  Shading shading(light, surfaces, g_buffer.size());
+  const int width = g_buffer.size().width();
   for (int i = 0; i < width * rows; ++i) {
     const auto pixel = static_cast<std::size_t>(i);
     const auto [instance, face] = read.faces[pixel];
@@ -158,7 +158,7 @@ void add_light_by_cpp(const LightByCpp& light, const FaceTables& faces, const Su
     read.light[pixel] +=
         Imath::V3f(colour.x * value.x, colour.y * value.y, colour.z * value.z) * Imath::V3f(reflected);
   }
-  picture.set_light(first_row, read.light);
+  g_buffer.set_light(first_row, read.light);
 }
 
 }  // namespace editor

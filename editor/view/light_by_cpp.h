@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "editor/view/picture.h"
+#include "editor/view/g_buffer.h"
 #include "editor/view/surface_tables.h"
 #include "editor/view/view_camera.h"
 
@@ -18,8 +18,8 @@ struct LightByCpp {
   double aspect = 1;
 };
 
-/// Adds it to some rows of a picture, of which all besides light is there.
+/// Adds it to some rows of a G-buffer, of which all besides light is there.
 void add_light_by_cpp(const LightByCpp& light, const FaceTables& faces, const SurfaceTables& surfaces,
-                      Picture& picture, int first_row, int rows);
+                      GBuffer& g_buffer, int first_row, int rows);
 
 }  // namespace editor

@@ -10,11 +10,6 @@ const void* at(std::size_t element, std::size_t size) {
   return reinterpret_cast<const void*>(element * size);  // NOLINT: how OpenGL takes offsets
 }
 
-/// What an attribute without an array is for all vertices.
-void set_constant(GLuint index, float value) {
-  QOpenGLContext::currentContext()->functions()->glVertexAttrib4f(index, value, value, value, value);
-}
-
 }  // namespace
 
 MeshBuffers::MeshBuffers(Gl& gl, const TriangleArrays& arrays)
@@ -22,14 +17,13 @@ MeshBuffers::MeshBuffers(Gl& gl, const TriangleArrays& arrays)
       triangle_count_(arrays.triangles.size()),
       vertex_count_(arrays.positions.size()),
       face_of_triangle_(gl, GL_R32UI),
-      coloured_(gl, GlKind::VertexArray),
-      irradiated_(gl, GlKind::VertexArray),
+      shaded_(gl, GlKind::VertexArray),
       edged_(gl, GlKind::VertexArray),
       faces_(gl, GlKind::VertexArray) {
   const auto upload = [this]<class T>(const std::vector<T>& values) {
     return values.empty() ? nullptr : buffer_of(GL_ARRAY_BUFFER, values.data(), values.size() * sizeof(T));
   };
-  gl_.glBindVertexArray(0);
+  gl_.glBindVertexArray(shaded_.name());
   positions_ = upload(arrays.positions);
   normals_ = upload(arrays.normals);
   colours_ = upload(arrays.colours);
@@ -37,8 +31,9 @@ MeshBuffers::MeshBuffers(Gl& gl, const TriangleArrays& arrays)
   uvs_ = upload(arrays.uvs);
   triangles_ = upload(arrays.triangles);
   face_of_triangle_.upload(std::span(arrays.face_of_triangle));
-  make_vertex_array(coloured_, colours_.get());
-  make_vertex_array(irradiated_, irradiance_.get());
+  attribute(0, positions_.get(), 3);
+  attribute(1, normals_.get(), 4);
+  if (triangles_) gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_->name());
   gl_.glBindVertexArray(0);
 }
 
@@ -49,20 +44,17 @@ std::unique_ptr<GlObject> MeshBuffers::buffer_of(GLenum target, const void* data
   return buffer;
 }
 
-void MeshBuffers::attribute(GLuint index, const GlObject* buffer, int components) {
-  if (buffer == nullptr) return;
+/// Of the vertex array that is bound. What holds where there is no buffer is no part of it.
+void MeshBuffers::attribute(GLuint index, const GlObject* buffer, int components, float constant) {
+  if (buffer == nullptr) {
+    gl_.glDisableVertexAttribArray(index);
+    QOpenGLContext::currentContext()->functions()->glVertexAttrib4f(index, constant, constant, constant,
+                                                                    constant);
+    return;
+  }
   gl_.glBindBuffer(GL_ARRAY_BUFFER, buffer->name());
   gl_.glEnableVertexAttribArray(index);
   gl_.glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
-}
-
-void MeshBuffers::make_vertex_array(const GlObject& vertex_array, const GlObject* values) {
-  gl_.glBindVertexArray(vertex_array.name());
-  attribute(0, positions_.get(), 3);
-  attribute(1, normals_.get(), 4);
-  attribute(2, values, 4);
-  attribute(3, uvs_.get(), 2);
-  if (triangles_) gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_->name());
 }
 
 void MeshBuffers::set_edges(const std::vector<MeshGeometry::Edge>& edges) {
@@ -88,10 +80,9 @@ void MeshBuffers::set_face_normals(const MeshGeometry& geometry) {
 void MeshBuffers::draw_triangles(std::size_t first, std::size_t count, VertexValue value) {
   face_of_triangle_.bind(0);
   const bool is_colour = value == VertexValue::Colour;
-  gl_.glBindVertexArray((is_colour ? coloured_ : irradiated_).name());
-  // What holds where the mesh has no array is no part of the vertex array.
-  if ((is_colour ? colours_ : irradiance_) == nullptr) set_constant(2, is_colour ? 1 : 0);
-  if (uvs_ == nullptr) set_constant(3, 0);
+  gl_.glBindVertexArray(shaded_.name());
+  attribute(2, (is_colour ? colours_ : irradiance_).get(), 4, is_colour ? 1 : 0);
+  attribute(3, uvs_.get(), 2);
   gl_.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
                      at(first, sizeof(TriangleArrays::Triangle)));
 }
@@ -103,7 +94,7 @@ void MeshBuffers::draw_edges(std::size_t first, std::size_t count) {
 }
 
 void MeshBuffers::draw_vertices() {
-  gl_.glBindVertexArray(coloured_.name());
+  gl_.glBindVertexArray(shaded_.name());
   gl_.glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count_));
 }
 

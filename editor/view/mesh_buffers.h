@@ -34,11 +34,8 @@ class MeshBuffers {
   void draw_faces_as_points();
 
  private:
-  using VertexArray = std::unique_ptr<GlObject>;
-
   std::unique_ptr<GlObject> buffer_of(GLenum target, const void* data, std::size_t bytes);
-  void attribute(GLuint index, const GlObject* buffer, int components);
-  void make_vertex_array(const GlObject& vertex_array, const GlObject* values);
+  void attribute(GLuint index, const GlObject* buffer, int components, float constant = 0);
 
   Gl& gl_;
   std::size_t triangle_count_ = 0;
@@ -49,7 +46,7 @@ class MeshBuffers {
   std::unique_ptr<GlObject> positions_, normals_, colours_, irradiance_, uvs_, triangles_, edges_;
   std::unique_ptr<GlObject> face_centres_, face_normals_;
   BufferTexture face_of_triangle_;
-  GlObject coloured_, irradiated_, edged_, faces_;  // vertex arrays
+  GlObject shaded_, edged_, faces_;  // vertex arrays
 };
 
 }  // namespace editor

@@ -47,9 +47,7 @@ class MeshGeometry {
   std::uint32_t first_triangle(std::uint32_t face) const { return first_triangle_[face]; }
   std::uint32_t end_triangle(std::uint32_t face) const { return first_triangle_[face + 1]; }
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(first_triangle_.size() - 1); }
-  /// The mean of a face's corners, and its unit normal, 0 for a face without area.
-  grf::Vec3d centre(std::uint32_t face) const { return grf::Vec3d(centres_[face]); }
-  grf::Vec3d normal(std::uint32_t face) const { return grf::Vec3d(normals_[face]); }
+  /// The means of faces' corners, and their unit normals, 0 for a face without area.
   const std::vector<grf::Vec3f>& centres() const { return centres_; }
   const std::vector<grf::Vec3f>& normals() const { return normals_; }
 

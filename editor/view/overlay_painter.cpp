@@ -66,31 +66,22 @@ void OverlayPainter::draw_uploaded(const grf::Matrix44d& to_clip, const Screen& 
 void OverlayPainter::draw(const OverlayLayer& layer, const ViewCamera& camera, const grf::Box3d& bounds,
                           const Screen& screen) {
   if (layer.lines.empty()) return;
-  layer.is_flat ? draw_flat(layer, screen) : draw_in_world(layer, camera, bounds, screen);
-}
-
-void OverlayPainter::draw_in_world(const OverlayLayer& layer, const ViewCamera& camera,
-                                   const grf::Box3d& bounds, const Screen& screen) {
-  upload(layer.lines, camera.world_to_camera());
-  const grf::Matrix44d to_clip = camera.camera_to_clip(screen.size.x / screen.size.y, bounds);
+  upload(layer.lines, layer.is_flat ? grf::Matrix44d() : camera.world_to_camera());
+  const grf::Matrix44d pixels_to_clip = {
+      2 / screen.size.x, 0, 0, 0, 0, -2 / screen.size.y, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
+  const grf::Matrix44d to_clip =
+      layer.is_flat ? pixels_to_clip : camera.camera_to_clip(screen.size.x / screen.size.y, bounds);
   gl_.glDepthMask(GL_FALSE);
-  if (layer.hidden_opacity > 0) {
-    gl_.glDisable(GL_DEPTH_TEST);
-    draw_uploaded(to_clip, screen, layer.width, layer.hidden_opacity);
+  gl_.glDisable(GL_DEPTH_TEST);
+  const double hidden_opacity = layer.is_flat ? 1 : layer.hidden_opacity;
+  if (hidden_opacity > 0) draw_uploaded(to_clip, screen, layer.width, hidden_opacity);
+  if (!layer.is_flat) {
+    gl_.glEnable(GL_DEPTH_TEST);
+    gl_.glDepthFunc(GL_LEQUAL);
+    draw_uploaded(to_clip, screen, layer.width, 1);
   }
-  gl_.glEnable(GL_DEPTH_TEST);
-  gl_.glDepthFunc(GL_LEQUAL);
-  draw_uploaded(to_clip, screen, layer.width, 1);
   gl_.glDepthMask(GL_TRUE);
   gl_.glDisable(GL_DEPTH_TEST);
-}
-
-void OverlayPainter::draw_flat(const OverlayLayer& layer, const Screen& screen) {
-  upload(layer.lines, grf::Matrix44d());
-  const grf::Matrix44d to_clip = {
-      2 / screen.size.x, 0, 0, 0, 0, -2 / screen.size.y, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
-  gl_.glDisable(GL_DEPTH_TEST);
-  draw_uploaded(to_clip, screen, layer.width, 1);
 }
 
 }  // namespace editor

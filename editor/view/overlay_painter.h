@@ -38,9 +38,6 @@ class OverlayPainter {
             const Screen& screen);
 
  private:
-  void draw_in_world(const OverlayLayer& layer, const ViewCamera& camera, const grf::Box3d& bounds,
-                     const Screen& screen);
-  void draw_flat(const OverlayLayer& layer, const Screen& screen);
   void upload(const std::vector<OverlayLine>& lines, const grf::Matrix44d& to_camera);
   void draw_uploaded(const grf::Matrix44d& to_clip, const Screen& screen, double width, double opacity);
 

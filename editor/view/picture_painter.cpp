@@ -46,8 +46,8 @@ QVector4D premultiplied(const QColor& colour) {
 
 }  // namespace
 
-void set_picture_units(QOpenGLShaderProgram& program) {
-  int unit = PictureUnit;
+void set_shader_units(QOpenGLShaderProgram& program) {
+  int unit = GBufferUnit;
   for (const char* name : {"faces", "normals", "values", "uvs", "depths", "light", "colours"}) {
     program.setUniformValue(name, unit++);
   }
@@ -60,9 +60,9 @@ void set_picture_units(QOpenGLShaderProgram& program) {
 PicturePainter::PicturePainter(Gl& gl, const GraphicsDriver& driver)
     : gl_(gl), driver_(driver), no_vertices_(gl, GlKind::VertexArray) {
   geometry_ = program_of(driver, "geometry.vert", {"geometry.frag"});
-  shade_ = program_of(driver, "screen.vert", {"picture.glsl", "shade.frag"});
-  texture_ = program_of(driver, "screen.vert", {"picture.glsl", "texture.frag"});
-  resolve_ = program_of(driver, "screen.vert", {"picture.glsl", "sky.glsl", "resolve.frag"});
+  shade_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "shade.frag"});
+  texture_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "texture.frag"});
+  resolve_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "resolve.frag"});
   lines_ = program_of(driver, "lines.vert", {"lines.frag"});
   normals_ = program_of(driver, "normals.vert", {"lines.frag"}, "normals.geom");
 }
@@ -72,11 +72,11 @@ MeshBuffers* PicturePainter::Job::mesh(std::size_t instance) const {
   return request.is_quick ? scene.quick_mesh(mesh) : scene.mesh(mesh);
 }
 
-std::vector<PicturePainter::Step> PicturePainter::steps(SceneBuffers& scene, Picture& picture,
+std::vector<PicturePainter::Step> PicturePainter::steps(SceneBuffers& scene, GBuffer& g_buffer,
                                                         const PictureRequest& request) {
   const auto job = std::make_shared<const Job>(Job{
-      scene, picture, request,
-      moved(request.camera.camera_to_clip(request.aspect, request.bounds), request.shift, picture.size())});
+      scene, g_buffer, request,
+      moved(request.camera.camera_to_clip(request.aspect, request.bounds), request.shift, g_buffer.size())});
   std::vector<Step> steps;
   steps.emplace_back([this, job] { clear(*job); });
   for (Runs& runs : runs_of(*job, &MeshBuffers::triangle_count, TrianglesPerStep)) {
@@ -120,20 +120,20 @@ void PicturePainter::clear(const Job& job) {
   gl_.glDisable(GL_SCISSOR_TEST);
   gl_.glDisable(GL_BLEND);
   gl_.glDepthMask(GL_TRUE);
-  job.picture.begin_geometry();
+  job.g_buffer.begin(GBuffer::Target::Geometry);
   const std::array<GLuint, 4> nothing = {};
   const std::array<GLfloat, 1> far = {1};
   gl_.glClearBufferuiv(GL_COLOR, 0, nothing.data());
   gl_.glClearBufferfv(GL_DEPTH, 0, far.data());
   const std::array<GLfloat, 4> black = {};
-  job.picture.begin_light();
+  job.g_buffer.begin(GBuffer::Target::Light);
   gl_.glClearBufferfv(GL_COLOR, 0, black.data());
-  job.picture.begin_colour();
+  job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glClearBufferfv(GL_COLOR, 0, black.data());
 }
 
 void PicturePainter::paint_geometry(const Job& job, const Runs& runs) {
-  job.picture.begin_geometry();
+  job.g_buffer.begin(GBuffer::Target::Geometry);
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthFunc(GL_LESS);
   gl_.glDisable(GL_BLEND);
@@ -165,8 +165,8 @@ void PicturePainter::paint_geometry(const Job& job, const Runs& runs) {
 }
 
 void PicturePainter::cover(QOpenGLShaderProgram& program, const Job& job) {
-  set_picture_units(program);
-  job.picture.bind_textures(PictureUnit);
+  set_shader_units(program);
+  job.g_buffer.bind_textures(GBufferUnit);
   job.scene.bind_tables(TablesUnit);
   gl_.glDisable(GL_DEPTH_TEST);
   gl_.glBindVertexArray(no_vertices_.name());
@@ -177,7 +177,7 @@ void PicturePainter::paint_textures(const Job& job) {
   gl_.glEnable(GL_BLEND);
   gl_.glBlendFunc(GL_ZERO, GL_SRC_COLOR);
   gl_.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-  job.picture.begin_values();
+  job.g_buffer.begin(GBuffer::Target::Values);
   texture_->bind();
   texture_->setUniformValue("image", static_cast<GLint>(ImageUnit));
   for (std::size_t i = 0; i < job.scene.surfaces().textures.size(); ++i) {
@@ -192,7 +192,7 @@ void PicturePainter::paint_textures(const Job& job) {
 void PicturePainter::shade(const Job& job) {
   const DisplayMode mode = job.request.style.mode;
   const bool is_coloured = mode == DisplayMode::Textured || mode == DisplayMode::VertexColours;
-  job.picture.begin_colour();
+  job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glDisable(GL_BLEND);
   shade_->bind();
   shade_->setUniformValue("look", is_coloured ? 1 : mode == DisplayMode::Irradiance ? 2 : 0);
@@ -227,7 +227,7 @@ void PicturePainter::add_line_steps(const SharedJob& job, std::vector<Step>& ste
 
 void PicturePainter::paint_edges(const Job& job, const Runs& runs, bool are_triangles) {
   const bool is_over_faces = job.request.style.mode == DisplayMode::SolidEdges;
-  job.picture.begin_colour();
+  job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glDepthMask(GL_FALSE);
   gl_.glDepthFunc(GL_LEQUAL);
   is_over_faces ? gl_.glEnable(GL_DEPTH_TEST) : gl_.glDisable(GL_DEPTH_TEST);
@@ -252,7 +252,7 @@ void PicturePainter::paint_edges(const Job& job, const Runs& runs, bool are_tria
 }
 
 void PicturePainter::paint_points(const Job& job) {
-  job.picture.begin_colour();
+  job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glDisable(GL_DEPTH_TEST);
   gl_.glDisable(GL_BLEND);
   gl_.glEnable(GL_PROGRAM_POINT_SIZE);
@@ -271,7 +271,7 @@ void PicturePainter::paint_points(const Job& job) {
 }
 
 void PicturePainter::paint_normals(const Job& job, bool of_faces) {
-  job.picture.begin_colour();
+  job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthFunc(GL_LEQUAL);
   gl_.glDepthMask(GL_FALSE);
@@ -308,7 +308,7 @@ void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& ste
     // A program is compiled in the first step that needs it, so that what is asked for meanwhile waits less.
     const auto made = brdfs_.find(model);
     const int rows = made != brdfs_.end() && made->second == nullptr ? RowsByCpp : BrdfRows;
-    for (int row = 0; row < job->picture.size().height(); row += rows) {
+    for (int row = 0; row < job->g_buffer.size().height(); row += rows) {
       steps.emplace_back([this, job, model, row, rows] { paint_brdf(*job, model, row, rows); });
     }
   }
@@ -320,7 +320,7 @@ QOpenGLShaderProgram* PicturePainter::brdf_program(std::size_t model) {
   if (!is_new) return entry->second.get();
   const reflectance::FormulaShader shader = reflectance::formula_shader(
       model, [](std::size_t k) { return "parameter(" + std::to_string(k) + ")"; });
-  const QByteArray text = GlslVersion + shader_text({"picture.glsl"}) +
+  const QByteArray text = GlslVersion + shader_text({"g_buffer.glsl"}) +
                           QByteArray::fromStdString(shader.functions) +
                           shader_text({"brdf_parameters.glsl"}) + "vec3 model(vec3 u, vec3 v) { return " +
                           QByteArray::fromStdString(shader.call) + "; }\n" +
@@ -336,8 +336,8 @@ void PicturePainter::set_eye(QOpenGLShaderProgram& program, const Job& job) {
   const double tangent = std::tan(camera.field_of_view() * std::numbers::pi / 360);
   program.setUniformValue("camera_to_world", camera_to_world(camera));
   program.setUniformValue("is_orthographic", camera.is_orthographic());
-  program.setUniformValue("screen_size", QVector2D(static_cast<float>(job.picture.size().width()),
-                                                   static_cast<float>(job.picture.size().height())));
+  program.setUniformValue("screen_size", QVector2D(static_cast<float>(job.g_buffer.size().width()),
+                                                   static_cast<float>(job.g_buffer.size().height())));
   program.setUniformValue(
       "half_size", QVector2D(static_cast<float>(tangent * job.request.aspect), static_cast<float>(tangent)));
 }
@@ -345,9 +345,9 @@ void PicturePainter::set_eye(QOpenGLShaderProgram& program, const Job& job) {
 void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row, int rows) {
   if (brdf_program(model) == nullptr) return paint_brdf_by_cpp(job, model, first_row, rows);
   QOpenGLShaderProgram& program = *brdf_program(model);
-  job.picture.begin_light();
+  job.g_buffer.begin(GBuffer::Target::Light);
   gl_.glEnable(GL_SCISSOR_TEST);
-  gl_.glScissor(0, first_row, job.picture.size().width(), rows);
+  gl_.glScissor(0, first_row, job.g_buffer.size().width(), rows);
   gl_.glEnable(GL_BLEND);
   gl_.glBlendFunc(GL_ONE, GL_ONE);
   program.bind();
@@ -367,13 +367,13 @@ void PicturePainter::paint_brdf_by_cpp(const Job& job, std::size_t model, int fi
   light.first_sample = job.request.pass * light.samples;
   light.camera = job.request.camera;
   light.aspect = job.request.aspect;
-  const int rows_left = job.picture.size().height() - first_row;
-  add_light_by_cpp(light, job.scene.faces(), job.scene.surfaces(), job.picture, first_row,
+  const int rows_left = job.g_buffer.size().height() - first_row;
+  add_light_by_cpp(light, job.scene.faces(), job.scene.surfaces(), job.g_buffer, first_row,
                    std::min(rows, rows_left));
 }
 
 void PicturePainter::resolve(const Job& job) {
-  job.picture.begin_colour();
+  job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glDisable(GL_BLEND);
   resolve_->bind();
   resolve_->setUniformValue("mirror_values", SurfaceTables::MirrorValues);

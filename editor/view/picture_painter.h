@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "editor/view/picture.h"
+#include "editor/view/g_buffer.h"
 #include "editor/view/scene_buffers.h"
 #include "editor/view/view_camera.h"
 
@@ -47,8 +47,8 @@ class PicturePainter {
   /// Throws ShaderRefused.
   PicturePainter(Gl& gl, const GraphicsDriver& driver);
 
-  /// What is to be done, in this order. Scene and picture have to stay until then.
-  std::vector<Step> steps(SceneBuffers& scene, Picture& picture, const PictureRequest& request);
+  /// What is to be done, in this order. Scene and G-buffer have to stay until then.
+  std::vector<Step> steps(SceneBuffers& scene, GBuffer& g_buffer, const PictureRequest& request);
 
   /// BRDF models, by their keyword, whose shader the driver refuses, and why. Light that they reflect is
   /// computed by C++.
@@ -64,7 +64,7 @@ class PicturePainter {
   using Runs = std::vector<Run>;
   struct Job {
     SceneBuffers& scene;
-    Picture& picture;
+    GBuffer& g_buffer;
     PictureRequest request;
     grf::Matrix44d camera_to_clip;
 
@@ -99,10 +99,10 @@ class PicturePainter {
   std::map<std::string, QString> refused_;
 };
 
-/// Tells a program that starts with picture.glsl which texture units its tables have.
-void set_picture_units(QOpenGLShaderProgram& program);
-/// The first texture units of pictures, of tables, and of an image.
-constexpr GLuint PictureUnit = 0;
+/// Tells a program that starts with g_buffer.glsl which texture units its tables have.
+void set_shader_units(QOpenGLShaderProgram& program);
+/// The first texture units of G-buffers, of tables, and of an image.
+constexpr GLuint GBufferUnit = 0;
 constexpr GLuint TablesUnit = 7;
 constexpr GLuint ImageUnit = 11;
 

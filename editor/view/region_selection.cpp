@@ -44,10 +44,10 @@ struct PlacedMesh {
   grf::Matrix44d normal_to_world;
   double scale = 1;
 
-  Vec3d centre(std::uint32_t face) const { return geometry->centre(face) * to_world; }
+  Vec3d centre(std::uint32_t face) const { return Vec3d(geometry->centres()[face]) * to_world; }
   Vec3d normal(std::uint32_t face) const {
     Vec3d result;
-    normal_to_world.multDirMatrix(geometry->normal(face), result);
+    normal_to_world.multDirMatrix(Vec3d(geometry->normals()[face]), result);
     return result.normalized();
   }
   /// The largest distance of a corner from the centre.
@@ -84,7 +84,7 @@ void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh&
   const grf::Matrix44d to_clip =
       mesh.to_world * scene.camera.world_to_camera() * scene.camera.camera_to_clip(aspect, {});
   for (std::uint32_t face = 0; face < mesh.geometry->face_count(); ++face) {
-    const Vec3d p = mesh.geometry->centre(face);
+    const Vec3d p(mesh.geometry->centres()[face]);
     const double w = p.x * to_clip[0][3] + p.y * to_clip[1][3] + p.z * to_clip[2][3] + to_clip[3][3];
     if (!(w > 0)) continue;
     const double clip_x = p.x * to_clip[0][0] + p.y * to_clip[1][0] + p.z * to_clip[2][0] + to_clip[3][0];

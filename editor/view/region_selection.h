@@ -6,7 +6,7 @@
 
 #include "editor/document/face_selection.h"
 #include "editor/view/geometry_store.h"
-#include "editor/view/view_pictures.h"
+#include "editor/view/view_drawing.h"
 
 namespace editor {
 

@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/transport/scene/texture.h"
+
 namespace editor {
-namespace {
 
-/// Buffers of this key: those of before, or new ones.
-template <class Key, class Make>
-MeshBuffers* keep_or_make(std::map<Key, std::unique_ptr<MeshBuffers>>& before,
-                          std::map<Key, std::unique_ptr<MeshBuffers>>& now, const Key& key,
-                          const Make& make) {
-  auto& entry = now[key];
-  if (entry == nullptr) {
-    const auto found = before.find(key);
-    entry = found != before.end() ? std::move(found->second) : make();
-  }
-  return entry.get();
-}
-
-}  // namespace
-
-SceneBuffers::SceneBuffers(Gl& gl)
+SceneBuffers::SceneBuffers(Gl& gl, const GraphicsLimits& limits)
     : gl_(gl),
+      limits_(limits),
       awaited_texture_(squares(qRgb(255, 255, 255), qRgb(255, 255, 255))),
       selected_table_(gl, GL_R8UI),
       face_table_(gl, GL_R32UI),
@@ -46,25 +33,38 @@ bool SceneBuffers::set_objects(std::shared_ptr<const SceneObjects> objects) {
   }
   std::erase_if(textures_, [this](const auto& entry) {
     const auto& named = surfaces_.textures;
-    return std::find(named.begin(), named.end(), entry.first) == named.end();
+    const bool is_named = std::find(named.begin(), named.end(), entry.first) != named.end();
+    if (!is_named) reduced_textures_.erase(entry.first);
+    return !is_named;
   });
   return has_other_faces;
 }
 
+/// Whether all that shaders look up for a mesh is in what the driver takes of the tables.
+bool SceneBuffers::fits(std::size_t mesh) const {
+  const grf::Mesh& shown = *objects_->meshes[mesh].mesh;
+  return faces_.first_face[mesh] + shown.face_count() <= limits_.buffer_texels &&
+         surfaces_.ends[mesh] <= limits_.buffer_texels &&
+         shown.geometry->triangle_count() <= limits_.buffer_texels;
+}
+
 bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
   const std::vector<MeshBuffers*> meshes_before = meshes_;
-  auto before = std::exchange(geometry_buffers_, {});
-  auto quick_before = std::exchange(quick_buffers_, {});
+  auto before = std::exchange(buffers_, {});
+  const auto buffers_of = [&](const std::shared_ptr<const TriangleArrays>& arrays) {
+    auto& buffers = buffers_[arrays];
+    if (buffers == nullptr) buffers = std::move(before[arrays]);
+    if (buffers == nullptr) buffers = std::make_unique<MeshBuffers>(gl_, *arrays);
+    return buffers.get();
+  };
+  left_out_ = 0;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    geometries_[i] = shapes[i].geometry;
-    if (geometries_[i] == nullptr) continue;
-    meshes_[i] = keep_or_make(before, geometry_buffers_, geometries_[i],
-                              [&] { return std::make_unique<MeshBuffers>(gl_, geometries_[i]->arrays()); });
-    quick_meshes_[i] = meshes_[i];
-    const auto& quick = shapes[i].quick;
-    if (quick == nullptr) continue;
-    quick_meshes_[i] = keep_or_make(quick_before, quick_buffers_, quick,
-                                    [&] { return std::make_unique<MeshBuffers>(gl_, *quick); });
+    const auto& geometry = geometries_[i] = shapes[i].geometry;
+    const bool is_left_out = !fits(i);
+    if (is_left_out) ++left_out_;
+    const bool is_shown = geometry != nullptr && !is_left_out;
+    meshes_[i] = is_shown ? buffers_of({geometry, &geometry->arrays()}) : nullptr;
+    quick_meshes_[i] = is_shown && shapes[i].quick != nullptr ? buffers_of(shapes[i].quick) : meshes_[i];
   }
   return meshes_ != meshes_before;
 }
@@ -90,7 +90,17 @@ void SceneBuffers::bind_tables(GLuint first_unit) const {
 void SceneBuffers::set_texture(const std::string& path, const transport::Image* image) {
   auto& texture = textures_[path];
   if (texture != nullptr) return;
-  texture = image != nullptr ? texture_of(*image) : squares(qRgb(70, 70, 76), qRgb(215, 120, 205));
+  if (image == nullptr) {
+    texture = squares(qRgb(70, 70, 76), qRgb(215, 120, 205));
+    return;
+  }
+  transport::Image smaller;
+  while (std::max(image->width, image->height) > limits_.texture_side) {
+    smaller = transport::halved(*image);
+    image = &smaller;
+    reduced_textures_.insert(path);
+  }
+  texture = texture_of(*image);
 }
 
 void SceneBuffers::bind_texture(std::size_t number, GLuint unit) {

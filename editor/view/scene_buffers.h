@@ -6,6 +6,7 @@
 #include <QOpenGLTexture>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "editor/document/face_selection.h"
@@ -18,7 +19,7 @@ namespace editor {
 
 class SceneBuffers {
  public:
-  explicit SceneBuffers(Gl& gl);
+  SceneBuffers(Gl& gl, const GraphicsLimits& limits);
 
   /// Takes up what differs from the objects before. Returns whether faces got other numbers or surfaces.
   bool set_objects(std::shared_ptr<const SceneObjects> objects);
@@ -26,19 +27,24 @@ class SceneBuffers {
   /// got another one, and not only another stand-in.
   bool set_shapes(const std::vector<MeshShape>& shapes);
   void set_selection(const FaceSelection& selection);
-  /// An image that a face of the scene names; none: it cannot be read.
+  /// An image that a face of the scene names, which gets smaller until the driver takes it; none: it cannot
+  /// be read.
   void set_texture(const std::string& path, const transport::Image* image);
 
   const std::vector<MeshInstance>& instances() const { return *objects_->instances; }
   const FaceTables& faces() const { return faces_; }
   const SurfaceTables& surfaces() const { return surfaces_; }
-  /// Null until the geometry is made.
+  /// Null until the geometry is made, and for meshes that are left out.
   MeshBuffers* mesh(std::uint32_t mesh) const { return meshes_[mesh]; }
   /// What stands in for it, or the mesh itself.
   MeshBuffers* quick_mesh(std::uint32_t mesh) const { return quick_meshes_[mesh]; }
   const MeshGeometry* geometry(std::uint32_t mesh) const { return geometries_[mesh].get(); }
   bool has_stand_ins() const;
   bool has_selection() const { return has_selection_; }
+  /// Images that got smaller.
+  const std::set<std::string>& reduced_textures() const { return reduced_textures_; }
+  /// How many meshes are not there, since the tables for their faces would be too long for the driver.
+  std::size_t left_out() const { return left_out_; }
 
   /// The tables, from this unit on: selected faces, surfaces of faces, surfaces, terms.
   void bind_tables(GLuint first_unit) const;
@@ -46,20 +52,23 @@ class SceneBuffers {
   void bind_texture(std::size_t number, GLuint unit);
 
  private:
+  bool fits(std::size_t mesh) const;
   std::unique_ptr<QOpenGLTexture> texture_of(const transport::Image& image) const;
   std::unique_ptr<QOpenGLTexture> squares(QRgb first, QRgb second) const;
 
   Gl& gl_;
+  const GraphicsLimits limits_;
   std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
   FaceTables faces_;
   SurfaceTables surfaces_;
-  std::map<std::shared_ptr<const MeshGeometry>, std::unique_ptr<MeshBuffers>> geometry_buffers_;
-  std::map<std::shared_ptr<const TriangleArrays>, std::unique_ptr<MeshBuffers>> quick_buffers_;
+  std::map<std::shared_ptr<const TriangleArrays>, std::unique_ptr<MeshBuffers>> buffers_;
   std::vector<std::shared_ptr<const MeshGeometry>> geometries_;
   std::vector<MeshBuffers*> meshes_;
   std::vector<MeshBuffers*> quick_meshes_;
   std::map<std::string, std::unique_ptr<QOpenGLTexture>> textures_;
+  std::set<std::string> reduced_textures_;
   std::unique_ptr<QOpenGLTexture> awaited_texture_;
+  std::size_t left_out_ = 0;
   bool has_selection_ = false;
   BufferTexture selected_table_, face_table_, surface_table_, term_table_;
 };

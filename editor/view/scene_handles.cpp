@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace editor {
 namespace {
@@ -110,17 +111,7 @@ double nearness(const SceneHandle& handle, const ViewCamera& camera, const Vec2d
   return nearest <= LineRadius ? nearest + GripRadius : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-std::vector<SceneHandle> handles_of(const SceneObjects& objects, const std::optional<transport::View>& camera,
-                                    double aspect, double size) {
-  std::vector<SceneHandle> handles;
-  for (const LightObject& light : objects.lights) handles.push_back(light_handle(light));
-  for (const ObserverObject& observer : objects.observers) handles.push_back(observer_handle(observer, size));
-  if (camera) add_camera(*camera, aspect, size, handles);
-  return handles;
-}
-
+/// A handle that is moved by so much.
 SceneHandle moved(const SceneHandle& handle, const Vec3d& offset) {
   SceneHandle result = handle;
   result.position += offset;
@@ -132,19 +123,7 @@ SceneHandle moved(const SceneHandle& handle, const Vec3d& offset) {
   return result;
 }
 
-std::optional<std::size_t> handle_at(const std::vector<SceneHandle>& handles, const ViewCamera& camera,
-                                     const Vec2d& pixel, const Vec2d& size) {
-  std::optional<std::size_t> nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < handles.size(); ++i) {
-    const double distance = nearness(handles[i], camera, pixel, size);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = i;
-  }
-  return nearest;
-}
-
+/// Where a handle's grip goes when the pointer goes from one pixel to another.
 Vec3d dragged(const Vec3d& grip, const ViewCamera& camera, const Vec2d& from, const Vec2d& to,
               const Vec2d& size, bool along_axis) {
   const double pixel = 2 * camera.half_height_at(grip) / size.y;
@@ -163,6 +142,58 @@ Vec3d dragged(const Vec3d& grip, const ViewCamera& camera, const Vec2d& from, co
     best = grip + axis * (on_screen.dot(way) / (length * length));
   }
   return best;
+}
+
+}  // namespace
+
+std::vector<SceneHandle> handles_of(const SceneObjects& objects, const std::optional<transport::View>& camera,
+                                    double aspect, double size) {
+  std::vector<SceneHandle> handles;
+  for (const LightObject& light : objects.lights) handles.push_back(light_handle(light));
+  for (const ObserverObject& observer : objects.observers) handles.push_back(observer_handle(observer, size));
+  if (camera) add_camera(*camera, aspect, size, handles);
+  return handles;
+}
+
+SceneHandle HandleGesture::shown(std::size_t number) const {
+  return taken_ == number ? moved(handles_[number], offset_) : handles_[number];
+}
+
+const SceneHandle* HandleGesture::at(const Vec2d& pixel, const ViewCamera& camera, const Vec2d& size) const {
+  const SceneHandle* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SceneHandle& handle : handles_) {
+    const double distance = nearness(handle, camera, pixel, size);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &handle;
+  }
+  return nearest;
+}
+
+bool HandleGesture::hover(const SceneHandle* handle) {
+  const std::optional<HandleId> id = handle != nullptr ? std::optional(handle->id) : std::nullopt;
+  return std::exchange(hovered_, id) != id;
+}
+
+void HandleGesture::begin(const SceneHandle& handle, const Vec2d& pixel) {
+  taken_ = static_cast<std::size_t>(&handle - handles_.data());
+  taken_at_ = pixel;
+  offset_ = Vec3d(0);
+}
+
+SceneHandle HandleGesture::drag(const Vec2d& pixel, const ViewCamera& camera, const Vec2d& size,
+                                bool along_axis) {
+  const SceneHandle& handle = handles_[*taken_];
+  offset_ = dragged(handle.grip, camera, taken_at_, pixel, size, along_axis) - handle.grip;
+  return moved(handle, offset_);
+}
+
+SceneHandle HandleGesture::end(bool stays) {
+  SceneHandle& handle = handles_[*taken_];
+  if (stays) handle = moved(handle, offset_);
+  taken_.reset();
+  return handle;
 }
 
 }  // namespace editor

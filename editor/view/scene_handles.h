@@ -39,16 +39,35 @@ struct SceneHandle {
 std::vector<SceneHandle> handles_of(const SceneObjects& objects, const std::optional<transport::View>& camera,
                                     double aspect, double size);
 
-/// A handle that is moved by so much.
-SceneHandle moved(const SceneHandle& handle, const grf::Vec3d& offset);
+/// The handles that stand in a view, of which one may be under the pointer and be dragged. Pixels are those
+/// of a window of that size, from the upper left.
+class HandleGesture {
+ public:
+  const std::vector<SceneHandle>& handles() const { return handles_; }
+  void set_handles(std::vector<SceneHandle> handles) { handles_ = std::move(handles); }
+  /// As it is drawn.
+  SceneHandle shown(std::size_t number) const;
+  bool is_lit(std::size_t number) const { return taken_ == number || hovered_ == handles_[number].id; }
 
-/// Which handle is at a place of the image: the nearest whose grip or lines are within so many pixels.
-std::optional<std::size_t> handle_at(const std::vector<SceneHandle>& handles, const ViewCamera& camera,
-                                     const grf::Vec2d& pixel, const grf::Vec2d& size);
+  /// The handle at a pixel: the nearest whose grip or lines are within some pixels; null: there is none.
+  const SceneHandle* at(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size) const;
+  /// The handle under the pointer, or null. Returns whether it is another one than before.
+  bool hover(const SceneHandle* handle);
 
-/// Where a handle's grip goes when the pointer goes from one pixel to another: in the plane of the view, or
-/// only along the world's axis that is nearest to the pointer's way.
-grf::Vec3d dragged(const grf::Vec3d& grip, const ViewCamera& camera, const grf::Vec2d& from,
-                   const grf::Vec2d& to, const grf::Vec2d& size, bool along_axis);
+  void begin(const SceneHandle& handle, const grf::Vec2d& pixel);
+  /// Moves it as far as the pointer: in the plane of the view, or only along the world's axis that is nearest
+  /// to the pointer's way. Returns the handle where it is then.
+  SceneHandle drag(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size,
+                   bool along_axis);
+  /// Leaves it there, until other handles are set; or where it was. Returns the handle that was dragged.
+  SceneHandle end(bool stays);
+
+ private:
+  std::vector<SceneHandle> handles_;
+  std::optional<HandleId> hovered_;
+  std::optional<std::size_t> taken_;
+  grf::Vec2d taken_at_ = grf::Vec2d(0);
+  grf::Vec3d offset_ = grf::Vec3d(0);
+};
 
 }  // namespace editor

@@ -1,12 +1,17 @@
 #include "editor/view/scene_view.h"
 
-#include <QEvent>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLinearGradient>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
 #include <algorithm>
 #include <utility>
 
 #include "editor/appearance/theme.h"
-#include "editor/view/ground_grid.h"
+#include "editor/view/region_selection.h"
+#include "editor/view/view_overlay.h"
 
 namespace editor {
 namespace {
@@ -18,6 +23,8 @@ bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
   }
   return true;
 }
+
+grf::Vec2d to_vector(const QPointF& point) { return {point.x(), point.y()}; }
 
 }  // namespace
 
@@ -38,17 +45,23 @@ SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver, const ImageP
       "perspective."));
   hover_timer_.setSingleShot(true);
   hover_timer_.setInterval(30);
-  fly_timer_.setInterval(16);
   connect(&hover_timer_, &QTimer::timeout, this, &SceneView::tell_hovered);
-  connect(&fly_timer_, &QTimer::timeout, this, &SceneView::fly);
+  connect(&navigation_, &CameraNavigation::moved, this, [this] {
+    draw();
+    emit camera_moved();
+  });
   connect(&geometry_, &GeometryStore::changed, this, &SceneView::draw);
   connect(&textures_, &TextureStore::failed, this, &SceneView::message);
   connect(&textures_, &TextureStore::changed, this, &SceneView::draw);
-  connect(&renderer_, &ViewRenderer::drawn, this, &SceneView::take_image);
+  connect(&renderer_, &ViewRenderer::drawn, this, [this](const ViewImage& image) {
+    shown_ = image;
+    update();
+  });
   connect(&renderer_, &ViewRenderer::selected, this, &SceneView::take_region);
-  connect(&renderer_, &ViewRenderer::message, this, &SceneView::message);
   connect(&renderer_, &ViewRenderer::warned, this, &SceneView::warned);
 }
+
+// What is to be seen
 
 void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   cancel_gesture();
@@ -74,20 +87,14 @@ void SceneView::set_selection(const FaceSelection& selection) {
 }
 
 void SceneView::set_camera(const ViewCamera& camera) {
-  camera_ = camera;
+  navigation_.set_camera(camera);
   draw();
 }
 
-void SceneView::move_camera(const ViewCamera& camera) {
-  if (camera == camera_) return;
-  set_camera(camera);
-  emit camera_moved();
-}
-
-void SceneView::frame_all() {
-  ViewCamera camera = camera_;
-  camera.frame(objects_->bounds, aspect());
-  move_camera(camera);
+void SceneView::frame(const grf::Box3d& box) {
+  ViewCamera framing = camera();
+  framing.frame(box, aspect());
+  move_camera(framing);
 }
 
 void SceneView::frame_selection() {
@@ -101,23 +108,21 @@ void SceneView::frame_selection() {
       }
     });
   }
-  ViewCamera camera = camera_;
-  camera.frame(box, aspect());
-  move_camera(camera);
+  frame(box);
 }
 
 void SceneView::set_mode(DisplayMode mode) {
-  mode_ = mode;
+  style_.mode = mode;
   draw();
 }
 
 void SceneView::set_vertex_normals(bool are_shown) {
-  has_vertex_normals_ = are_shown;
+  style_.has_vertex_normals = are_shown;
   draw();
 }
 
 void SceneView::set_face_normals(bool are_shown) {
-  has_face_normals_ = are_shown;
+  style_.has_face_normals = are_shown;
   draw();
 }
 
@@ -129,13 +134,14 @@ void SceneView::set_grid(bool is_shown) {
 void SceneView::set_render_camera(const std::optional<transport::View>& camera, double image_aspect) {
   render_camera_ = camera;
   render_aspect_ = image_aspect;
+  if (gesture_ == Gesture::Handle) cancel_gesture();
   place_handles();
   draw();
 }
 
 void SceneView::place_handles() {
   const double size = objects_->bounds.isEmpty() ? 0.2 : objects_->bounds.size().length() / 30;
-  handles_ = handles_of(*objects_, render_camera_, render_aspect_, std::max(size, 1e-6));
+  handles_.set_handles(handles_of(*objects_, render_camera_, render_aspect_, std::max(size, 1e-6)));
 }
 
 bool SceneView::is_full() const {
@@ -146,29 +152,19 @@ bool SceneView::is_complete() const {
   return is_full() && shown_.is_done && geometry_.is_complete() && !is_selecting();
 }
 
-double SceneView::aspect() const { return window_size().x / window_size().y; }
-
 grf::Vec2d SceneView::window_size() const {
   return {double(std::max(width(), 1)), double(std::max(height(), 1))};
 }
 
-ViewStyle SceneView::style() const {
-  const Theme theme = theme_of(palette());
-  ViewStyle style;
-  style.mode = mode_;
-  style.has_vertex_normals = has_vertex_normals_;
-  style.has_face_normals = has_face_normals_;
-  style.lines = colours_of(theme).text;
-  style.normals = series_colour(theme, 1);
-  style.pixel_ratio = static_cast<float>(devicePixelRatioF());
-  return style;
-}
-
 PictureRequest SceneView::request() const {
+  const Theme theme = theme_of(palette());
   PictureRequest request;
-  request.camera = camera_;
+  request.camera = camera();
   request.bounds = drawn_bounds();
-  request.style = style();
+  request.style = style_;
+  request.style.lines = colours_of(theme).text;
+  request.style.normals = series_colour(theme, 1);
+  request.style.pixel_ratio = static_cast<float>(devicePixelRatioF());
   request.aspect = aspect();
   return request;
 }
@@ -181,17 +177,13 @@ QSize SceneView::picture_size() const {
 /// All that has a depth: the scene, its lights and the grid.
 grf::Box3d SceneView::drawn_bounds() const {
   grf::Box3d box = objects_->bounds;
-  for (const SceneHandle& handle : handles_) {
+  for (const SceneHandle& handle : handles_.handles()) {
     for (const auto& [from, to] : handle.lines) {
       box.extendBy(from);
       box.extendBy(to);
     }
   }
-  if (has_grid_) {
-    const GroundGrid grid = ground_grid(objects_->bounds);
-    box.extendBy(grf::Vec3d(-grid.half_size, 0, -grid.half_size));
-    box.extendBy(grf::Vec3d(grid.half_size, 0, grid.half_size));
-  }
+  if (has_grid_) box.extendBy(ground_grid(objects_->bounds).bounds());
   return box;
 }
 
@@ -219,29 +211,40 @@ ViewState SceneView::state() const {
   state.request = request();
   state.size = picture_size();
   state.screen = {window_size(), devicePixelRatioF()};
-  state.colours = colours();
-  state.overlay = overlay();
+  state.colours = view_colours(palette());
+  if (has_grid_) add_grid(ground_grid(objects_->bounds), camera(), height(), palette(), state.overlay);
+  add_handles(handles_, camera(), window_size(), palette(), state.overlay);
   return state;
-}
-
-void SceneView::take_image(const ViewImage& image) {
-  shown_ = image;
-  update();
 }
 
 void SceneView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (shown_.image.size() == picture_size()) {
+  const QSizeF size = shown_.image.deviceIndependentSize();
+  if (shown_.size == picture_size()) {
     painter.drawImage(0, 0, shown_.image);
   } else {
     // In the middle, until that of this size comes.
-    const QSizeF size = shown_.image.deviceIndependentSize();
-    paint_background(painter);
+    const ViewColours background = view_colours(palette());
+    QLinearGradient gradient(0, 0, 0, height());
+    gradient.setColorAt(0, background.background_top);
+    gradient.setColorAt(1, background.background_bottom);
+    painter.fillRect(rect(), gradient);
     painter.drawImage(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2), shown_.image);
+    // The window may have gone to a screen of other pixels.
+    if (!shown_.image.isNull()) draw();
   }
   paint_gesture(painter);
-  // The window may have gone to a screen of other pixels.
-  if (!shown_.image.isNull() && shown_.image.devicePixelRatio() != devicePixelRatioF()) draw();
+}
+
+void SceneView::paint_gesture(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(view_colours(palette()).accent, 1.5));
+  if (gesture_ == Gesture::Region && !is_click_) painter.drawPolygon(region_.polygon());
+  if (!shows_middle_ || !hasFocus()) return;
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+    painter.drawLine(middle + way * 4, middle + way * 12);
+  }
 }
 
 void SceneView::resizeEvent(QResizeEvent*) { draw(); }
@@ -250,6 +253,246 @@ void SceneView::showEvent(QShowEvent*) { draw(); }
 void SceneView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) draw();
   QWidget::changeEvent(event);
+}
+
+// What is pointed at
+
+grf::Vec2d SceneView::place_at(const QPointF& pixel) const {
+  return {2 * pixel.x() / window_size().x - 1, 1 - 2 * pixel.y() / window_size().y};
+}
+
+std::optional<SceneHit> SceneView::hit_at(const QPointF& pixel) const {
+  return intersect(*objects_, geometry_.shapes(), camera().ray(place_at(pixel), aspect()));
+}
+
+std::optional<FaceId> SceneView::face_at(const QPointF& pixel) const {
+  const std::optional<SceneHit> hit = hit_at(pixel);
+  return hit ? std::optional(hit->face) : std::nullopt;
+}
+
+void SceneView::tell_hovered() {
+  const SceneHandle* handle = handles_.at(to_vector(hovered_at_), camera(), window_size());
+  if (handles_.hover(handle)) draw();
+  emit hovered(handle != nullptr ? QString::fromStdString(handle->name) : text_of(hit_at(hovered_at_)));
+}
+
+QString SceneView::text_of(const std::optional<SceneHit>& hit) const {
+  if (!hit) return {};
+  const MeshObject& mesh = objects_->meshes[hit->face.mesh];
+  const Look& look = mesh.looks[(*mesh.mesh->surface_of_face)[hit->face.face]];
+  QStringList surface(look.brdf ? QString::fromStdString(look.brdf->keyword) : tr("diffuse by default"));
+  if (!look.texture.empty()) surface += tr("textured");
+  if (look.emission) surface += tr("emits");
+  return tr("%1 · face %2 · %3")
+      .arg(mesh.name.empty() ? tr("mesh without a name") : QString::fromStdString(mesh.name),
+           QString::number(hit->face.face), mesh.is_light ? tr("light") : surface.join(", "));
+}
+
+void SceneView::leaveEvent(QEvent* event) {
+  hover_timer_.stop();
+  if (handles_.hover(nullptr)) draw();
+  emit hovered({});
+  QWidget::leaveEvent(event);
+}
+
+// Gestures
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  setFocus(Qt::MouseFocusReason);
+  if (gesture_ != Gesture::None) return;
+  pressed_at_ = last_at_ = event->position();
+  button_ = event->button();
+  is_click_ = true;
+  shows_middle_ = false;
+  using Drag = CameraNavigation::Drag;
+  if (button_ == Qt::MiddleButton) {
+    begin_navigation(event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Orbit);
+  } else if (button_ == Qt::RightButton) {
+    begin_navigation(Drag::Look);
+  } else if (button_ == Qt::LeftButton) {
+    begin_gesture(event->position(), event->modifiers());
+  }
+}
+
+void SceneView::begin_navigation(CameraNavigation::Drag drag) {
+  gesture_ = Gesture::Navigation;
+  navigation_.begin(drag);
+}
+
+void SceneView::begin_gesture(const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  if (const SceneHandle* handle = handles_.at(to_vector(at), camera(), window_size())) {
+    gesture_ = Gesture::Handle;
+    handles_.begin(*handle, to_vector(at));
+  } else if (modifiers == Qt::NoModifier && !is_lasso_ && !hit_at(at)) {
+    begin_navigation(CameraNavigation::Drag::Orbit);
+  } else {
+    gesture_ = Gesture::Region;
+    region_.begin(at, is_lasso_ || modifiers.testFlag(Qt::AltModifier));
+  }
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF at = event->position();
+  if (is_click_ && (at - pressed_at_).manhattanLength() >= QApplication::startDragDistance())
+    is_click_ = false;
+  if (gesture_ == Gesture::None || is_click_) {
+    hovered_at_ = at;
+    if (!hover_timer_.isActive()) hover_timer_.start();
+    return;
+  }
+  const QPointF way = at - std::exchange(last_at_, at);
+  if (gesture_ == Gesture::Navigation) {
+    navigation_.drag(way, window_size().y);
+  } else if (gesture_ == Gesture::Region) {
+    region_.extend(at);
+    update();
+  } else {
+    const bool along_axis = event->modifiers().testFlag(Qt::ShiftModifier);
+    const SceneHandle handle = handles_.drag(to_vector(at), camera(), window_size(), along_axis);
+    emit object_moving(handle.id, handle.position);
+    draw();
+  }
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != button_) return;
+  const Gesture gesture = std::exchange(gesture_, Gesture::None);
+  navigation_.end_flying();
+  if (gesture == Gesture::Handle) {
+    end_handle();
+  } else if (gesture != Gesture::None && is_click_) {
+    if (button_ == Qt::LeftButton) click(event->position(), event->modifiers());
+  } else if (gesture == Gesture::Region) {
+    end_region(event->modifiers());
+  }
+  update();
+}
+
+/// A thing that was dragged stays there until the scene says where it is.
+void SceneView::end_handle() {
+  const SceneHandle handle = handles_.end(!is_click_);
+  draw();
+  if (!is_click_) emit object_moved(handle.id, handle.position);
+}
+
+void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
+  const QPolygonF drawn = region_.take();
+  if (drawn.size() < 3) return;
+  ++number_;
+  region_order_ = RegionOrder{number_, objects_, modifiers};
+  const bool has_faces = mode() != DisplayMode::Wireframe && mode() != DisplayMode::Points;
+  renderer_.select({state(), drawn, selects_through_ || !has_faces});
+}
+
+void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
+  if (!region_order_ || region_order_->state != state) return;
+  const RegionOrder order = *std::exchange(region_order_, std::nullopt);
+  // Of a scene that is another one by now nothing is selected.
+  if (order.objects == objects_) make_selection(selected, order.modifiers);
+}
+
+void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
+  FaceSelection made(*objects_);
+  const auto hit = hit_at(pixel);
+  if (hit) made.set(hit->face);
+  // A click beside everything with a modifier changes nothing.
+  if (!hit && modifiers != Qt::NoModifier) return;
+  make_selection(std::move(made), modifiers);
+}
+
+void SceneView::toggle_middle() {
+  const auto hit = hit_at(QPointF(width() / 2.0, height() / 2.0));
+  if (!hit) return;
+  FaceSelection made = *selection_;
+  made.set(hit->face, !made.has(hit->face));
+  make_selection(std::move(made), Qt::NoModifier);
+}
+
+void SceneView::make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers) {
+  if (modifiers.testFlag(Qt::ControlModifier)) {
+    FaceSelection all = *selection_;
+    all.remove(made);
+    made = std::move(all);
+  } else if (modifiers.testFlag(Qt::ShiftModifier)) {
+    made.add(*selection_);
+  }
+  if (made == *selection_) return;
+  set_selection(made);
+  emit selection_made(made);
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  const auto hit = hit_at(event->position());
+  if (!hit) return;
+  ViewCamera turned = camera();
+  turned.set_target(camera().ray(place_at(event->position()), aspect()).at(hit->distance));
+  move_camera(turned);
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  if (event->angleDelta().y() == 0) return;
+  navigation_.zoom(event->angleDelta().y() / 120.0, place_at(event->position()), aspect());
+  event->accept();
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  const bool has_shift = event->modifiers().testFlag(Qt::ShiftModifier);
+  const bool has_other = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+  if (gesture_ == Gesture::Navigation && button_ == Qt::RightButton && navigation_.begin_flying(key)) {
+    is_click_ = false;
+  } else if (key == Qt::Key_Escape && gesture_ != Gesture::None) {
+    cancel_gesture();
+  } else if (has_other || !press(key, has_shift)) {
+    QWidget::keyPressEvent(event);
+    return;
+  }
+  if (!shows_middle_ && gesture_ == Gesture::None) {
+    shows_middle_ = true;
+    update();
+  }
+}
+
+bool SceneView::press(int key, bool has_shift) {
+  if (navigation_.press(key, has_shift, aspect())) return true;
+  if (key == Qt::Key_Space) {
+    toggle_middle();
+  } else if (key == Qt::Key_F) {
+    frame_selection();
+  } else if (key == Qt::Key_Home) {
+    frame_all();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent* event) {
+  if (!event->isAutoRepeat()) navigation_.end_flying(event->key());
+  QWidget::keyReleaseEvent(event);
+}
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+  // Who comes by keyboard goes on by keyboard.
+  const Qt::FocusReason reason = event->reason();
+  if (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) shows_middle_ = true;
+  update();
+  QWidget::focusInEvent(event);
+}
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+  navigation_.end_flying();
+  update();
+  QWidget::focusOutEvent(event);
+}
+
+void SceneView::cancel_gesture() {
+  if (std::exchange(gesture_, Gesture::None) == Gesture::Handle) handles_.end(false);
+  region_.take();
+  navigation_.end_flying();
+  update();
+  draw();
 }
 
 }  // namespace editor

@@ -1,20 +1,19 @@
 // The 3D view of a scene.
 #pragma once
 
-#include <QPolygonF>
 #include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "editor/document/face_selection.h"
+#include "editor/view/camera_navigation.h"
 #include "editor/view/geometry_store.h"
 #include "editor/view/picture_painter.h"
+#include "editor/view/region_gesture.h"
 #include "editor/view/scene_handles.h"
 #include "editor/view/texture_store.h"
-#include "editor/view/view_camera.h"
 #include "editor/view/view_renderer.h"
 
 namespace editor {
@@ -43,19 +42,22 @@ class SceneView : public QWidget {
   using QWidget::show;
   /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.
   void show(std::shared_ptr<const SceneObjects> objects);
+  const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const SceneObjects& objects() const { return *objects_; }
   /// Of the objects that are shown.
   void set_selection(const FaceSelection& selection);
   const FaceSelection& selection() const { return *selection_; }
   void set_camera(const ViewCamera& camera);
-  const ViewCamera& camera() const { return camera_; }
+  const ViewCamera& camera() const { return navigation_.camera(); }
   /// As by a gesture: with `camera_moved`.
-  void move_camera(const ViewCamera& camera);
-  void frame_all();
+  void move_camera(const ViewCamera& camera) { navigation_.move(camera); }
+  void frame_all() { frame(objects_->bounds); }
   void frame_selection();
+  /// Does what a key does that moves the camera or selects. Returns whether it is one.
+  bool press(int key, bool has_shift = false);
 
   void set_mode(DisplayMode mode);
-  DisplayMode mode() const { return mode_; }
+  DisplayMode mode() const { return style_.mode; }
   void set_vertex_normals(bool are_shown);
   void set_face_normals(bool are_shown);
   void set_grid(bool is_shown);
@@ -76,7 +78,7 @@ class SceneView : public QWidget {
   /// What a click at this place of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
   /// The lights, observers and the camera as they stand now.
-  const std::vector<SceneHandle>& handles() const { return handles_; }
+  const std::vector<SceneHandle>& handles() const { return handles_.handles(); }
 
  signals:
   void selection_made(const editor::FaceSelection& selection);
@@ -109,7 +111,7 @@ class SceneView : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Gesture { None, Orbit, Pan, Look, Region, Handle };
+  enum class Gesture { None, Navigation, Region, Handle };
   /// A box or lasso that was made.
   struct RegionOrder {
     std::int64_t state = 0;  ///< what was to be seen
@@ -117,72 +119,57 @@ class SceneView : public QWidget {
     Qt::KeyboardModifiers modifiers;
   };
 
-  // scene_view.cpp
+  // What is to be seen
   void draw();
   ViewState state() const;
-  void take_image(const ViewImage& image);
-  void place_handles();
-  double aspect() const;
-  grf::Vec2d window_size() const;
-  ViewStyle style() const;
   PictureRequest request() const;
   QSize picture_size() const;
+  grf::Vec2d window_size() const;
+  double aspect() const { return window_size().x / window_size().y; }
   grf::Box3d drawn_bounds() const;
-
-  // scene_view_overlay.cpp
-  ViewColours colours() const;
-  std::vector<OverlayLayer> overlay() const;
-  void add_grid(std::vector<OverlayLayer>& layers) const;
-  void add_handles(std::vector<OverlayLayer>& layers) const;
-  void paint_background(QPainter& painter) const;
+  void place_handles();
+  void frame(const grf::Box3d& box);
   void paint_gesture(QPainter& painter) const;
 
-  // scene_view_input.cpp
-  std::optional<SceneHit> hit_at(const QPointF& pixel) const;
+  // What is pointed at
   grf::Vec2d place_at(const QPointF& pixel) const;
-  void start_gesture(QMouseEvent* event);
-  void drag_handle(const QPointF& pixel, bool along_axis);
+  std::optional<SceneHit> hit_at(const QPointF& pixel) const;
+  QString text_of(const std::optional<SceneHit>& hit) const;
+  void tell_hovered();
+
+  // Gestures
+  void begin_navigation(CameraNavigation::Drag drag);
+  void begin_gesture(const QPointF& at, Qt::KeyboardModifiers modifiers);
+  void cancel_gesture();
   void end_handle();
   void end_region(Qt::KeyboardModifiers modifiers);
   void take_region(const FaceSelection& selected, std::int64_t state);
   void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void toggle_middle();
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
-  bool navigate_by_key(int key, bool has_shift);
-  bool choose_view_by_key(int key);
-  void fly();
-  void tell_hovered();
-  void cancel_gesture();
 
   std::shared_ptr<const SceneObjects> objects_;  // never null, as the selection
   std::shared_ptr<const FaceSelection> selection_;
   GeometryStore geometry_;
   TextureStore textures_;
-  ViewCamera camera_;
-  DisplayMode mode_ = DisplayMode::Solid;
-  bool has_vertex_normals_ = false;
-  bool has_face_normals_ = false;
+  CameraNavigation navigation_;
+  HandleGesture handles_;
+  RegionGesture region_;
+  ViewStyle style_;  // without colours
   bool has_grid_ = true;
   bool is_lasso_ = false;
   bool selects_through_ = false;
   std::optional<transport::View> render_camera_;
   double render_aspect_ = 1.25;
-  std::vector<SceneHandle> handles_;
   std::int64_t number_ = 0;  // of what is to be seen
   bool is_ordered_ = false;  // it will be asked for in the next turn of the event loop
   ViewImage shown_;
   std::optional<RegionOrder> region_order_;
-  QTimer hover_timer_, fly_timer_;
-
   Gesture gesture_ = Gesture::None;
-  bool is_click_ = false;  // the pointer has not moved since it was pressed
+  Qt::MouseButton button_ = Qt::NoButton;  // that began it
+  bool is_click_ = false;                  // the pointer has not moved since it was pressed
   QPointF pressed_at_, last_at_, hovered_at_;
-  QPolygonF region_;  // in pixels of the window
-  bool draws_lasso_ = false;
-  std::optional<std::size_t> taken_;  // a handle
-  grf::Vec3d taken_offset_ = grf::Vec3d(0);
-  std::optional<HandleId> hovered_handle_;
-  std::set<int> flying_keys_;
+  QTimer hover_timer_;
   bool shows_middle_ = false;
   ViewRenderer renderer_;
 };

@@ -28,6 +28,7 @@ class Builder {
   SurfaceTables build(const SceneObjects& objects) {
     for (const MeshObject& mesh : objects.meshes) {
       for (const Look& look : mesh.looks) add_surface(look, mesh.is_light);
+      tables_.ends.push_back(std::max(tables_.surfaces.size(), tables_.terms.size()));
     }
     return std::move(tables_);
   }

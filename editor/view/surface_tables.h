@@ -26,11 +26,12 @@ struct SurfaceTables {
   /// So many values for the mirror part over the cosine of the angle of view, from 0 to 1.
   static constexpr int MirrorValues = 32;
 
-  /// Three rows a surface: see shaders/picture.glsl.
+  /// Three rows a surface: see shaders/g_buffer.glsl.
   std::vector<Imath::V4f> surfaces;
   /// Each term of a BRDF has its weight, its model's number and the number of its parameters, followed by
   /// these. Values of mirror parts are between.
   std::vector<Imath::V4f> terms;
+  std::vector<std::size_t> ends;      ///< of each mesh, the rows that surfaces up to its last one need
   std::vector<std::string> textures;  ///< paths of images, by number
   std::set<std::size_t> models;       ///< numbers of those that occur: indices of FormulaBrdf
   std::set<std::string> not_shown;    ///< keywords of BRDFs that look matte instead

@@ -15,14 +15,13 @@ void TextureStore::set_paths(const std::vector<std::string>& paths) {
       continue;
     }
     if (!entries_.try_emplace(path).second) continue;
-    QtConcurrent::run(&threads_, read, images_, path, stop_.get_token())
-        .then(this, [this, path](Result result) {
-          const auto entry = entries_.find(path);
-          if (entry == entries_.end() || entry->second.is_read) return;
-          entry->second = {std::move(result.image), true};
-          if (!result.message.empty()) emit failed(QString::fromStdString(result.message));
-          emit changed(path);
-        });
+    QtConcurrent::run(&threads_, read, images_, path, stop_.get_token()).then(this, [this, path](Entry read) {
+      const auto entry = entries_.find(path);
+      if (entry == entries_.end() || entry->second.is_read) return;
+      entry->second = std::move(read);
+      if (!entry->second.problem.empty()) emit failed(QString::fromStdString(entry->second.problem));
+      emit changed(path);
+    });
   }
 }
 
@@ -39,13 +38,13 @@ std::vector<ReadTexture> TextureStore::textures() const {
   return textures;
 }
 
-TextureStore::Result TextureStore::read(const ImageProcess& images, const std::string& path,
-                                        const std::stop_token& stop) {
+TextureStore::Entry TextureStore::read(const ImageProcess& images, const std::string& path,
+                                       const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
   auto image = images.read(path, diagnostics, {}, stop);
-  if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}};
-  if (stop.stop_requested()) return {};
-  return {nullptr, path + ": " + diagnostics.entries().front().message};
+  if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}, true};
+  const bool is_told = diagnostics.error_count() > 0;  // not if it was stopped
+  return {nullptr, is_told ? path + ": " + diagnostics.entries().front().message : std::string(), true};
 }
 
 }  // namespace editor

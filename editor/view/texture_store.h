@@ -44,14 +44,11 @@ class TextureStore : public QObject {
  private:
   struct Entry {
     std::shared_ptr<const transport::Image> image;
+    std::string problem;  ///< empty: there is none
     bool is_read = false;
   };
-  struct Result {
-    std::shared_ptr<const transport::Image> image;
-    std::string message;
-  };
 
-  static Result read(const ImageProcess& images, const std::string& path, const std::stop_token& stop);
+  static Entry read(const ImageProcess& images, const std::string& path, const std::stop_token& stop);
 
   const ImageProcess images_;
   std::stop_source stop_;

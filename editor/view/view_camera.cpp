@@ -123,30 +123,20 @@ grf::Matrix44d ViewCamera::camera_to_clip(double aspect, const grf::Box3d& box) 
   const double middle = box.isEmpty() ? distance_ : (box.center() - eye()).dot(forward());
   double far = middle + radius * 1.01;
   double near = middle - radius * 1.01;
+  grf::Matrix44d clip;
   if (is_orthographic_) {
     const double half_height = distance_ * tangent();
-    return {1 / (half_height * aspect),   0, 0, 0, 0, 1 / half_height, 0, 0, 0, 0, -2 / (far - near), 0, 0, 0,
-            -(far + near) / (far - near), 1};
+    clip.setScale(Vec3d(1 / (half_height * aspect), 1 / half_height, -2 / (far - near)));
+    clip[3][2] = -(far + near) / (far - near);
+    return clip;
   }
   far = std::max(far, 1e-2 * distance_);
   near = std::max(near, std::min(1e-4 * far, 1e-2 * distance_));
-  const double t = tangent();
-  return {1 / (t * aspect),
-          0,
-          0,
-          0,
-          0,
-          1 / t,
-          0,
-          0,
-          0,
-          0,
-          -(far + near) / (far - near),
-          -1,
-          0,
-          0,
-          -2 * far * near / (far - near),
-          0};
+  clip.setScale(Vec3d(1 / (tangent() * aspect), 1 / tangent(), -(far + near) / (far - near)));
+  clip[2][3] = -1;
+  clip[3][2] = -2 * far * near / (far - near);
+  clip[3][3] = 0;
+  return clip;
 }
 
 ViewRay ViewCamera::ray(const grf::Vec2d& place, double aspect) const {

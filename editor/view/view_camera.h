@@ -56,7 +56,6 @@ class ViewCamera {
   /// Turns about this point from now on. Eye and target move aside by as much.
   void set_target(const grf::Vec3d& target);
   void set_orthographic(bool is_orthographic) { is_orthographic_ = is_orthographic; }
-  void set_field_of_view(double degrees) { field_of_view_ = degrees; }
   void look_from(StandardView side);
   void look_from_opposite();
   /// Sees the whole box from the same side; an empty box changes nothing.

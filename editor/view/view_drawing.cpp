@@ -1,28 +1,68 @@
 #include "editor/view/view_drawing.h"
 
+#include <QCoreApplication>
+#include <bit>
+#include <cmath>
+#include <utility>
+
 namespace editor {
 namespace {
 
+/// A full picture that takes longer waits for the view to rest.
+constexpr double QuickEnough = 0.03;
+/// Of a quick picture: above and below, the next one has fewer or more pixels.
+constexpr double TooLong = 0.02;
+constexpr double Short = 0.007;
+constexpr int LargestScale = 4;
 /// How much of the accent selected faces take.
 constexpr float AccentFill = 0.45F;
 
+bool is_same(const PictureRequest& a, const PictureRequest& b) {
+  return a.camera == b.camera && a.bounds == b.bounds && a.style == b.style && a.aspect == b.aspect;
+}
+
+double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-9; }
+
 QVector3D rgb(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
+
+/// The same in fewer pixels, if neither side may have more than so many.
+ViewState with_sides_up_to(ViewState state, int most) {
+  const int side = std::max(state.size.width(), state.size.height());
+  if (side <= most) return state;
+  const double scale = static_cast<double>(most) / side;
+  state.size = state.size.scaled(most, most, Qt::KeepAspectRatio).expandedTo({1, 1});
+  state.screen.pixel_ratio *= scale;
+  state.request.style.pixel_ratio *= static_cast<float>(scale);
+  return state;
+}
 
 }  // namespace
 
 ViewDrawing::ViewDrawing(Gl& gl, const GraphicsDriver& driver)
     : gl_(gl),
-      scene_(gl),
-      pictures_(gl, driver, scene_),
+      limits_(driver.limits()),
+      scene_(gl, limits_),
+      painter_(gl, driver),
       overlay_(gl, driver),
       no_vertices_(gl, GlKind::VertexArray),
-      compose_(program_of(driver, "screen.vert", {"picture.glsl", "compose.frag"})) {}
+      accumulate_(program_of(driver, "screen.vert", {"g_buffer.glsl", "accumulate.frag"})),
+      compose_(program_of(driver, "screen.vert", {"g_buffer.glsl", "compose.frag"})) {}
 
-void ViewDrawing::show(const ViewState& state) {
+void ViewDrawing::show(ViewState state) {
+  state = with_sides_up_to(std::move(state), limits_.texture_side);
   load(state);
-  state_ = state;
-  pictures_.request(state_.request, state_.size);
-  pictures_.prepare();
+  if (state.size != state_.size) {
+    full_.reset();
+    more_.reset();
+    quick_.reset();
+    sum_.reset();
+    sum_target_.reset();
+    screen_.reset();
+    restart();
+  }
+  if (!is_same(state.request, state_.request)) restart();
+  state_ = std::move(state);
+  if (passes_ == 0 && !has_quick_) prepare();
 }
 
 void ViewDrawing::load(const ViewState& state) {
@@ -31,15 +71,148 @@ void ViewDrawing::load(const ViewState& state) {
   if (has_other_faces || state.selection != state_.selection) scene_.set_selection(*state.selection);
   if (has_other_objects || state.textures != state_.textures) {
     for (const ReadTexture& texture : state.textures) scene_.set_texture(texture.path, texture.image.get());
-    pictures_.invalidate();
+    restart();
   }
   if (!has_other_objects && state.shapes == state_.shapes) return;
-  if (scene_.set_shapes(state.shapes)) pictures_.invalidate();
-  pictures_.invalidate_quick();
+  if (scene_.set_shapes(state.shapes)) restart();
+  has_quick_ = false;
+}
+
+QStringList ViewDrawing::shortcomings() const {
+  QStringList texts;
+  const auto tr = [](const char* text) { return QCoreApplication::translate("ViewDrawing", text); };
+  const bool has_brdfs = state_.request.style.mode == DisplayMode::Brdf;
+  for (const auto& [keyword, why] : has_brdfs ? painter_.refused() : std::map<std::string, QString>()) {
+    texts += tr("The graphics driver refuses the shader of the BRDF %1, which the 3D view therefore shows by "
+                "C++, more slowly: %2")
+                 .arg(QString::fromStdString(keyword), why);
+  }
+  for (const std::string& keyword : has_brdfs ? scene_.surfaces().not_shown : std::set<std::string>()) {
+    texts += tr("The 3D view shows the BRDF %1 as diffuse").arg(QString::fromStdString(keyword));
+  }
+  for (const std::string& path : scene_.reduced_textures()) {
+    texts +=
+        tr("The 3D view shows %1 with fewer pixels, since the graphics driver takes no more than %2 in a row")
+            .arg(QString::fromStdString(path))
+            .arg(limits_.texture_side);
+  }
+  if (scene_.left_out() > 0) {
+    texts += tr("The 3D view leaves %1 of %2 meshes out, since the graphics driver takes tables of no more "
+                "than %3 entries: split the scene into files, and open one at a time")
+                 .arg(scene_.left_out())
+                 .arg(state_.objects->meshes.size())
+                 .arg(limits_.buffer_texels);
+  }
+  return texts;
+}
+
+/// What was drawn is out of date.
+void ViewDrawing::restart() {
+  passes_ = 0;
+  steps_.clear();
+  has_quick_ = false;
+}
+
+/// Makes that there is a picture: the full one, if that is a matter of milliseconds.
+void ViewDrawing::prepare() {
+  if (!is_slow_) {
+    QElapsedTimer clock;
+    clock.start();
+    work([&clock] { return seconds(clock) > QuickEnough; });
+    is_slow_ = is_slow_ || passes_ == 0;
+  }
+  if (passes_ == 0) draw_quickly();
+}
+
+void ViewDrawing::draw_quickly() {
+  const QSize size((state_.size.width() + quick_scale_ - 1) / quick_scale_,
+                   (state_.size.height() + quick_scale_ - 1) / quick_scale_);
+  if (!quick_ || quick_->size() != size) quick_ = std::make_unique<GBuffer>(gl_, size);
+  QElapsedTimer clock;
+  clock.start();
+  PictureRequest quick = state_.request;
+  quick.is_quick = true;
+  for (const auto& step : painter_.steps(scene_, *quick_, quick)) step();
+  gl_.glFinish();
+  if (seconds(clock) > TooLong && quick_scale_ < LargestScale) {
+    ++quick_scale_;
+  } else if (seconds(clock) < Short && quick_scale_ > 1) {
+    --quick_scale_;
+  }
+  has_quick_ = true;
+}
+
+void ViewDrawing::begin_pass() {
+  auto& buffer = passes_ == 0 ? full_ : more_;
+  if (!buffer) buffer = std::make_unique<GBuffer>(gl_, state_.size);
+  PictureRequest request = state_.request;
+  request.pass = passes_;
+  // Points that fill the pixel evenly, the first in its centre.
+  request.shift = {std::fmod(0.5 + 0.7548776662 * passes_, 1) - 0.5,
+                   std::fmod(0.5 + 0.5698402910 * passes_, 1) - 0.5};
+  steps_ = painter_.steps(scene_, *buffer, request);
+  steps_.emplace_back([this] { accumulate(); });
+  next_step_ = 0;
+  if (passes_ == 0) first_pass_seconds_ = 0;
+}
+
+void ViewDrawing::accumulate() {
+  if (!sum_) {
+    sum_ = std::make_unique<GlObject>(gl_, GlKind::Texture);
+    sum_target_ = std::make_unique<GlObject>(gl_, GlKind::Framebuffer);
+    gl_.glBindTexture(GL_TEXTURE_2D, sum_->name());
+    gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, state_.size.width(), state_.size.height(), 0, GL_RGBA,
+                     GL_FLOAT, nullptr);
+    gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.glBindFramebuffer(GL_FRAMEBUFFER, sum_target_->name());
+    gl_.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sum_->name(), 0);
+  }
+  gl_.glBindFramebuffer(GL_FRAMEBUFFER, sum_target_->name());
+  gl_.glViewport(0, 0, state_.size.width(), state_.size.height());
+  gl_.glDisable(GL_DEPTH_TEST);
+  passes_ > 0 ? gl_.glEnable(GL_BLEND) : gl_.glDisable(GL_BLEND);
+  gl_.glBlendFunc(GL_ONE, GL_ONE);
+  accumulate_->bind();
+  set_shader_units(*accumulate_);
+  (passes_ == 0 ? full_ : more_)->bind_textures(GBufferUnit);
+  gl_.glBindVertexArray(no_vertices_.name());
+  gl_.glDrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.glDisable(GL_BLEND);
+}
+
+bool ViewDrawing::work(const std::function<bool()>& is_enough) {
+  if (state_.objects == nullptr || is_done()) return false;
+  QElapsedTimer clock;
+  clock.start();
+  if (steps_.empty()) begin_pass();
+  do {
+    steps_[next_step_++]();
+    gl_.glFinish();
+  } while (next_step_ < steps_.size() && !is_enough());
+  if (passes_ == 0) first_pass_seconds_ += seconds(clock);
+  if (next_step_ < steps_.size()) return false;
+  steps_.clear();
+  ++passes_;
+  // The next one, of an edited scene say, will take about as long: it is not tried before the quick one.
+  if (passes_ == 1) is_slow_ = first_pass_seconds_ > QuickEnough;
+  // The more there are, the less one of them changes.
+  return std::has_single_bit(static_cast<unsigned>(passes_));
+}
+
+std::vector<FacePixel> ViewDrawing::faces_in(const QRect& rectangle) {
+  while (passes_ == 0 && state_.objects != nullptr) work([] { return false; });
+  std::vector<FacePixel> pixels(static_cast<std::size_t>(rectangle.width()) *
+                                static_cast<std::size_t>(rectangle.height()));
+  full_->begin(GBuffer::Target::Geometry);
+  gl_.glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.glReadPixels(rectangle.x(), rectangle.y(), rectangle.width(), rectangle.height(), GL_RG_INTEGER,
+                   GL_UNSIGNED_INT, pixels.data());
+  for (FacePixel& pixel : pixels) pixel.instance &= 0x7fffffffU;
+  return pixels;
 }
 
 QImage ViewDrawing::image() {
-  if (screen_ == nullptr || screen_->size() != state_.size) {
+  if (screen_ == nullptr) {
     screen_ = std::make_unique<QOpenGLFramebufferObject>(state_.size, QOpenGLFramebufferObject::Depth);
   }
   compose();
@@ -55,7 +228,10 @@ QImage ViewDrawing::image() {
   return image;
 }
 
+/// Puts what there is onto the screen.
 void ViewDrawing::compose() {
+  const GBuffer& buffer = is_full() ? *full_ : *quick_;
+  const QSizeF size = buffer.size();
   screen_->bind();
   gl_.glViewport(0, 0, state_.size.width(), state_.size.height());
   gl_.glDisable(GL_BLEND);
@@ -63,14 +239,25 @@ void ViewDrawing::compose() {
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthFunc(GL_ALWAYS);
   gl_.glDepthMask(GL_TRUE);
+  buffer.bind_textures(GBufferUnit);
+  scene_.bind_tables(TablesUnit);
   compose_->bind();
-  set_picture_units(*compose_);
-  pictures_.bind_shown(*compose_);
+  set_shader_units(*compose_);
+  compose_->setUniformValue("sum", static_cast<GLint>(ImageUnit));
+  compose_->setUniformValue("has_selection", scene_.has_selection());
+  compose_->setUniformValue("has_borders", is_full());  // they cost more than all else
+  compose_->setUniformValue("sum_weight", is_full() ? 1 / static_cast<float>(passes_) : 0.0F);
+  compose_->setUniformValue(
+      "to_picture", QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));
   compose_->setUniformValue("background_top", rgb(state_.colours.background_top));
   compose_->setUniformValue("background_bottom", rgb(state_.colours.background_bottom));
   compose_->setUniformValue("height", static_cast<float>(state_.size.height()));
   compose_->setUniformValue("accent", rgb(state_.colours.accent));
   compose_->setUniformValue("fill", AccentFill);
+  if (is_full()) {
+    gl_.glActiveTexture(GL_TEXTURE0 + ImageUnit);
+    gl_.glBindTexture(GL_TEXTURE_2D, sum_->name());
+  }
   gl_.glBindVertexArray(no_vertices_.name());
   gl_.glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -94,25 +94,18 @@ bool ViewRenderer::has_orders() {
 
 void ViewRenderer::show_in_thread(const ViewState& state) {
   const ViewState& before = drawing_->state();
-  const bool tells_of_models =
-      state.request.style.mode == DisplayMode::Brdf &&
-      (state.objects != before.objects || state.request.style.mode != before.request.style.mode);
+  if (state.objects != before.objects || state.request.style.mode != before.request.style.mode) told_.clear();
+  asked_size_ = state.size;
   drawing_->show(state);
   tell_image();
-  if (tells_of_models) tell_of_models();
 }
 
-void ViewRenderer::tell_of_models() {
-  for (const auto& [keyword, why] : drawing_->refused()) {
-    warn(
-        tr("The graphics driver refuses the shader of the BRDF %1, which the 3D view therefore shows by C++, "
-           "more slowly: %2")
-            .arg(QString::fromStdString(keyword), why));
+void ViewRenderer::tell_shortcomings() {
+  for (const QString& text : drawing_->shortcomings()) {
+    if (told_.contains(text)) continue;
+    told_ += text;
+    warn(text);
   }
-  if (drawing_->not_shown().empty()) return;
-  const QString text = tr("Shown as matte: %1.").arg(QString::fromStdString(*drawing_->not_shown().begin()));
-  QMetaObject::invokeMethod(
-      this, [this, text] { emit message(text); }, Qt::QueuedConnection);
 }
 
 void ViewRenderer::warn(const QString& text) {
@@ -124,11 +117,13 @@ void ViewRenderer::select_in_thread(const ViewRegion& region) {
   // What nobody sees is hidden to nobody.
   const bool selects_through = region.selects_through || drawing_ == nullptr;
   if (drawing_ != nullptr) show_in_thread(region.state);
-  const ViewState& state = region.state;
+  const ViewState& state = drawing_ != nullptr ? drawing_->state() : region.state;
   const SeenScene seen{*state.objects, state.shapes, state.request.camera, state.size};
+  QPolygonF polygon;
+  for (const QPointF& corner : region.polygon) polygon << corner * state.screen.pixel_ratio;
   const FaceSelection selection = selects_through
-                                      ? all_in_region(seen, region.polygon)
-                                      : seen_in_region(seen, region.polygon, [this](const QRect& rectangle) {
+                                      ? all_in_region(seen, polygon)
+                                      : seen_in_region(seen, polygon, [this](const QRect& rectangle) {
                                           return drawing_->faces_in(rectangle);
                                         });
   QMetaObject::invokeMethod(
@@ -137,8 +132,9 @@ void ViewRenderer::select_in_thread(const ViewRegion& region) {
 }
 
 void ViewRenderer::tell_image() {
-  const ViewImage image = {drawing_->image(), drawing_->state().number, drawing_->is_full(),
+  const ViewImage image = {drawing_->image(), asked_size_, drawing_->state().number, drawing_->is_full(),
                            drawing_->is_done()};
+  tell_shortcomings();
   QMetaObject::invokeMethod(
       this, [this, image] { emit drawn(image); }, Qt::QueuedConnection);
 }

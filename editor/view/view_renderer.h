@@ -19,6 +19,7 @@ class ViewDrawing;
 /// What a view shows of a state.
 struct ViewImage {
   QImage image;
+  QSize size;              ///< that was asked for; an image that the driver cannot draw is smaller
   std::int64_t state = 0;  ///< its number
   bool is_full = false;    ///< in full detail, perhaps with edges that are still being smoothed
   bool is_done = false;    ///< nothing is left to improve
@@ -27,7 +28,7 @@ struct ViewImage {
 /// A box or a lasso, what was to be seen where it was made, and how it selects.
 struct ViewRegion {
   ViewState state;
-  QPolygonF polygon;             ///< pixels of the screen from the upper left
+  QPolygonF polygon;             ///< pixels of the window from the upper left
   bool selects_through = false;  ///< hidden faces too, and not only those that are seen
 };
 
@@ -48,9 +49,7 @@ class ViewRenderer : public QObject {
  signals:
   void drawn(const editor::ViewImage& image);
   void selected(const editor::FaceSelection& selection, std::int64_t state);
-  /// Something cannot be shown as it is.
-  void message(const QString& text);
-  /// The scene is drawn otherwise than the driver should, which holds as long as it is shown.
+  /// The scene is drawn otherwise than it should be, which holds as long as it is shown.
   void warned(const QString& text);
 
  private:
@@ -73,7 +72,7 @@ class ViewRenderer : public QObject {
   void show_in_thread(const ViewState& state);
   void select_in_thread(const ViewRegion& region);
   void tell_image();
-  void tell_of_models();
+  void tell_shortcomings();
   void warn(const QString& text);
 
   const GraphicsDriver driver_;
@@ -81,7 +80,10 @@ class ViewRenderer : public QObject {
   std::condition_variable ordered_;
   Orders orders_;  // by the mutex
   bool is_running_ = false;
-  std::unique_ptr<ViewDrawing> drawing_;  // of the thread; null: nothing can be drawn
+  // Of the thread:
+  std::unique_ptr<ViewDrawing> drawing_;  // null: nothing can be drawn
+  QSize asked_size_;
+  QStringList told_;  // of what is shown
   GraphicsThread thread_;
 };
 

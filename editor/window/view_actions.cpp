@@ -5,7 +5,6 @@
 #include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
-#include <functional>
 
 #include "editor/view/scene_view.h"
 #include "editor/window/actions.h"
@@ -65,35 +64,20 @@ void ViewActions::make_overlays() {
 
 void ViewActions::make_places() {
   // Letters and digits are the view's: in fields and lists they are typed.
-  const auto add = [this](const ActionText& text, const std::function<void()>& action) {
-    QAction* made = new_action(window_, text, action);
+  const auto add = [this](const QString& text, Qt::Key key, const QString& tip, const QString& icon = {}) {
+    QAction* made = new_action(window_, {text, icon, key, tip}, [this, key] { view_.press(key); });
     window_.removeAction(made);
     made->setShortcutContext(Qt::WidgetShortcut);
     view_.addAction(made);
     return made;
   };
-  const auto look = [this](const std::function<void(ViewCamera&)>& change) {
-    return [this, change] {
-      ViewCamera camera = view_.camera();
-      change(camera);
-      view_.move_camera(camera);
-    };
-  };
-  frame_all_ = add({tr("Frame &all"), "fit", Qt::Key_Home, tr("Shows the whole scene")},
-                   [this] { view_.frame_all(); });
-  frame_selection_ = add({tr("&Frame the selection"), "frame", Qt::Key_F, tr("Shows the selected faces")},
-                         [this] { view_.frame_selection(); });
-  const auto side = [&](const QString& text, Qt::Key key, StandardView from, const QString& tip) {
-    places_.append(add({text, {}, key, tip}, look([from](ViewCamera& camera) { camera.look_from(from); })));
-  };
-  side(tr("Fr&ont"), Qt::Key_1, StandardView::Front, tr("Looks along -z"));
-  side(tr("&Right"), Qt::Key_3, StandardView::Right, tr("Looks along -x"));
-  side(tr("&Top"), Qt::Key_7, StandardView::Top, tr("Looks along -y"));
-  places_.append(add({tr("Oppos&ite"), {}, Qt::Key_9, tr("Looks from the other side")},
-                     look([](ViewCamera& camera) { camera.look_from_opposite(); })));
-  places_.append(
-      add({tr("&Perspective or parallel"), {}, Qt::Key_5, tr("Changes between perspective and parallel")},
-          look([](ViewCamera& camera) { camera.set_orthographic(!camera.is_orthographic()); })));
+  frame_all_ = add(tr("Frame &all"), Qt::Key_Home, tr("Shows the whole scene"), "fit");
+  frame_selection_ = add(tr("&Frame the selection"), Qt::Key_F, tr("Shows the selected faces"), "frame");
+  places_ = {add(tr("Fr&ont"), Qt::Key_1, tr("Looks along -z")),
+             add(tr("&Right"), Qt::Key_3, tr("Looks along -x")),
+             add(tr("&Top"), Qt::Key_7, tr("Looks along -y")),
+             add(tr("Oppos&ite"), Qt::Key_9, tr("Looks from the other side")),
+             add(tr("&Perspective or parallel"), Qt::Key_5, tr("Changes between perspective and parallel"))};
 }
 
 void ViewActions::fill(QMenu& menu) {

@@ -59,7 +59,7 @@ ViewerWindow::ViewerWindow(QWidget* parent)
   add_file_actions();
   add_view_actions();
   connect(&loader_, &SceneLoader::files_known, &watch_, &FileWatch::follow);
-  connect(&loader_, &SceneLoader::loaded, this, [this](const auto& scene) { show_scene(*scene); });
+  connect(&loader_, &SceneLoader::loaded, this, &ViewerWindow::show_scene);
   connect(&loader_, &SceneLoader::failed, this, &ViewerWindow::show_failure);
   connect(&watch_, &FileWatch::changed, this, &ViewerWindow::reload);
   connect(view_, &SceneView::hovered, this, [this](const QString& text) {
@@ -71,7 +71,7 @@ ViewerWindow::ViewerWindow(QWidget* parent)
   connect(view_, &SceneView::selection_made, this, &ViewerWindow::show_selection);
   // What was dragged goes back to where the scene has it.
   connect(view_, &SceneView::object_moved, this, [this] {
-    view_->show(std::make_shared<const SceneObjects>(view_->objects()));
+    view_->show(view_->shared_objects());
     statusBar()->showMessage(tr("Nothing is moved here: open the scene in the editor for that"));
   });
   resize(1024, 768);
@@ -166,22 +166,22 @@ void ViewerWindow::reload() {
   loader_.start(path_);
 }
 
-void ViewerWindow::show_scene(const LoadedScene& scene) {
+void ViewerWindow::show_scene(const std::shared_ptr<const LoadedScene>& scene) {
   statusBar()->clearMessage();
   notice_->hide();
   pages_->setCurrentWidget(view_);
   pages_->layout()->activate();
-  view_->show(std::make_shared<const SceneObjects>(scene.objects));
-  if (scene.path != shown_path_) {
+  view_->show(std::shared_ptr<const SceneObjects>(scene, &scene->objects));
+  if (scene->path != shown_path_) {
     view_->frame_all();
     view_->setFocus();
   }
-  shown_path_ = scene.path;
-  setWindowTitle(tr("%1 - GRF viewer").arg(QFileInfo(scene.path).fileName()));
-  counts_->setText(counts_of(scene.objects));
+  shown_path_ = scene->path;
+  setWindowTitle(tr("%1 - GRF viewer").arg(QFileInfo(scene->path).fileName()));
+  counts_->setText(counts_of(scene->objects));
   show_selection();
-  show_warnings(scene.warnings);
-  emit opened(scene.path);
+  show_warnings(scene->warnings);
+  emit opened(scene->path);
 }
 
 void ViewerWindow::show_failure(const LoadFailure& failure) {

@@ -52,7 +52,7 @@ class ViewerWindow : public QMainWindow {
   void add_file_actions();
   void add_view_actions();
   void ask_for_file();
-  void show_scene(const LoadedScene& scene);
+  void show_scene(const std::shared_ptr<const LoadedScene>& scene);
   void show_failure(const LoadFailure& failure);
   void show_line(const grf::SourceLocation& location);
   void show_selection();

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/editor/view/shown_view.h"
+#include "tests/support/temporary_folder.h"
 
 namespace editor {
 namespace {
@@ -108,6 +109,86 @@ TEST(RefusedShaders, OfTheViewItselfLeaveAMessage) {
   }
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, {200, 150});
   EXPECT_TRUE(test::wait_for([&] { return !view.is_selecting(); }, 5));
+}
+
+GraphicsDriver driver_with(const GraphicsLimits& limits) {
+  GraphicsDriver driver;
+  driver.limits = [limits] { return limits; };
+  return driver;
+}
+
+constexpr std::size_t ManyTexels = 1'000'000;
+
+/// A red image of so many pixels in a row, and two rows.
+std::string red_image(const test::TemporaryFolder& folder, int width) {
+  std::string bytes = "PF\n" + std::to_string(width) + " 2\n-1.0\n";
+  for (int i = 0; i < 2 * width; ++i) bytes += std::string("\0\0\x80\x3f\0\0\0\0\0\0\0\0", 12);
+  return folder.add("red.pfm", bytes);
+}
+
+TEST(DriverLimits, MakeImagesSmallerThatAreTooLarge) {
+  const test::TemporaryFolder folder;
+  const SceneObjects objects = test::objects_of_text("begin mesh texture \"" + red_image(folder, 1300) +
+                                                     "\" begin vertices uv (0,0) (-1,-1,1) uv (1,0) (1,-1,1) "
+                                                     "uv (1,1) (1,1,1) uv (0,1) (-1,1,1) end vertices "
+                                                     "begin faces (0,1,2,3) end faces end mesh");
+  for (const int side : {1300, 1024}) {
+    ShownView shown(objects, test::front_camera(), driver_with({side, ManyTexels}));
+    QSignalSpy warned(&shown.view, &SceneView::warned);
+    shown.view.set_mode(DisplayMode::Textured);
+    ASSERT_TRUE(shown.complete());
+    const QColor middle = shown.view.grab().toImage().pixelColor(400, 300);
+    EXPECT_GT(middle.red(), 100) << side;
+    EXPECT_LT(middle.green(), 30) << side;
+    shown.view.set_mode(DisplayMode::Solid);
+    ASSERT_TRUE(shown.complete());
+    const QStringList said = texts(warned).filter("fewer pixels");
+    EXPECT_EQ(said.isEmpty(), side == 1300);
+    for (const QString& text : said) EXPECT_TRUE(text.contains("red.pfm") && text.contains("1024"));
+  }
+}
+
+/// A window of more pixels than the driver draws has an image of fewer, in which boxes select as in any.
+TEST(DriverLimits, HoldForTheWindowToo) {
+  const SceneObjects objects = test::objects_of_text(test::cube_text());
+  const auto selected = [&](const GraphicsDriver& driver, QImage& image) {
+    ShownView shown(objects, seen_from_above(), driver);
+    EXPECT_TRUE(shown.is_shown);
+    image = shown.view.grab().toImage();
+    shown.drag(Qt::LeftButton, Qt::ShiftModifier, {{300, 200}, {350, 240}, {450, 330}});
+    return shown.view.selection();
+  };
+  QImage image;
+  QImage small;
+  const FaceSelection expected = selected({}, image);
+  ASSERT_GT(expected.count(), 1U);
+  EXPECT_EQ(selected(driver_with({320, ManyTexels}), small), expected);
+  ASSERT_EQ(small.size(), image.size());
+  EXPECT_GT(share_of_far_pixels(small, image), 0.01) << "it has fewer pixels";
+  for (const QPoint& place : {QPoint(350, 240), QPoint(450, 330), QPoint(400, 300)}) {
+    const QColor expected_colour = image.pixelColor(place);
+    const QColor colour = small.pixelColor(place);
+    EXPECT_NEAR(colour.red(), expected_colour.red(), 8);
+    EXPECT_NEAR(colour.green(), expected_colour.green(), 8);
+    EXPECT_NEAR(colour.blue(), expected_colour.blue(), 8);
+  }
+}
+
+/// What shaders look up behind the end of a table is undefined.
+TEST(DriverLimits, LeaveMeshesOutForWhichTablesAreTooShort) {
+  const SceneObjects objects = test::objects_of_text(
+      test::cube_text() + "transform translation (3,0,0) begin " + test::cube_text() + " end");
+  for (const std::size_t texels : {ManyTexels, std::size_t(35)}) {
+    ShownView shown(objects, test::front_camera(), driver_with({2000, texels}));
+    QSignalSpy warned(&shown.view, &SceneView::warned);
+    shown.view.set_mode(DisplayMode::SolidEdges);
+    ASSERT_TRUE(shown.complete());
+    const QImage image = shown.view.grab().toImage();
+    EXPECT_GT(image.pixelColor(400, 300).red(), 90) << "the first cube's front";
+    EXPECT_EQ(image.pixelColor(shown.pixel_of(grf::Vec3d(3, 0, 1))).red() > 90, texels == ManyTexels);
+    ASSERT_EQ(warned.count(), texels == ManyTexels ? 0 : 1);
+    for (const QString& text : texts(warned)) EXPECT_TRUE(text.contains("1 of 2 meshes"));
+  }
 }
 
 }  // namespace
