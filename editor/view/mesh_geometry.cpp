@@ -74,41 +74,39 @@ std::optional<double> intersect_triangle(const ViewRay& ray, const Vec3d& a, con
 
 }  // namespace
 
-MeshGeometry::MeshGeometry(const grf::Mesh& mesh) {
+MeshGeometry::MeshGeometry(const grf::Mesh& mesh) : geometry_(mesh.geometry) {
   copy_vertices(mesh, arrays_);
-  cut_faces(mesh);
-  find_edges(mesh);
+  cut_faces();
   enclose_triangles();
 }
 
-void MeshGeometry::cut_faces(const grf::Mesh& mesh) {
-  const std::size_t faces = mesh.face_count();
-  const grf::Triangulation& triangles = mesh.geometry.triangulation();
+void MeshGeometry::cut_faces() {
+  const std::size_t faces = geometry_->face_count();
+  const grf::Triangulation& triangles = geometry_.triangulation();
   arrays_.triangles.reserve(triangles.size());
   arrays_.face_of_triangle.reserve(triangles.size());
   centres_.reserve(faces);
   normals_.reserve(faces);
-  first_triangle_.reserve(faces + 1);
   for (std::size_t i = 0; i < faces; ++i) {
-    const auto face = mesh.face(i);
-    first_triangle_.push_back(static_cast<std::uint32_t>(triangles.first_of(i)));
+    const auto face = geometry_->face(i);
     Vec3d sum(0);
-    for (const std::uint32_t corner : face) sum += Vec3d(mesh.geometry->positions[corner]);
+    for (const std::uint32_t corner : face) sum += Vec3d(geometry_->positions[corner]);
     centres_.emplace_back(sum / static_cast<double>(face.size()));
-    normals_.emplace_back(grf::doubled_area_vector(*mesh.geometry, i, {}).normalized());
+    normals_.emplace_back(grf::doubled_area_vector(*geometry_, i, {}).normalized());
     for (std::size_t k = triangles.first_of(i); k < triangles.first_of(i + 1); ++k) {
       arrays_.triangles.push_back(triangles[k]);
       arrays_.face_of_triangle.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  first_triangle_.push_back(static_cast<std::uint32_t>(triangles.size()));
 }
 
-void MeshGeometry::find_edges(const grf::Mesh& mesh) {
-  grf::for_each_edge(grf::edges_of_faces(*mesh.geometry, {}), [&](std::span<const grf::FaceEdge> of_faces) {
+std::vector<MeshGeometry::Edge> MeshGeometry::edges() const {
+  std::vector<Edge> edges;
+  grf::for_each_edge(grf::edges_of_faces(*geometry_, {}), [&edges](std::span<const grf::FaceEdge> of_faces) {
     const std::uint64_t ends = of_faces.front().places;
-    edges_.push_back({static_cast<std::uint32_t>(ends >> 32U), static_cast<std::uint32_t>(ends)});
+    edges.push_back({static_cast<std::uint32_t>(ends >> 32U), static_cast<std::uint32_t>(ends)});
   });
+  return edges;
 }
 
 void MeshGeometry::enclose_triangles() {

@@ -40,13 +40,13 @@ class MeshGeometry {
   explicit MeshGeometry(const grf::Mesh& mesh);
 
   const TriangleArrays& arrays() const { return arrays_; }
-  /// Of the polygons, not of the triangles that they are cut into; each once.
-  const std::vector<Edge>& edges() const { return edges_; }
+  /// Of the polygons, not of the triangles that they are cut into; each once. They are found anew at each
+  /// call, since few display modes need them.
+  std::vector<Edge> edges() const;
   const grf::Box3f& bounds() const { return bounds_; }
   /// The triangles of a face follow each other.
-  std::uint32_t first_triangle(std::uint32_t face) const { return first_triangle_[face]; }
-  std::uint32_t end_triangle(std::uint32_t face) const { return first_triangle_[face + 1]; }
-  std::uint32_t face_count() const { return static_cast<std::uint32_t>(first_triangle_.size() - 1); }
+  std::size_t first_triangle(std::uint32_t face) const { return geometry_.triangulation().first_of(face); }
+  std::uint32_t face_count() const { return static_cast<std::uint32_t>(centres_.size()); }
   /// The means of faces' corners, and their unit normals, 0 for a face without area.
   const std::vector<grf::Vec3f>& centres() const { return centres_; }
   const std::vector<grf::Vec3f>& normals() const { return normals_; }
@@ -55,13 +55,11 @@ class MeshGeometry {
   std::optional<MeshHit> intersect(const ViewRay& ray) const;
 
  private:
-  void cut_faces(const grf::Mesh& mesh);
-  void find_edges(const grf::Mesh& mesh);
+  void cut_faces();
   void enclose_triangles();
 
+  grf::SharedGeometry geometry_;
   TriangleArrays arrays_;
-  std::vector<Edge> edges_;
-  std::vector<std::uint32_t> first_triangle_;
   std::vector<grf::Vec3f> centres_;
   std::vector<grf::Vec3f> normals_;
   grf::Box3f bounds_;

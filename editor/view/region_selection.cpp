@@ -55,7 +55,8 @@ struct PlacedMesh {
     const TriangleArrays& arrays = geometry->arrays();
     const grf::Vec3f& middle = geometry->centres()[face];
     float farthest = 0;
-    for (std::uint32_t i = geometry->first_triangle(face); i < geometry->end_triangle(face); ++i) {
+    const std::size_t end = geometry->first_triangle(face + 1);
+    for (std::size_t i = geometry->first_triangle(face); i < end; ++i) {
       for (const std::uint32_t corner : arrays.triangles[i]) {
         farthest = std::max(farthest, (arrays.positions[corner] - middle).length2());
       }

@@ -221,7 +221,9 @@ void SceneView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QSizeF size = shown_.image.deviceIndependentSize();
   if (shown_.size == picture_size()) {
-    painter.drawImage(0, 0, shown_.image);
+    // The size is said, since Qt heeds no ratio of pixels below 1, as of an image that the driver made
+    // smaller.
+    painter.drawImage(QRectF(QPointF(), size), shown_.image);
   } else {
     // In the middle, until that of this size comes.
     const ViewColours background = view_colours(palette());

@@ -28,23 +28,21 @@ ViewRenderer::~ViewRenderer() {
 }
 
 void ViewRenderer::show(const ViewState& state) {
-  {
-    const std::lock_guard lock(mutex_);
-    orders_.state = state;
-  }
-  start();
+  order([&state](Orders& orders) { orders.state = state; });
 }
 
 void ViewRenderer::select(const ViewRegion& region) {
-  {
-    const std::lock_guard lock(mutex_);
-    orders_.region = region;
-    orders_.state.reset();  // that of the region is later
-  }
-  start();
+  order([&region](Orders& orders) {
+    orders.region = region;
+    orders.state.reset();  // that of the region is later
+  });
 }
 
-void ViewRenderer::start() {
+void ViewRenderer::order(const std::function<void(Orders&)>& change) {
+  {
+    const std::lock_guard lock(mutex_);
+    change(orders_);
+  }
   ordered_.notify_one();
   if (std::exchange(is_running_, true)) return;
   thread_.run([this](QOpenGLContext* context) { run(context); });

@@ -62,7 +62,7 @@ class ViewRenderer : public QObject {
     bool empty() const { return !state && !region && !is_end; }
   };
 
-  void start();
+  void order(const std::function<void(Orders&)>& change);
 
   // In the thread.
   void run(QOpenGLContext* context);

@@ -66,7 +66,7 @@ TEST(MeshGeometry, KnowsFacesOfTrianglesAndEdgesOfPolygons) {
   EXPECT_EQ(geometry.arrays().face_of_triangle, (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_EQ(geometry.edges().size(), 6);
   EXPECT_EQ(geometry.first_triangle(1), 2);
-  EXPECT_EQ(geometry.end_triangle(1), 3);
+  EXPECT_EQ(geometry.first_triangle(2), 3);
   EXPECT_EQ(Vec3d(geometry.centres()[0]), Vec3d(0.5, 0.5, 0));
   EXPECT_EQ(Vec3d(geometry.normals()[1]), Vec3d(0, 0, 1));
 }
