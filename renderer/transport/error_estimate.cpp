@@ -42,6 +42,8 @@ constexpr double SteadyAgreement = 0.9;
 
 /// The part of the brightest neighbour that the bright side of an edge has at least.
 constexpr double BrightSide = 0.7;
+/// The part of the brighter side along an edge that the darker one has at least.
+constexpr double Balance = 0.5;
 
 /// How large the part of a binomial variance is that pixels at edges may have, with samples well spread.
 constexpr double BinomialPart = 0.5;
@@ -151,7 +153,8 @@ class EdgeSide {
 
 /// The mean of a pixel and of those to both sides of it along an edge that is nearly parallel to the rows or
 /// columns; empty if there is no such edge. As many are taken at both sides: along an edge that is not quite
-/// parallel, what it covers changes by as much from each pixel to the next.
+/// parallel, what it covers changes by as much from each pixel to the next. Where it ends, one side is dark,
+/// and the mean would hide how little of the last pixels is covered.
 std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelValue& value, double bright) {
   double sum = 0;
   int most = 1;
@@ -159,19 +162,22 @@ std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelVal
        {Imath::V2i(1, 0), Imath::V2i(-1, 0), Imath::V2i(0, 1), Imath::V2i(0, -1)}) {
     const EdgeSide edge(pixels, value.channel, to_bright, bright);
     if (!edge.value_at(value.pixel)) continue;
-    double side_sum = value.mean;
+    double sum_before = 0;
+    double sum_after = 0;
     int count = 1;
     for (int step = 1; step <= ErrorNeighbours; ++step) {
       const Imath::V2i along = Imath::V2i(to_bright.y, to_bright.x) * step;
       const auto before = edge.value_at(value.pixel - along);
       const auto after = edge.value_at(value.pixel + along);
       if (!before || !after) break;
-      side_sum += *before + *after;
+      sum_before += *before;
+      sum_after += *after;
       count += 2;
     }
-    if (count <= most) continue;
+    if (count <= most || std::min(sum_before, sum_after) < Balance * std::max(sum_before, sum_after))
+      continue;
     most = count;
-    sum = side_sum;
+    sum = value.mean + sum_before + sum_after;
   }
   return most > 1 ? std::optional(sum / most) : std::nullopt;
 }
