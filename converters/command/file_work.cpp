@@ -27,7 +27,7 @@ std::string why_it_died(const Ending& ending, const Limits& limits) {
                  ? "out of memory"
                  : fmt::format("more memory is needed than the limit of {}", size_text(limits.memory));
     case Ending::Cause::OutOfTime:
-      return fmt::format("not done after the {:g} s that --max-time allows", limits.seconds);
+      return fmt::format("not done within the limit of {:g} s", limits.seconds);
     case Ending::Cause::Crashed:
       return fmt::format("the conversion crashed ({})", ::strsignal(ending.signal));
     case Ending::Cause::Returned:

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "editor/brdf/background_job.h"
 #include "editor/brdf/lobe_curves.h"
+#include "editor/jobs/background_job.h"
 
 class QButtonGroup;
 class QCheckBox;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "editor/brdf/background_job.h"
+#include "editor/jobs/background_job.h"
 #include "renderer/plot/brdf_charts.h"
 
 namespace editor {

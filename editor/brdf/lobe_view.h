@@ -6,9 +6,9 @@
 
 #include <QMatrix4x4>
 
-#include "editor/brdf/background_job.h"
 #include "editor/brdf/lobe_mesh.h"
 #include "editor/graphics/graphics_thread.h"
+#include "editor/jobs/background_job.h"
 
 namespace editor {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "editor/brdf/background_job.h"
 #include "editor/brdf/lobe_curves.h"
 #include "editor/graphics/graphics_driver.h"
+#include "editor/jobs/background_job.h"
 
 class QOpenGLContext;
 

@@ -11,11 +11,10 @@
 #include "editor/document/image_files.h"
 #include "editor/document/light_edits.h"
 #include "editor/document/model_import.h"
+#include "editor/document/save.h"
 #include "editor/document/scene_places.h"
-#include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/scene_path.h"
-#include "grf/write.h"
 
 namespace editor {
 namespace {
@@ -26,13 +25,12 @@ const grf::Vec3f PlainSky = grf::Vec3f(0.7F);
 /// The file from which a scene names others: one that was never saved does so from the current folder.
 QString naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("Untitled.grf") : path; }
 
-/// Files as they are named from another file.
+}  // namespace
+
 grf::Scene moved(grf::Scene scene, const QString& from, const QString& to) {
   if (from != to) grf::relocate(scene, naming_path(from).toStdString(), naming_path(to).toStdString());
   return scene;
 }
-
-}  // namespace
 
 /// One step of undo. What it holds names files as the document does: it follows where that was saved
 /// elsewhere.
@@ -90,8 +88,7 @@ class Document::Step : public QUndoCommand {
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
-  connect(&undo_stack_, &QUndoStack::cleanChanged, this,
-          [this](bool is_clean) { emit modified_changed(!is_clean); });
+  connect(&undo_stack_, &EditStack::revision_changed, this, [this] { set_saved(saved_); });
 }
 
 // Commands refer to the document.
@@ -103,16 +100,18 @@ void Document::clear() { take({}, {}, {}); }
 
 void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified) {
   undo_stack_.clear();
+  origin_ = revision();
+  set_saved(origin_);
   path_ = path;
   diagnostics_ = std::move(diagnostics);
   selection_ = {};
   relocations_.clear();
-  import_folders_.clear();
+  imports_.clear();
   has_plain_sky_ = false;
   show(std::move(scene));
   options_.open_beside(path_);
   light_by_plain_sky();
-  if (is_modified) undo_stack_.resetClean();
+  if (is_modified) set_saved(std::nullopt);
   emit path_changed();
   emit taken();
   if (has_plain_sky_) emit lit_by_a_plain_sky();
@@ -120,7 +119,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
 
 void Document::take_import(const ImportedModel& model) {
   take(moved(model.scene, model.path, {}), {}, model.diagnostics, true);
-  import_folders_.push_back(QFileInfo(model.path).path());
+  add_import(model.folder);
 }
 
 void Document::merge(const QString& text, const grf::Scene& scene, const QString& path) {
@@ -133,32 +132,59 @@ void Document::merge(const QString& text, const grf::Scene& scene, const QString
 }
 
 void Document::merge_import(const QString& text, const ImportedModel& model) {
-  import_folders_.push_back(QFileInfo(model.path).path());
+  add_import(model.folder);
   merge(text, model.scene, model.path);
 }
 
+void Document::add_import(std::shared_ptr<const ImportFolder> folder) {
+  if (folder) imports_.push_back(std::move(folder));
+}
+
+/// Says so where the scene has come to differ from its file, or to be as it is there.
+void Document::set_saved(std::optional<std::uint64_t> revision) {
+  saved_ = revision;
+  if (!is_modified()) undo_stack_.setClean();  // for windows that show the options alone
+  if (was_modified_ == is_modified()) return;
+  was_modified_ = is_modified();
+  emit modified_changed(was_modified_);
+}
+
 bool Document::save(const QString& path, grf::Diagnostics& diagnostics) {
-  const std::string from = naming_path(path_).toStdString();
-  const std::size_t errors = diagnostics.error_count();
-  auto copied = copy_images(scene_, from, import_folders_, path.toStdString(), diagnostics);
-  if (diagnostics.error_count() > errors) return false;
-  grf::Scene scene = scene_;
-  grf::relocate(scene, from, path.toStdString(), copied);
-  if (!grf::write(scene, path.toStdString(), diagnostics)) return false;
-  const bool keeps_options = options_.is_edited() || (path != path_ && options_.is_from_file());
-  if (keeps_options && !options_.save_beside(path, diagnostics)) return false;
-  if (path != path_ || !copied.empty()) {
-    path_ = path;
-    relocations_.push_back({from, path.toStdString(), std::move(copied)});
+  const SaveResult result = write(save_request(path));
+  take_saved(result);
+  diagnostics = result.diagnostics;
+  return result.is_done;
+}
+
+SaveRequest Document::save_request(const QString& path) {
+  finish_gesture();  // what comes is no part of a step that is saved
+  const bool has_options = options_.is_edited() || (path != path_ && options_.is_from_file());
+  return {scene_,
+          naming_path(path_).toStdString(),
+          path,
+          imports_,
+          has_options ? std::optional(options_.snapshot()) : std::nullopt,
+          origin_,
+          revision()};
+}
+
+void Document::take_saved(const SaveResult& result) {
+  const SaveRequest& request = result.request;
+  if (!result.is_done || request.origin != origin_) return;
+  if (request.options) options_.take_written(*request.options, request.path, result.options);
+  if (request.path != path_ || !result.copied.empty()) {
+    grf::Scene scene = scene_;
+    grf::relocate(scene, request.from, request.path.toStdString(), result.copied);
+    path_ = request.path;
+    relocations_.push_back({request.from, request.path.toStdString(), result.copied});
+    std::erase_if(imports_,
+                  [&](const auto& folder) { return is_copied(*folder, request.from, result.copied); });
     show(std::move(scene));
     emit path_changed();
   }
-  undo_stack_.setClean();
+  set_saved(request.revision);
   emit saved();
-  return true;
 }
-
-grf::Scene Document::scene_for(const QString& path) const { return moved(scene_, path_, path); }
 
 void Document::select(FaceSelection selection) {
   if (selection == *selection_) return;

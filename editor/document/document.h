@@ -2,14 +2,16 @@
 
 #include <QObject>
 #include <QString>
-#include <QUndoStack>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/document/change.h"
+#include "editor/document/edit_stack.h"
 #include "editor/document/face_selection.h"
+#include "editor/document/import_folder.h"
 #include "editor/document/op_document.h"
 #include "editor/document/scene_objects.h"
 #include "editor/document/scene_patch.h"
@@ -20,6 +22,12 @@
 namespace editor {
 
 struct ImportedModel;
+struct SaveRequest;
+struct SaveResult;
+
+/// A scene of the file `from` as the file `to` would name others. Without a path, names begin in the current
+/// folder.
+grf::Scene moved(grf::Scene scene, const QString& from, const QString& to);
 
 /// The project being edited: a scene, the options of its renders, and what is selected. Every change of scene
 /// and options is an undo command of one stack; what is selected is not, but undo and redo select again what
@@ -41,7 +49,9 @@ class Document : public QObject {
   const QString& path() const { return path_; }
   /// The file's name for titles; `Untitled` if there is none.
   QString name() const;
-  bool is_modified() const { return !undo_stack_.isClean(); }
+  bool is_modified() const { return saved_ != revision(); }
+  /// The number of the present state: a state that undo or redo brings back has the number that it had.
+  std::uint64_t revision() const { return undo_stack_.revision(); }
   QUndoStack& undo_stack() { return undo_stack_; }
   /// The options of renders: those of the OP file beside the scene, which is written where the scene is
   /// saved.
@@ -60,12 +70,16 @@ class Document : public QObject {
   /// Adds the blocks of another scene, whose file is `path`, to this one: one step of undo.
   void merge(const QString& text, const grf::Scene& scene, const QString& path);
   void merge_import(const QString& text, const ImportedModel& model);
+  /// Folders with images of models that were imported into this scene; they stay as long as someone has them.
+  const ImportFolders& imports() const { return imports_; }
+  void add_import(std::shared_ptr<const ImportFolder> folder);
+
   /// Writes the scene; names of other files follow it to another folder, and images that stood inside an
   /// imported model are copied there. After an error it is still modified.
   bool save(const QString& path, grf::Diagnostics& diagnostics);
-
-  /// The scene as a file of this path would name others.
-  grf::Scene scene_for(const QString& path) const;
+  /// The same in parts: what is requested can be written in a thread. What was edited meanwhile is not saved.
+  SaveRequest save_request(const QString& path);
+  void take_saved(const SaveResult& result);
 
   void select(FaceSelection selection);
 
@@ -105,6 +119,7 @@ class Document : public QObject {
     std::map<std::string, std::string> moved;
   };
 
+  void set_saved(std::optional<std::uint64_t> revision);
   void tell_of_places(std::size_t places);
   void push(const QString& text, ScenePatch patch, const QString& key);
   void set_background(const grf::Vec3f& radiance);
@@ -120,10 +135,13 @@ class Document : public QObject {
   grf::Shared<FaceSelection> selection_;
   QString path_;
   grf::Diagnostics diagnostics_;
-  std::vector<QString> import_folders_;  ///< of which files are copied where the scene is saved
+  ImportFolders imports_;
   std::vector<Relocation> relocations_;  ///< since the first step
   int gesture_ = 0;
-  QUndoStack undo_stack_;
+  EditStack undo_stack_;
+  std::uint64_t origin_ = 0;                ///< the revision with which the scene was taken
+  std::optional<std::uint64_t> saved_ = 0;  ///< the revision that its file holds; none: it holds another one
+  bool was_modified_ = false;
   OpDocument options_{&undo_stack_};
   bool has_plain_sky_ = false;
 };

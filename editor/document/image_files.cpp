@@ -55,15 +55,15 @@ QString copied(const QString& file, const QDir& folder) {
 }  // namespace
 
 std::map<std::string, std::string> copy_images(const grf::Scene& scene, const std::string& from,
-                                               const std::vector<QString>& folders, const std::string& to,
+                                               const ImportFolders& folders, const std::string& to,
                                                grf::Diagnostics& diagnostics) {
   std::map<std::string, std::string> names;
   if (folders.empty()) return names;
   const QDir destination = QFileInfo(QString::fromStdString(to)).dir();
   for (const std::string& name : texture_names(scene, from)) {
     const QFileInfo file(QString::fromStdString(grf::path_beside(from, name)));
-    const bool is_ours = std::any_of(folders.begin(), folders.end(), [&](const QString& folder) {
-      return QFileInfo(folder).canonicalFilePath() == file.canonicalPath();
+    const bool is_ours = std::any_of(folders.begin(), folders.end(), [&](const auto& folder) {
+      return QFileInfo(folder->path()).canonicalFilePath() == file.canonicalPath();
     });
     if (!is_ours) continue;
     const QString copy = copied(file.filePath(), destination);
@@ -75,6 +75,16 @@ std::map<std::string, std::string> copy_images(const grf::Scene& scene, const st
     }
   }
   return names;
+}
+
+bool is_copied(const ImportFolder& folder, const std::string& from,
+               const std::map<std::string, std::string>& copied) {
+  std::set<std::string> originals;
+  for (const auto& [name, copy] : copied) originals.insert(grf::canonical_path(grf::path_beside(from, name)));
+  const QStringList images = QDir(folder.path()).entryList(QDir::Files);
+  return std::all_of(images.begin(), images.end(), [&](const QString& image) {
+    return originals.contains(grf::canonical_path((folder.path() + "/" + image).toStdString()));
+  });
 }
 
 }  // namespace editor

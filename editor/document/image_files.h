@@ -1,10 +1,9 @@
 #pragma once
 
-#include <QString>
 #include <map>
 #include <string>
-#include <vector>
 
+#include "editor/document/import_folder.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -14,7 +13,11 @@ namespace editor {
 /// there by other files get a number. Gives the new names by those in the scene, as `grf::relocate` takes
 /// them; what cannot be copied is an error.
 std::map<std::string, std::string> copy_images(const grf::Scene& scene, const std::string& from,
-                                               const std::vector<QString>& folders, const std::string& to,
+                                               const ImportFolders& folders, const std::string& to,
                                                grf::Diagnostics& diagnostics);
+
+/// Whether all images of a folder are among those that were copied, by their names in the file `from`.
+bool is_copied(const ImportFolder& folder, const std::string& from,
+               const std::map<std::string, std::string>& copied);
 
 }  // namespace editor

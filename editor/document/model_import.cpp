@@ -7,8 +7,8 @@
 #include <QJsonObject>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QUuid>
 #include <QtConcurrent>
+#include <algorithm>
 #include <utility>
 
 #include "converters/format.h"
@@ -29,13 +29,16 @@ grf::Diagnostics diagnostics_of(const QString& printed) {
   return diagnostics;
 }
 
-/// Null: what was written cannot be read.
-std::shared_ptr<const ImportedModel> read_model(const QString& path, QStringList losses,
+/// Reads what was written, of which only the images are needed any longer. Null: it cannot be read.
+std::shared_ptr<const ImportedModel> read_model(std::shared_ptr<const ImportFolder> folder,
+                                                const QString& path, QStringList losses,
                                                 const QString& printed) {
   auto model = std::make_shared<ImportedModel>();
   grf::Diagnostics diagnostics;
   auto scene = grf::read(path.toStdString(), diagnostics);
   if (!scene) return nullptr;
+  QFile::remove(path);
+  if (!QDir(folder->path()).isEmpty()) model->folder = std::move(folder);
   model->scene = std::move(*scene);
   model->path = path;
   model->losses = std::move(losses);
@@ -53,14 +56,13 @@ QStringList losses_in(const QByteArray& report) {
 
 }  // namespace
 
-ModelImport::ModelImport(QString folder, QObject* parent) : QObject(parent), folder_(std::move(folder)) {
+ModelImport::ModelImport(QString parent_folder, QObject* parent)
+    : QObject(parent), parent_(std::move(parent_folder)) {
   connect(&reading_, &QFutureWatcher<std::shared_ptr<const ImportedModel>>::finished, this, [this] {
     if (reading_.future().resultCount() == 0) return;  // it was cancelled
-    if (const auto model = reading_.result()) {
-      output_.clear();  // the model's from now on
-      return emit done(model);
-    }
-    fail(tr("%1: what was made of it cannot be read").arg(file_));
+    folder_.reset();                                   // the model's from now on
+    if (const auto model = reading_.future().takeResult()) return emit done(model);
+    fail(tr("%1: the converted file could not be read").arg(file_));
   });
 }
 
@@ -90,16 +92,24 @@ void ModelImport::set_memory_limit(double gigabytes) {
   QSettings().setValue("import/memory_limit", gigabytes);
 }
 
+int ModelImport::time_limit(qint64 bytes) {
+  constexpr qint64 Least = 60;                // there may be large files beside it
+  constexpr qint64 SlowestReading = 100'000;  // bytes in a second: text, on a busy machine
+  return static_cast<int>(std::min<qint64>(Least + bytes / SlowestReading, 24 * 3600));
+}
+
 void ModelImport::start(const QString& file, const QStringList& options) {
   cancel();
   file_ = file;
   const QString program = bundled_program("grfconvert");
   if (program.isEmpty()) return fail(tr("the program grfconvert is not there"));
-  const QString folder = folder_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
-  if (!QDir().mkpath(folder)) return fail(tr("the folder %1 cannot be made").arg(folder));
-  output_ = folder + "/" + QFileInfo(file).completeBaseName() + ".grf";
+  folder_ = ImportFolder::make(parent_);
+  if (!folder_) return fail(tr("no folder can be made in %1").arg(parent_));
+  output_ = folder_->path() + "/" + QFileInfo(file).completeBaseName() + ".grf";
   const QString memory = QString::number(qRound64(1024 * memory_limit())) + "MB";
-  run(program, options + QStringList{"--max-memory", memory, "--json", "-o", output_, "--", file});
+  const QString time = QString::number(time_limit(QFileInfo(file).size()));
+  run(program,
+      options + QStringList{"--max-memory", memory, "--max-time", time, "--json", "-o", output_, "--", file});
 }
 
 void ModelImport::run(const QString& program, const QStringList& arguments) {
@@ -114,18 +124,13 @@ void ModelImport::run(const QString& program, const QStringList& arguments) {
 
 void ModelImport::cancel() {
   reading_.setFuture({});
-  const QString folder = output_.isEmpty() ? QString() : QFileInfo(output_).path();
-  output_.clear();
-  if (process_ == nullptr) {
-    if (!folder.isEmpty()) QDir(folder).removeRecursively();
-    return;
-  }
+  const auto folder = std::exchange(folder_, nullptr);
+  if (process_ == nullptr) return;
   // It ends its own child, and removes what that began to write.
   ChildProcess* process = std::exchange(process_, nullptr);
   process->disconnect(this);
   connect(process, &ChildProcess::ended, process, [process, folder] {
-    QDir(folder).removeRecursively();
-    process->deleteLater();
+    process->deleteLater();  // and the folder goes
   });
   process->cancel();
 }
@@ -137,13 +142,12 @@ void ModelImport::read_output(const ChildEnd& end) {
     return fail(tr("grfconvert cannot be started: %1").arg(end.why));
   if (end.cause != ChildEnd::Cause::Returned) return fail(tr("%1: grfconvert crashed").arg(file_));
   if (end.code != 0)
-    return fail(messages.isEmpty() ? tr("%1: it cannot be read").arg(file_) : messages.trimmed());
-  reading_.setFuture(QtConcurrent::run(read_model, output_, losses_in(report_), messages));
+    return fail(messages.isEmpty() ? tr("%1 cannot be read").arg(file_) : messages.trimmed());
+  reading_.setFuture(QtConcurrent::run(read_model, folder_, output_, losses_in(report_), messages));
 }
 
 void ModelImport::fail(const QString& message) {
-  if (!output_.isEmpty()) QDir(QFileInfo(output_).path()).removeRecursively();
-  output_.clear();
+  folder_.reset();
   emit failed(message);
 }
 

@@ -80,7 +80,7 @@ class OpDocument::Edit : public QUndoCommand {
   int step_;
 };
 
-OpDocument::OpDocument(QUndoStack* project, QObject* parent)
+OpDocument::OpDocument(EditStack* project, QObject* parent)
     : QObject(parent), stack_(project != nullptr ? project : &own_stack_) {
   check();
 }
@@ -132,21 +132,38 @@ bool OpDocument::save(const QString& path, grf::Diagnostics& diagnostics) {
 }
 
 bool OpDocument::save_beside(const QString& scene_path, grf::Diagnostics& diagnostics) {
+  const Snapshot now = snapshot();
+  const auto text = write_beside(now, scene_path, diagnostics);
+  if (text) take_written(now, scene_path, *text);
+  return text.has_value();
+}
+
+std::optional<std::string> OpDocument::write_beside(const Snapshot& snapshot, const QString& scene_path,
+                                                    grf::Diagnostics& diagnostics) {
   const QString path = op_file_beside(scene_path);
-  std::string before = moved(text_.text(), path_, path);
+  std::string before = moved(snapshot.text, snapshot.path, path);
   if (QFileInfo::exists(path)) {
     const auto there = grf::read_file(path.toStdString(), diagnostics);
-    if (!there) return false;
-    if (path != path_ || *there != read_text_) before = *there;
+    if (!there) return std::nullopt;
+    if (path != snapshot.path || *there != snapshot.read_text) before = *there;
   }
-  RenderOptions wanted = valid_options_;
+  RenderOptions wanted = snapshot.options;
   wanted.scene = QFileInfo(scene_path).absoluteFilePath().toStdString();
-  const auto text = op_text_of(wanted, path, before, diagnostics);
-  if (!text || !grf::replace_file(path.toStdString(), *text, diagnostics)) return false;
+  auto text = op_text_of(wanted, path, before, diagnostics);
+  if (text && !grf::replace_file(path.toStdString(), *text, diagnostics)) text.reset();
+  return text;
+}
+
+void OpDocument::take_written(const Snapshot& snapshot, const QString& scene_path, const std::string& text) {
+  const QString path = op_file_beside(scene_path);
   const bool is_other = path != path_;
-  take_file(*text, path);
+  const std::string edited = text_.text() == snapshot.text ? std::string() : moved(text_.text(), path_, path);
+  take_file(text, path);
+  if (!edited.empty()) {
+    is_edited_ = true;
+    take(edited);
+  }
   if (is_other) emit path_changed();
-  return true;
 }
 
 void OpDocument::set_words(const OptionInfo& option, const QStringList& words) {

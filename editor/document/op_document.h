@@ -3,10 +3,10 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QUndoStack>
 #include <optional>
 #include <string>
 
+#include "editor/document/edit_stack.h"
 #include "grf/diagnostics.h"
 #include "renderer/options/op_text.h"
 
@@ -19,7 +19,7 @@ class OpDocument : public QObject {
 
  public:
   /// The steps of undo are among those of a project, which outlives it, or are its own.
-  explicit OpDocument(QUndoStack* project = nullptr, QObject* parent = nullptr);
+  explicit OpDocument(EditStack* project = nullptr, QObject* parent = nullptr);
 
   /// The text of the file, in place of what is there: in a project, a step of undo. False, and nothing
   /// happens, if it cannot be read.
@@ -32,6 +32,18 @@ class OpDocument : public QObject {
   /// Writes the options to the file beside a scene, and names the scene there. What was changed in that file
   /// since it was read stays, but for options that are others here. False after an error.
   bool save_beside(const QString& scene_path, grf::Diagnostics& diagnostics);
+  /// The state that is saved so. Any thread may write it; nothing is its text after an error. What was edited
+  /// meanwhile stays when the text is taken.
+  struct Snapshot {
+    std::string text;
+    QString path;
+    std::string read_text;
+    options::RenderOptions options;
+  };
+  Snapshot snapshot() const { return {text_.text(), path_, read_text_, valid_options_}; }
+  static std::optional<std::string> write_beside(const Snapshot& snapshot, const QString& scene_path,
+                                                 grf::Diagnostics& diagnostics);
+  void take_written(const Snapshot& snapshot, const QString& scene_path, const std::string& text);
   /// Takes a text as though it had been read, such as that of a scene's default options, which has no file
   /// yet. `problems` are said in place of what is wrong with the text.
   void start(const std::string& text, const QString& path = {}, const grf::Diagnostics& problems = {});
@@ -82,8 +94,8 @@ class OpDocument : public QObject {
   void take_file(const std::string& text, const QString& path);
   void check();
 
-  QUndoStack own_stack_;
-  QUndoStack* stack_;
+  EditStack own_stack_;
+  EditStack* stack_;
   options::OpText text_;
   QString path_;
   std::string read_text_;  ///< what the file had when it was read or saved

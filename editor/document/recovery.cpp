@@ -128,14 +128,18 @@ bool write_record(const QString& folder, const QJsonObject& record) {
 
 /// What went wrong, or nothing. The scene comes before the record: a session without a record has kept
 /// nothing.
-QString write_work(const QString& folder, const grf::Scene& scene, const QString& path) {
+QString write_work(const QString& folder, const grf::Scene& scene, const QString& path,
+                   const ImportFolders& imports) {
   Packing packing(folder.toStdString());
   const grf::Scene packed = packing.pack(scene, path.toStdString());
   grf::Diagnostics diagnostics;
   if (!grf::write(packed, (folder + "/" + SceneFile).toStdString(), diagnostics)) {
     return QString::fromStdString(diagnostics.to_text());
   }
+  QJsonArray folders;
+  for (const auto& import : imports) folders.append(import->path());
   const QJsonObject record = {{"path", path},
+                              {"imports", folders},
                               {"saved", QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs)},
                               {"includes", packing.names()}};
   return write_record(folder, record) ? QString()
@@ -189,6 +193,7 @@ Recovery::Recovery(Document& document, const QString& sessions, int delay, QObje
   connect(&timer_, &QTimer::timeout, this, &Recovery::keep);
   connect(&writing_, &QFutureWatcher<QString>::finished, this, [this] {
     const QString problem = writing_.result();
+    if (!document_.is_modified()) discard_own();  // it was saved meanwhile
     if (!problem.isEmpty()) return emit failed(problem);
     emit kept();
   });
@@ -202,7 +207,11 @@ Recovery::Recovery(Document& document, const QString& sessions, int delay, QObje
   });
 }
 
-Recovery::~Recovery() { discard_own(); }
+Recovery::~Recovery() {
+  timer_.stop();
+  writing_.waitForFinished();
+  remove_own();
+}
 
 QString Recovery::default_folder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery";
@@ -215,12 +224,10 @@ std::vector<LostWork> Recovery::lost_work() const {
     const QJsonObject record = record_in(folder);
     if (folder == folder_ || record.isEmpty()) continue;
     QLockFile lock(folder + "/" + LockFile);
-    lock.setStaleLockTime(0);  // however old, it is that of a session while its process lives
-    // The process that the file names may be another one by now, and the file may be empty after a power cut;
-    // whether it is held, the operating system knows: a lock that is held is not removed.
-    if (!lock.tryLock() && !lock.removeStaleLockFile()) continue;
+    if (!take_lock(lock)) continue;
     lost.push_back({folder, record["path"].toString(),
-                    QDateTime::fromString(record["saved"].toString(), Qt::ISODateWithMs)});
+                    QDateTime::fromString(record["saved"].toString(), Qt::ISODateWithMs),
+                    record["imports"].toVariant().toStringList()});
   }
   std::sort(lost.begin(), lost.end(), [](const LostWork& a, const LostWork& b) { return a.saved > b.saved; });
   return lost;
@@ -251,15 +258,18 @@ void Recovery::keep() {
   if (!QDir().mkpath(folder_)) return emit failed(tr("The folder %1 cannot be made.").arg(folder_));
   if (!lock_) {
     lock_.emplace(folder_ + "/" + LockFile);
-    lock_->setStaleLockTime(0);
-    lock_->tryLock();
+    take_lock(*lock_);
   }
-  writing_.setFuture(QtConcurrent::run(write_work, folder_, document_.scene(), document_.path()));
+  writing_.setFuture(
+      QtConcurrent::run(write_work, folder_, document_.scene(), document_.path(), document_.imports()));
 }
 
 void Recovery::discard_own() {
   timer_.stop();
-  writing_.waitForFinished();
+  if (!writing_.isRunning()) remove_own();  // else once it is written: the window does not wait
+}
+
+void Recovery::remove_own() {
   lock_.reset();
   if (QDir(folder_).exists()) QDir(folder_).removeRecursively();
 }

@@ -6,6 +6,7 @@
 #include <QLockFile>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <optional>
 #include <vector>
@@ -19,9 +20,10 @@ class Document;
 
 /// What a session that ended without being closed had not saved.
 struct LostWork {
-  QString folder;   ///< where it is kept
-  QString path;     ///< of the scene that was edited; empty: it was never saved
-  QDateTime saved;  ///< when it was kept last
+  QString folder;       ///< where it is kept
+  QString path;         ///< of the scene that was edited; empty: it was never saved
+  QDateTime saved;      ///< when it was kept last
+  QStringList imports;  ///< folders of images that its scene names
 };
 
 /// Keeps the unsaved work of a document: a few seconds after a change it is written to a folder of this
@@ -53,6 +55,7 @@ class Recovery : public QObject {
 
  private:
   void discard_own();
+  void remove_own();
 
   Document& document_;
   const QString sessions_;

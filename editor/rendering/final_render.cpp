@@ -29,16 +29,16 @@ FinalRender::~FinalRender() {
 }
 
 QString FinalRender::output_of(const FinalRenderRequest& request) const {
-  if (!request.options.output.empty()) return QString::fromStdString(request.options.output);
   const QFileInfo scene(request.path);
+  if (!request.options.output.empty()) {
+    return QString::fromStdString(with_absolute_paths(request.options, request.path).output);
+  }
   if (request.path.isEmpty()) return folder_.filePath(tr("Untitled") + ".exr");
   return QDir(scene.absolutePath()).filePath(scene.completeBaseName() + ".exr");
 }
 
-QString FinalRender::replaced_by(FinalRenderRequest request) const {
-  request.options = with_absolute_paths(std::move(request.options), request.path);
-  const QString output = output_of(request);
-  return QFileInfo::exists(output) && !made_.contains(output) ? output : QString();
+bool FinalRender::is_foreign(const QString& output) const {
+  return QFileInfo::exists(output) && !made_.contains(output);
 }
 
 bool FinalRender::lock_output() {
@@ -59,12 +59,16 @@ void FinalRender::start(FinalRenderRequest request) {
     emit failed(why);
     return;
   }
-  request.options = with_absolute_paths(std::move(request.options), request.path);
   output_ = output_of(request);
+  request.options = with_absolute_paths(std::move(request.options), request.path);
   const std::string& environment = request.options.environment;
   if (!environment.empty() &&
       grf::canonical_path(environment) == grf::canonical_path(output_.toStdString())) {
     emit failed(tr("%1 is the environment map: choose another output").arg(output_));
+    return;
+  }
+  if (!request.may_replace && is_foreign(output_)) {
+    emit failed(tr("%1 exists, and was not made by this session: choose another output").arg(output_));
     return;
   }
   if (!lock_output()) {

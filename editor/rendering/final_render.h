@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "editor/document/import_folder.h"
 #include "editor/programs/bundled_program.h"
 #include "editor/rendering/render_report.h"
 #include "editor/rendering/renderer_process.h"
@@ -24,6 +25,8 @@ struct FinalRenderRequest {
   grf::Scene scene;
   QString path;  ///< of the scene's file; empty: it has none yet
   options::RenderOptions options;
+  ImportFolders imports;     ///< with images that the scene names
+  bool may_replace = false;  ///< an image that this session has not made
 };
 
 /// What a final render left.
@@ -47,10 +50,12 @@ class FinalRender : public QObject {
   /// nobody does.
   void set_display(const QString& address) { display_ = address; }
 
-  /// The image that such a render would replace, and that this session has not made; empty: none.
-  QString replaced_by(FinalRenderRequest request) const;
-  /// Renders to the options' output; else beside the scene, under its name with .exr; else to a temporary
-  /// folder. What keeps it from that is said by `failed`.
+  /// Where such a render goes: the options' output; else beside the scene, under its name with .exr; else a
+  /// temporary folder.
+  QString output_of(const FinalRenderRequest& request) const;
+  /// Whether the output exists, and was not made by this session.
+  bool is_foreign(const QString& output) const;
+  /// Renders to the request's output. What keeps it from that is said by `failed`.
   void start(FinalRenderRequest request);
   /// Ends the render; the image is kept, and marked as stopped.
   void stop();
@@ -86,7 +91,6 @@ class FinalRender : public QObject {
   };
 
   static Left read_result(FinalRenderResult result, const QString& copy);
-  QString output_of(const FinalRenderRequest& request) const;
   bool lock_output();
   void run(const Files& files);
   void read(const QByteArray& line);

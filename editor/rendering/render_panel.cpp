@@ -20,6 +20,7 @@
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
+#include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/render_history.h"
@@ -31,8 +32,14 @@ namespace editor {
 using job::PreviewState;
 using options::RenderOptions;
 
-RenderPanel::RenderPanel(Document& document, const QString& program, QWidget* parent)
-    : QWidget(parent), document_(document), options_(document.options()), final_(program) {
+namespace {
+
+const QString RenderQueue = QStringLiteral("renders");
+
+}  // namespace
+
+RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& program, QWidget* parent)
+    : QWidget(parent), document_(document), jobs_(jobs), options_(document.options()), final_(program) {
   make_actions();
   lay_out();
   connect_preview();
@@ -187,6 +194,7 @@ void RenderPanel::connect_final() {
   connect(&final_, &FinalRender::progressed, this, [this](const RenderReport& report) {
     if (report.estimated_error) curve_->add(report.seconds, *report.estimated_error);
     show_progress(report.done, report.seconds_left, report.estimated_error);
+    if (job_) job_->show_progress(report.done, report.seconds_left);
   });
   connect(&final_, &FinalRender::image_changed, this, [this](const auto& image) {
     image_path_ = final_.output();
@@ -199,6 +207,7 @@ void RenderPanel::connect_final() {
     say(tr("No image: %1").arg(why.section('\n', 0, 0)));
     update_actions();
     if (std::exchange(resumes_after_, false)) preview_.resume();
+    end_job();
   });
 }
 
@@ -214,6 +223,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   log(text);
   update_actions();
   resumes_after_ = false;  // its images would hide this one
+  end_job();
 }
 
 void RenderPanel::show_options() {
@@ -248,15 +258,30 @@ void RenderPanel::restart_preview() {
   update_actions();
 }
 
+/// The scene and its options are rendered as they are now, also if other renders come before.
 void RenderPanel::render() {
-  if (final_.is_running()) return;
   settings_->commit();
-  const FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options()};
-  if (const QString image = final_.replaced_by(request); !image.isEmpty() && !may_replace(image)) return;
+  FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options(),
+                                document_.imports(), false};
+  const QString image = final_.output_of(request);
+  request.may_replace = final_.is_foreign(image);
+  if (request.may_replace && !may_replace(image)) return;
+  keep_op_file();
+  jobs_.add({tr("Render %1").arg(QFileInfo(image).fileName()), RenderQueue,
+             [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
+             tr("Stop this render, and keep its image")});
+}
+
+void RenderPanel::begin(Job& job, const FinalRenderRequest& request) {
+  job_ = &job;
   resumes_after_ = preview_.is_on() && !preview_.is_paused();
   if (resumes_after_) preview_.pause();
-  keep_op_file();
   final_.start(request);
+}
+
+/// The next render begins, if one waits.
+void RenderPanel::end_job() {
+  if (job_) job_->end();
 }
 
 bool RenderPanel::may_replace(const QString& image) {
@@ -329,10 +354,10 @@ void RenderPanel::update_actions() {
   preview_action_->setText(!preview_.is_on() ? tr("Preview") : is_paused ? tr("Go on") : tr("Pause"));
   preview_action_->setIcon(icon(preview_.is_on() && !is_paused ? "pause" : "preview"));
   set(preview_action_, !renders,
-      renders ? tr("A render is running, which has the processor")
+      renders ? tr("A render is running: its images are shown until it is done")
               : tr("Shows the scene, coarse at first, and follows what is edited"));
-  set(render_action_, !renders,
-      renders ? tr("A render is running: stop it to begin another one")
+  set(render_action_, true,
+      renders ? tr("Renders the scene as it is now, once the renders before it are done")
               : tr("Renders the image to its file, from the scene as it is now"));
   set(stop_action_, renders || preview_.is_on(),
       renders            ? tr("Ends the render and keeps its image")

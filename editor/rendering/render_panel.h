@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPointer>
 #include <QString>
 #include <QWidget>
 #include <memory>
@@ -19,19 +20,21 @@ namespace editor {
 class Document;
 class ErrorCurve;
 class FittedImage;
+class Job;
+class JobList;
 class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
 
 /// The dock in which a scene is rendered: a preview in the window, which follows what is edited, and final
-/// renders by `bpt`.
+/// renders by `bpt`, which are jobs: one that is begun while another one runs waits for it.
 class RenderPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// The panel renders the document, which outlives it, and its controls edit the options of that.
-  explicit RenderPanel(Document& document, const QString& program = bundled_program("bpt"),
-                       QWidget* parent = nullptr);
+  /// The panel renders the document, and its controls edit the options of that. Document and jobs outlive it.
+  RenderPanel(Document& document, JobList& jobs, const QString& program = bundled_program("bpt"),
+              QWidget* parent = nullptr);
 
   /// Previews see the scene from this view, which is more exact than the options' camera. It is shown with
   /// the next change of the options, and counts until they give another camera.
@@ -65,6 +68,8 @@ class RenderPanel : public QWidget {
   void toggle_preview();
   void restart_preview();
   void render();
+  void begin(Job& job, const FinalRenderRequest& request);
+  void end_job();
   void stop();
   bool may_replace(const QString& image);
   void keep_op_file();
@@ -77,6 +82,8 @@ class RenderPanel : public QWidget {
   void update_actions();
 
   Document& document_;
+  JobList& jobs_;
+  QPointer<Job> job_;  ///< the render that runs
   OpDocument& options_;
   std::optional<transport::View> view_;
   QString image_path_;          ///< of the image that is shown; empty: it is the preview's

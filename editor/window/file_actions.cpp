@@ -11,25 +11,23 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QWidget>
-#include <optional>
 #include <utility>
 
 #include "converters/format.h"
-#include "editor/brdf/background_job.h"
 #include "editor/controls/text.h"
 #include "editor/document/document.h"
 #include "editor/document/model_import.h"
+#include "editor/document/save.h"
+#include "editor/jobs/job_list.h"
 #include "editor/window/actions.h"
-#include "editor/window/scene_loader.h"
-#include "grf/read.h"
 #include "grf/text_file.h"
 
 namespace editor {
 namespace {
 
 constexpr int MostRecentFiles = 10;
-/// Scenes of fewer bytes are read at once: it takes some milliseconds.
-constexpr qint64 SmallScene = 500'000;
+const QString Reading = QStringLiteral("reading");
+const QString Writing = QStringLiteral("writing");
 
 /// "Title (*.a *.b)" of each format that is written, GRF left out.
 QString export_filter() {
@@ -75,33 +73,15 @@ QString ask_for_scene_or_model(QWidget& window, const QString& title) {
   return file;
 }
 
-struct FileActions::ReadScene {
-  std::optional<grf::Scene> scene;
-  grf::Diagnostics diagnostics;
-
-  static ReadScene of(const QString& file) {
-    ReadScene read;
-    read.scene = grf::read(file.toStdString(), read.diagnostics);
-    return read;
-  }
-};
-
-FileActions::FileActions(Document& document, QWidget& window)
-    : QObject(&window),
-      document_(document),
-      window_(window),
-      outside_(document, this),
-      import_(std::make_unique<ModelImport>(ModelImport::default_folder())),
-      reading_(std::make_unique<BackgroundJob<ReadScene>>(this)) {
-  connect(import_.get(), &ModelImport::done, this,
-          [this](const std::shared_ptr<const ImportedModel>& model) { take_model(*model); });
-  connect(import_.get(), &ModelImport::failed, this, [this](const QString& message) {
-    imports_.pop_front();
-    grf::Diagnostics diagnostics;
-    diagnostics.error({}, message.toStdString());
-    emit reported(diagnostics);
-    emit failed(message);
-    import_next();
+FileActions::FileActions(Document& document, JobList& jobs, QWidget& window)
+    : QObject(&window), document_(document), jobs_(jobs), window_(window), outside_(document, this) {
+  connect(&loader_, &SceneLoader::loaded, this, &FileActions::take);
+  connect(&loader_, &SceneLoader::failed, this, &FileActions::fail);
+  connect(&jobs_, &JobList::queue_emptied, this, [this](const QString& queue) {
+    if (queue == Reading) emit idle();
+    if (queue != Writing) return;
+    outside_.set_paused(false);
+    for (const auto& then : std::exchange(after_saving_, {})) after_saving(then);
   });
   make_actions();
 }
@@ -184,103 +164,134 @@ void FileActions::ask_where_to_save(const std::function<void()>& then) {
                                          igrf_name(proposal), tr("IGRF scenes (*.igrf)"))
           : QFileDialog::getSaveFileName(&window_, tr("Save as"), proposal, tr("GRF scenes (*.grf *.igrf)"));
   if (file.isEmpty()) return;
-  if (!is_grf(file)) file += is_igrf ? ".igrf" : ".grf";
-  save_as(file);
-  if (then && !document_.is_modified()) then();
+  if (!is_grf(file)) {  // the dialog has asked about the name without it
+    file += is_igrf ? ".igrf" : ".grf";
+    if (QFileInfo::exists(file) && !may_replace({file})) return;
+  }
+  save_as(file, then);
 }
 
 void FileActions::open(const QString& file) {
   leave([this, file] { begin(file, false); });
 }
 
-void FileActions::merge(const QString& file) { begin(file, true); }
+void FileActions::merge(const QString& file) {
+  after_saving([this, file] { begin(file, true); });
+}
+
+bool FileActions::is_importing() const { return jobs_.is_busy(Reading); }
+
+bool FileActions::is_saving() const { return jobs_.is_busy(Writing); }
 
 void FileActions::begin(const QString& file, bool merges) {
-  const Import import = {file, merges, document_.undo_stack().index()};
-  if (imports_.empty() && is_grf(file) && QFileInfo(file).size() < SmallScene) {
-    return take_scene(import, ReadScene::of(file));
-  }
-  imports_.push_back(import);
-  if (imports_.size() == 1) import_next();
+  const Import import = {file, merges, document_.revision()};
+  const QString name = QFileInfo(file).fileName();
+  const QString title = merges ? tr("Merge in %1") : is_grf(file) ? tr("Open %1") : tr("Import %1");
+  jobs_.add({title.arg(name), Reading, [this, import](Job& job) { read(job, import); },
+             [this] { cancel_reading(); }, tr("Cancel: the scene stays as it is")});
 }
 
-void FileActions::import_next() {
-  if (imports_.empty()) return emit busy({});
-  const QString file = imports_.front().file;
-  emit busy((is_grf(file) ? tr("Opening %1") : tr("Importing %1")).arg(QFileInfo(file).fileName()));
-  if (!is_grf(file)) return import_->start(file);
-  reading_->start([file](const StopFlag&) { return ReadScene::of(file); },
-                  [this](ReadScene read) {
-                    const Import import = imports_.front();
-                    imports_.pop_front();
-                    take_scene(import, std::move(read));
-                    import_next();
-                  });
+void FileActions::read(Job& job, const Import& import) {
+  reading_ = &job;
+  import_ = import;
+  loader_.start(import.file);
 }
 
-void FileActions::cancel_import() {
-  if (imports_.empty()) return;
-  import_->cancel();
-  reading_->stop();
-  imports_.clear();
-  emit busy({});
-  emit done(tr("The import was given up"));
+void FileActions::cancel_reading() {
+  loader_.cancel();
+  emit done(tr("Cancelled"));
+  reading_->end();
 }
 
-void FileActions::take_model(const ImportedModel& model) {
-  const Import import = imports_.front();
-  imports_.pop_front();
-  const QString name = QFileInfo(import.file).fileName();
-  if (import.merges) {
+void FileActions::take(const std::shared_ptr<const LoadedScene>& loaded) {
+  const QPointer<Job> job = reading_;
+  const ImportedModel& model = loaded->model;
+  const QString name = QFileInfo(import_.file).fileName();
+  const bool is_scene = is_grf(import_.file);
+  const QString did = import_.merges ? tr("Merged in %1") : is_scene ? tr("Opened %1") : tr("Imported %1");
+  add_recent_file(import_.file);
+  if (import_.merges) {
     document_.merge_import(tr("Merge in %1").arg(name), model);
     emit reported(model.diagnostics);
   } else {
-    put_in_place(import, [this, &model] { document_.take_import(model); });
+    const auto take_it = [this, loaded, is_scene] {
+      const ImportedModel& taken = loaded->model;
+      is_scene ? document_.take(taken.scene, taken.path, taken.diagnostics) : document_.take_import(taken);
+    };
+    import_.revision == document_.revision() ? take_it() : leave(take_it);
   }
-  add_recent_file(import.file);
-  emit done(model.losses.isEmpty() ? tr("Imported %1").arg(name)
-                                   : tr("Imported %1, not all of it: %2").arg(name, model.losses.join("; ")));
-  import_next();
+  emit done(model.losses.isEmpty() ? did.arg(name)
+                                   : tr("%1, not all of it: %2").arg(did.arg(name), model.losses.join("; ")));
+  if (job) job->end();  // a question may have taken so long that it was cancelled
 }
 
-void FileActions::take_scene(const Import& import, ReadScene read) {
-  if (!read.scene) {
-    emit reported(read.diagnostics);
-    return emit failed(failure_of(import.file, read.diagnostics).message);
-  }
-  const QString name = QFileInfo(import.file).fileName();
-  add_recent_file(import.file);
-  if (import.merges) {
-    document_.merge(tr("Merge in %1").arg(name), *read.scene, import.file);
-    emit reported(read.diagnostics);
-    return emit done(tr("Merged in %1").arg(name));
-  }
-  put_in_place(import, [&] { document_.take(std::move(*read.scene), import.file, read.diagnostics); });
-  emit done(tr("Opened %1").arg(document_.name()));
-}
-
-void FileActions::put_in_place(const Import& import, const std::function<void()>& take) {
-  import.step == document_.undo_stack().index() ? take() : leave(take);
+void FileActions::fail(const LoadFailure& failure) {
+  emit reported(failure.diagnostics);
+  emit failed(failure.message);
+  reading_->end();
 }
 
 void FileActions::save(const std::function<void()>& then) {
+  if (is_saving()) return after_saving([this, then] { save(then); });
   // A file that had no irradiance is kept: scenes with it go beside.
   const bool needs_igrf =
       grf::has_irradiance(document_.scene().contents) && !grf::is_igrf_name(document_.path().toStdString());
   if (document_.path().isEmpty() || needs_igrf) return ask_where_to_save(then);
-  save_as(document_.path());
-  if (then && !document_.is_modified()) then();
+  save_as(document_.path(), then);
 }
 
-/// What is named as it was would be written over what the document has not read.
-bool FileActions::may_overwrite() {
-  const QStringList changed = outside_.files();
-  if (changed.isEmpty()) return true;
-  QMessageBox question(QMessageBox::Warning, tr("Changed by another program"),
-                       tr("%1 was changed by another program since it was read.").arg(changed.join(", ")),
-                       QMessageBox::Save | QMessageBox::Cancel, &window_);
-  question.setInformativeText(tr("Saving replaces what that program has written."));
-  question.button(QMessageBox::Save)->setText(tr("Replace it"));
+void FileActions::save_as(const QString& file, const std::function<void()>& then) {
+  jobs_.add({tr("Save %1").arg(QFileInfo(file).fileName()),
+             Writing,
+             [this, file](Job& job) { write(job, file); },
+             {},
+             {}});
+  if (!then) return;
+  after_saving([this, then] {
+    if (is_saved_) leave(then);
+  });
+}
+
+/// The document is saved as it is when those before are written.
+void FileActions::write(Job& job, const QString& file) {
+  is_saved_ = false;
+  const SaveRequest request = document_.save_request(file);
+  if (!may_write(request)) return job.end();
+  outside_.set_paused(true);
+  job.run([request] { return editor::write(request); },
+          [this](const SaveResult& result) { take_saved(result); });
+}
+
+void FileActions::take_saved(const SaveResult& result) {
+  document_.take_saved(result);
+  is_saved_ = result.is_done;
+  if (!is_saved_) return emit failed(QString::fromStdString(result.diagnostics.to_text()));
+  add_recent_file(result.request.path);
+  emit done(tr("Saved %1").arg(QFileInfo(result.request.path).fileName()));
+}
+
+void FileActions::after_saving(const std::function<void()>& then) {
+  if (!is_saving()) return then();
+  after_saving_.push_back(then);
+}
+
+/// What other programs have written is replaced only where the author says so.
+bool FileActions::may_write(const SaveRequest& request) {
+  QStringList replaced = outside_.files();
+  if (request.path != document_.path()) replaced.removeAll(document_.path());
+  for (const QString& file : files_beside(request)) {
+    if (QFileInfo::exists(file) && !outside_.knows(file)) replaced.append(file);
+  }
+  return replaced.isEmpty() || may_replace(replaced);
+}
+
+bool FileActions::may_replace(const QStringList& files) {
+  QMessageBox question(
+      QMessageBox::Warning, tr("Replace files"),
+      tr("%1 was changed by another program, or belongs to another scene.").arg(files.join(", ")),
+      QMessageBox::Save | QMessageBox::Cancel, &window_);
+  question.setInformativeText(tr("Saving replaces what is there."));
+  question.button(QMessageBox::Save)->setText(tr("Replace"));
   question.setDefaultButton(QMessageBox::Cancel);
   return question.exec() == QMessageBox::Save;
 }
@@ -297,32 +308,31 @@ void FileActions::revert() {
     question.setDefaultButton(QMessageBox::Cancel);
     if (question.exec() != QMessageBox::Discard) return;
   }
-  begin(file, false);
-}
-
-void FileActions::save_as(const QString& file) {
-  if (file == document_.path() && !may_overwrite()) return;
-  grf::Diagnostics diagnostics;
-  if (!document_.save(file, diagnostics)) return emit failed(QString::fromStdString(diagnostics.to_text()));
-  add_recent_file(file);
-  emit done(tr("Saved %1").arg(document_.name()));
+  after_saving([this, file] { begin(file, false); });
 }
 
 void FileActions::export_to(const QString& file) {
   const convert::Format* format = convert::format_of_name(file.toStdString());
   if (format == nullptr || format->write == nullptr) {
-    return emit failed(tr("%1: no format that is written has this extension").arg(file));
+    return emit failed(tr("%1: no format with this extension can be written").arg(file));
   }
-  grf::Diagnostics diagnostics;
-  const grf::Scene scene = document_.scene_for(file);
-  if (!format->write(scene, file.toStdString(), diagnostics)) {
-    return emit failed(QString::fromStdString(diagnostics.to_text()));
-  }
-  emit reported(diagnostics);
-  emit done(tr("Exported %1").arg(QFileInfo(file).fileName()));
+  const QString name = QFileInfo(file).fileName();
+  const auto work = [file, format, scene = document_.scene(), path = document_.path(),
+                     imports = document_.imports()] {
+    grf::Diagnostics diagnostics;
+    static_cast<void>(format->write(moved(scene, path, file), file.toStdString(), diagnostics));
+    return diagnostics;
+  };
+  const auto take = [this, name](const grf::Diagnostics& diagnostics) {
+    if (diagnostics.has_errors()) return emit failed(QString::fromStdString(diagnostics.to_text()));
+    emit reported(diagnostics);
+    emit done(tr("Exported %1").arg(name));
+  };
+  jobs_.add({tr("Export %1").arg(name), Writing, [work, take](Job& job) { job.run(work, take); }, {}, {}});
 }
 
 void FileActions::leave(const std::function<void()>& then) {
+  if (is_saving()) return after_saving([this, then] { leave(then); });
   if (!document_.is_modified()) return then();
   QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
                        tr("%1 has changes that are not saved.").arg(document_.name()),

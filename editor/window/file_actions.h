@@ -1,13 +1,16 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QStringList>
-#include <deque>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "editor/window/outside_changes.h"
+#include "editor/window/scene_loader.h"
 #include "grf/diagnostics.h"
 
 class QAction;
@@ -17,20 +20,19 @@ class QWidget;
 namespace editor {
 
 class Document;
-class ModelImport;
-struct ImportedModel;
-template <class Result>
-class BackgroundJob;
+class Job;
+class JobList;
+struct SaveRequest;
+struct SaveResult;
 
-/// All that one does with files: new, open, recent, import, merge, save, revert, export. One place decides
-/// what a file is, whether it comes from a menu, a drop or the command line: GRF is read here, what is large
-/// in a thread; all else is imported in a process of its own.
+/// All that one does with files: new, open, recent, import, merge, save, revert, export. What takes time are
+/// jobs: files are read one after another, and written one after another.
 class FileActions : public QObject {
   Q_OBJECT
 
  public:
-  /// Dialogs belong to the window.
-  FileActions(Document& document, QWidget& window);
+  /// Dialogs belong to the window; document and jobs outlive it.
+  FileActions(Document& document, JobList& jobs, QWidget& window);
   ~FileActions() override;
 
   /// The entries of the File menu, in order.
@@ -39,23 +41,25 @@ class FileActions : public QObject {
   /// Opens or imports a file; asks first if there is unsaved work.
   void open(const QString& file);
   void merge(const QString& file);
-  /// Saves where the scene is, or asks where. `then` is called once it is saved.
+  /// Saves where the scene is, or asks where. `then` is called once it is saved, after a question if it was
+  /// edited meanwhile.
   void save(const std::function<void()>& then = {});
-  /// Asks first if another program has changed one of the scene's files since it was read.
-  void save_as(const QString& file);
+  /// Asks first if that replaces what the document has not read, such as what another program has written.
+  void save_as(const QString& file, const std::function<void()>& then = {});
   /// Reads the scene's file again; asks first if there is unsaved work, which goes then.
   void revert();
   void export_to(const QString& file);
-  /// Calls `then` at once if nothing is unsaved; else asks whether to save, discard or go on editing.
+  /// Calls `then` at once if nothing is unsaved or being written; else asks whether to save, discard or go on
+  /// editing, once it is written.
   void leave(const std::function<void()>& then);
 
   /// Knows which of the scene's files other programs have changed.
   OutsideChanges& outside_changes() { return outside_; }
 
   /// Whether something is being opened or imported, or waits for that.
-  bool is_importing() const { return !imports_.empty(); }
-  /// Gives up what is being opened or imported, and what waits for it.
-  void cancel_import();
+  bool is_importing() const;
+  /// Whether something is being written, or waits for that.
+  bool is_saving() const;
 
  signals:
   /// What came of it, for the status line.
@@ -63,8 +67,8 @@ class FileActions : public QObject {
   void failed(const QString& message);
   /// What is to be said of a file that was not opened, or of one that was merged in or written.
   void reported(const grf::Diagnostics& diagnostics);
-  /// Something takes its time; an empty text: no more.
-  void busy(const QString& what);
+  /// Nothing is being opened or imported any more.
+  void idle();
 
  private:
   void make_actions();
@@ -72,28 +76,33 @@ class FileActions : public QObject {
   /// A file that is to be opened or imported.
   struct Import {
     QString file;
-    bool merges = false;  ///< into the scene that is there
-    int step = 0;         ///< of undo at which the scene was when it was asked for
+    bool merges = false;         ///< into the scene that is there
+    std::uint64_t revision = 0;  ///< of the scene when it was asked for
   };
-  struct ReadScene;
 
   void begin(const QString& file, bool merges);
-  void import_next();
+  void read(Job& job, const Import& import);
   void ask_memory_limit();
-  void take_model(const ImportedModel& model);
-  void take_scene(const Import& import, ReadScene read);
-  /// Unless the scene was edited since then, or after a question.
-  void put_in_place(const Import& import, const std::function<void()>& take);
+  void take(const std::shared_ptr<const LoadedScene>& loaded);
+  void fail(const LoadFailure& failure);
+  void cancel_reading();
+  void write(Job& job, const QString& file);
+  void take_saved(const SaveResult& result);
+  bool may_write(const SaveRequest& request);
+  bool may_replace(const QStringList& files);
+  /// Calls `then` once nothing is being written: at once, or in the order of the calls.
+  void after_saving(const std::function<void()>& then);
   void update_recent();
 
-  bool may_overwrite();
-
   Document& document_;
+  JobList& jobs_;
   QWidget& window_;
   OutsideChanges outside_;
-  std::unique_ptr<ModelImport> import_;
-  std::unique_ptr<BackgroundJob<ReadScene>> reading_;
-  std::deque<Import> imports_;  ///< the first one is running
+  SceneLoader loader_;
+  QPointer<Job> reading_;  ///< what it reads
+  Import import_;
+  std::vector<std::function<void()>> after_saving_;
+  bool is_saved_ = false;  ///< by the last attempt
   QList<QAction*> actions_;
   QMenu* recent_ = nullptr;
 };

@@ -8,34 +8,32 @@
 
 #include "editor/document/document.h"
 #include "editor/document/recovery.h"
+#include "editor/jobs/job_list.h"
 #include "editor/window/docks.h"
 #include "grf/catalogue.h"
 
 class QAction;
 class QMenu;
-class QTabWidget;
 
 namespace editor {
 
-class BakedIrradiance;
+class BakeController;
 class BrdfEditor;
 class BrdfLink;
 class FileActions;
 class ImageBrowser;
-class ImageServer;
-class IrradianceBake;
-struct IrradianceBakeResult;
+class ImageController;
 class LightPanel;
 class MeshActions;
 class MessagePanel;
 class NoticeBar;
+class Pages;
+class RecoveryController;
 class RenderLink;
 class RenderPanel;
-class SceneComparison;
 class SceneTree;
 class SceneView;
 class SelectionActions;
-class SourceView;
 class StatusLine;
 class SurfacePanel;
 class ViewActions;
@@ -57,6 +55,7 @@ class MainWindow : public QMainWindow {
   void offer_lost_work();
 
   Document& document() { return document_; }
+  JobList& jobs() { return jobs_; }
   FileActions& files() { return *files_; }
   SceneView& view() { return *view_; }
   BrdfEditor& brdf_editor() { return *brdf_editor_; }
@@ -85,18 +84,13 @@ class MainWindow : public QMainWindow {
   void make_docks();
   void connect_files();
   void connect_panels();
-  void connect_images();
+  void connect_renders();
   void show_title();
   void tell(const QString& message);
   void fail(const QString& message);
   void fail_file(const QString& message);
-  void show_page(QWidget& page, const QString& title, const QString& tip);
   void tell_of_outside_changes(const QStringList& files);
-  void show_source(const grf::SourceLocation& location);
-  void bake();
   bool may_end_work();
-  void take_irradiance(const BakedIrradiance& irradiance, const IrradianceBakeResult& result);
-  void recover(const LostWork& work);
 
   // main_window_menus.cpp
   void make_menus();
@@ -105,16 +99,15 @@ class MainWindow : public QMainWindow {
   void make_scene_menu();
   void make_window_menu();
   void make_help_menu();
-  void add_observer();
 
   const grf::Catalogue catalogue_;
   Document document_;
-  Recovery recovery_;
+  JobList jobs_;
   Docks docks_;
   FileActions* files_;
   SceneView* view_;
   NoticeBar* notice_;
-  QTabWidget* pages_;
+  Pages* pages_;
   StatusLine* status_;
   SceneTree* tree_ = nullptr;
   LightPanel* lights_ = nullptr;
@@ -125,18 +118,17 @@ class MainWindow : public QMainWindow {
   QDockWidget* render_dock_ = nullptr;
   QDockWidget* message_dock_ = nullptr;
   QDockWidget* brdf_dock_ = nullptr;
+  QDockWidget* job_dock_ = nullptr;
   RenderLink* render_link_ = nullptr;
   ViewLink* view_link_ = nullptr;
   BrdfLink* brdf_link_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;
-  ImageServer* image_server_;
-  IrradianceBake* bake_;
-  ImageBrowser* images_ = nullptr;
-  SceneComparison* comparison_ = nullptr;
+  BakeController* bake_;
+  RecoveryController* recovery_;
+  ImageController* images_ = nullptr;
   QMenu* image_menu_ = nullptr;  ///< shown once there are images
-  SourceView* source_ = nullptr;
 };
 
 }  // namespace editor

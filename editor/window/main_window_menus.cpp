@@ -14,11 +14,11 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/notice_bar.h"
-#include "editor/document/light_edits.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/actions.h"
+#include "editor/window/bake_controller.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/mesh_actions.h"
@@ -27,6 +27,7 @@
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tools.h"
 #include "editor/window/view_actions.h"
+#include "editor/window/view_link.h"
 
 namespace editor {
 namespace {
@@ -60,7 +61,6 @@ void MainWindow::make_menus() {
   render->addSeparator();
   render->addAction(render_->options_action());
   image_menu_ = add_menu(*menuBar(), tr("&Image"));
-  image_menu_->menuAction()->setVisible(false);
   make_window_menu();
   make_help_menu();
 }
@@ -98,14 +98,14 @@ void MainWindow::make_scene_menu() {
                              [this] { lights_->add(); }));
   menu->addAction(new_action(
       *this, {tr("Add an &observer"), "observer", {}, tr("Puts an observer where the 3D view is seen from")},
-      [this] { add_observer(); }));
+      [this] { view_link_->add_observer(); }));
   menu->addSeparator();
   menu->addActions(mesh_actions_->of_meshes());
   menu->addSeparator();
   menu->addAction(new_action(*this,
                              {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
                               tr("Computes the irradiance at all vertices, and keeps it in the scene")},
-                             [this] { bake(); }));
+                             [this] { bake_->bake(); }));
 }
 
 void MainWindow::make_window_menu() {
@@ -132,7 +132,7 @@ void MainWindow::make_window_menu() {
                              {tr("&Reset the layout"), {}, {}, tr("Puts the docks where they were at first")},
                              [this] { docks_.reset(); }));
   // Docks that are folded away are one click away.
-  for (QDockWidget* dock : {render_dock_, message_dock_}) {
+  for (QDockWidget* dock : {render_dock_, message_dock_, job_dock_}) {
     auto* button = new QToolButton(statusBar());
     button->setDefaultAction(docks_.action_of(dock));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -160,10 +160,6 @@ void MainWindow::make_help_menu() {
         NoticeBar::Kind::Information,
         tr("wannabe %1, the scene editor of Granada. Apache-2.0.").arg(QApplication::applicationVersion()));
   }));
-}
-
-void MainWindow::add_observer() {
-  document_.replace(tr("Add an observer"), editor::add_observer(document_.scene(), view_->camera().eye()));
 }
 
 }  // namespace editor

@@ -1,13 +1,15 @@
 #include "editor/window/mesh_actions.h"
 
-#include <QApplication>
 #include <QLocale>
 #include <QWidget>
+#include <algorithm>
+#include <memory>
 
 #include "converters/mesh_operations/subdivide.h"
 #include "editor/document/document.h"
-#include "editor/document/geometry_edits.h"
+#include "editor/jobs/job_list.h"
 #include "editor/window/actions.h"
+#include "grf/scene_path.h"
 
 namespace editor {
 namespace {
@@ -16,32 +18,48 @@ namespace {
 constexpr double MostFaces = 2e7;
 /// Enough that noise of a scan goes, and few enough that a nose stays.
 constexpr int SmoothingSteps = 10;
+/// So few faces are edited before anyone notices.
+constexpr std::size_t FewFaces = 20'000;
 
-class BusyCursor {
- public:
-  BusyCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
-  ~BusyCursor() { QApplication::restoreOverrideCursor(); }
-  BusyCursor(const BusyCursor&) = delete;
-  BusyCursor& operator=(const BusyCursor&) = delete;
-};
+const QString MeshQueue = QStringLiteral("meshes");
+
+/// Gives a mesh the geometry that was made from it, if it is still as it was then but for the values of its
+/// surfaces, which stay. False: it is not.
+bool take_geometry(grf::Shared<grf::Mesh>& now, const grf::Mesh& before, const grf::Mesh& edited) {
+  const bool is_same = now->geometry.shares(before.geometry) && now->irradiance.shares(before.irradiance) &&
+                       now->surface_of_face.shares(before.surface_of_face);
+  if (!is_same || edited.surfaces != before.surfaces) return false;
+  grf::Mesh taken = edited;
+  taken.surfaces = now->surfaces;
+  now = std::move(taken);
+  return true;
+}
+
+bool have_same_places(const SceneObjects& a, const SceneObjects& b) {
+  return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(),
+                    [](const MeshObject& one, const MeshObject& other) { return one.path == other.path; });
+}
 
 }  // namespace
 
-MeshActions::MeshActions(Document& document, QWidget& window) : QObject(&window), document_(document) {
+/// A scene that was edited in a thread.
+struct MeshActions::Edited {
+  grf::Scene before;
+  std::uint64_t revision;  ///< of the document with that scene
+  std::shared_ptr<const SceneObjects> objects;
+  FaceSelection selection;
+  grf::Scene after;
+  bool keeps_places = false;  ///< no mesh is gone
+};
+
+MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
+    : QObject(&window), document_(document), jobs_(jobs) {
   const QString whole =
       tr("of the selected faces, or of all if none is selected. Faces keep their BRDFs and colours");
-  delete_faces_ = new_action(
-      window,
-      {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
-       tr("Takes the selected faces away; meshes without faces go, too")},
-      [this] {
-        if (document_.selection().empty()) {
-          emit told(tr("No face is selected"));
-          return;
-        }
-        document_.replace(tr("Delete faces"),
-                          without_faces({document_.scene(), document_.objects(), document_.selection()}));
-      });
+  delete_faces_ = new_action(window,
+                             {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
+                              tr("Takes the selected faces away; meshes without faces go, too")},
+                             [this] { remove(); });
   of_meshes_ = {
       new_action(window,
                  {tr("Subdivide (&Catmull-Clark)"),
@@ -62,6 +80,9 @@ MeshActions::MeshActions(Document& document, QWidget& window) : QObject(&window)
                   {},
                   tr("Smooths noise and small features away in the meshes %1").arg(whole)},
                  [this] { smooth(); })};
+  connect(&jobs_, &JobList::changed, this, [this] {
+    for (QAction* action : all()) action->setEnabled(!jobs_.is_busy(MeshQueue));
+  });
 }
 
 FaceSelection MeshActions::selected_or_all() const {
@@ -87,8 +108,8 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   }
   const CommonVertices common = common_vertices(document_.objects(), selection);
   const bool had_irradiance = common.irradiance || common.are_irradiances_mixed;
-  const BusyCursor busy;
-  document_.replace(tr("Subdivide"), with_subdivided_meshes(faces, once));
+  start(tr("Subdivide"), selection,
+        [once](const SelectedFaces& selected) { return with_subdivided_meshes(selected, once); });
   if (had_irradiance) emit told(tr("Subdivided meshes have no irradiance: bake it again"));
 }
 
@@ -98,9 +119,57 @@ void MeshActions::smooth() {
     emit told(tr("The scene has no mesh"));
     return;
   }
-  const BusyCursor busy;
-  document_.replace(tr("Smooth vertices"),
-                    with_smooth_meshes({document_.scene(), document_.objects(), selection}, SmoothingSteps));
+  start(tr("Smooth vertices"), selection,
+        [](const SelectedFaces& selected) { return with_smooth_meshes(selected, SmoothingSteps); });
+}
+
+void MeshActions::remove() {
+  if (document_.selection().empty()) {
+    emit told(tr("No face is selected"));
+    return;
+  }
+  start(tr("Delete faces"), document_.selection(), without_faces);
+}
+
+void MeshActions::start(const QString& title, const FaceSelection& selection, const Edit& edit) {
+  const Edited snapshot = {
+      document_.scene(), document_.revision(), document_.shared_objects(), selection, {}, false};
+  if (snapshot.objects->faces < FewFaces) {
+    return document_.replace(title, edit({snapshot.before, *snapshot.objects, selection}));
+  }
+  const auto work = [snapshot, edit] {
+    Edited edited = snapshot;
+    edited.after = edit({edited.before, *edited.objects, edited.selection});
+    // What is found once is kept with the meshes: found here, the window need not do it.
+    edited.keeps_places = have_same_places(*edited.objects, objects_of(edited.after, {}));
+    return edited;
+  };
+  jobs_.add({title,
+             MeshQueue,
+             [this, title, work](Job& job) {
+               job.run(work, [this, title](const Edited& edited) { take(title, edited); });
+             },
+             {},
+             tr("Cancel: the meshes stay as they are")});
+}
+
+void MeshActions::take(const QString& title, const Edited& edited) {
+  if (edited.revision == document_.revision()) return document_.replace(title, edited.after);
+  grf::Scene scene = document_.scene();
+  grf::Scene before = edited.before;
+  grf::Scene after = edited.after;
+  bool is_whole = edited.keeps_places;
+  for (const std::uint32_t mesh : edited.selection.meshes()) {
+    if (!edited.keeps_places) break;
+    const grf::ScenePath& path = edited.objects->meshes[mesh].path;
+    grf::Shared<grf::Mesh>* now = grf::find_mesh(scene, path);
+    const grf::Shared<grf::Mesh>* old = grf::find_mesh(before, path);
+    const grf::Shared<grf::Mesh>* made = grf::find_mesh(after, path);
+    is_whole =
+        now != nullptr && old != nullptr && made != nullptr && take_geometry(*now, **old, **made) && is_whole;
+  }
+  document_.replace(title, std::move(scene));
+  if (!is_whole) emit failed(tr("%1: meshes that were edited meanwhile are left as they are").arg(title));
 }
 
 }  // namespace editor

@@ -3,6 +3,9 @@
 #include <QAction>
 #include <QObject>
 #include <QString>
+#include <functional>
+
+#include "editor/document/geometry_edits.h"
 
 namespace convert {
 enum class SubdivisionScheme;
@@ -11,15 +14,16 @@ enum class SubdivisionScheme;
 namespace editor {
 
 class Document;
-class FaceSelection;
+class JobList;
 
 /// The actions that change vertices and faces. Those about whole meshes are about the meshes of the selected
-/// faces, or about all meshes if no face is selected.
+/// faces, or about all meshes if no face is selected. They are jobs: what was edited before one is done keeps
+/// its edit.
 class MeshActions : public QObject {
   Q_OBJECT
 
  public:
-  MeshActions(Document& document, QWidget& window);
+  MeshActions(Document& document, JobList& jobs, QWidget& window);
 
   QAction* delete_faces() const { return delete_faces_; }
   /// Subdivision and smoothing of whole meshes.
@@ -32,11 +36,19 @@ class MeshActions : public QObject {
   void failed(const QString& why);
 
  private:
+  using Edit = std::function<grf::Scene(const SelectedFaces& faces)>;
+  struct Edited;
+
   void subdivide(convert::SubdivisionScheme scheme);
   void smooth();
+  void remove();
+  void start(const QString& title, const FaceSelection& selection, const Edit& edit);
+  void take(const QString& title, const Edited& edited);
   FaceSelection selected_or_all() const;
+  QList<QAction*> all() const { return QList{delete_faces_} + of_meshes_; }
 
   Document& document_;
+  JobList& jobs_;
   QAction* delete_faces_;
   QList<QAction*> of_meshes_;
 };

@@ -2,7 +2,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/op_files.h"
-#include "editor/document/scene_places.h"
+#include "editor/document/save.h"
 
 namespace editor {
 OutsideChanges::OutsideChanges(const Document& document, QObject* parent)
@@ -15,10 +15,9 @@ OutsideChanges::OutsideChanges(const Document& document, QObject* parent)
 void OutsideChanges::follow() {
   known_.clear();
   if (document_.path().isEmpty()) return watch_.follow({});
-  QStringList all = {document_.path(), op_file_beside(document_.path())};
-  for (const auto& [file, count] : included_files(document_.scene())) {
-    all.append(QString::fromStdString(file));
-  }
+  const QString path = document_.path();
+  const QStringList all = QStringList{path, op_file_beside(path)} +
+                          included_paths(document_.scene().contents, path.toStdString(), false);
   for (const QString& file : all) known_.emplace(file, FileStamp::of(file));
   watch_.follow(all);
 }
@@ -38,7 +37,7 @@ void OutsideChanges::ignore() {
 
 void OutsideChanges::compare() {
   const QStringList changed = files();
-  if (!changed.isEmpty()) emit found(changed);
+  if (!is_paused_ && !changed.isEmpty()) emit found(changed);
 }
 
 }  // namespace editor

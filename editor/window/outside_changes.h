@@ -21,6 +21,10 @@ class OutsideChanges : public QObject {
 
   /// The files that hold now what the document has not read. Those that are gone are none of them.
   QStringList files() const;
+  /// Whether the document has read or written the file.
+  bool knows(const QString& file) const { return known_.contains(file); }
+  /// While the document itself is written nothing is said.
+  void set_paused(bool is_paused) { is_paused_ = is_paused; }
   /// Counts what these files hold as known: the author keeps what the document has.
   void ignore();
 
@@ -35,6 +39,7 @@ class OutsideChanges : public QObject {
   const Document& document_;
   FileWatch watch_;
   std::map<QString, FileStamp> known_;
+  bool is_paused_ = false;
 };
 
 }  // namespace editor

@@ -2,6 +2,9 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "converters/format.h"
 #include "grf/read.h"
@@ -20,39 +23,47 @@ QString with_more(const QString& message, std::size_t errors) {
                      : SceneLoader::tr("%1 (and %2 more errors)").arg(message).arg(errors - 1);
 }
 
-QStringList warnings_of(const grf::Diagnostics& diagnostics) {
-  QStringList warnings;
-  for (const grf::Diagnostic& entry : diagnostics.entries()) warnings.append(line_of(entry));
-  return warnings;
+LoadFailure failure_of(const QString& file, grf::Diagnostics diagnostics) {
+  const auto& entries = diagnostics.entries();
+  const auto first = std::find_if(entries.begin(), entries.end(), [](const grf::Diagnostic& entry) {
+    return entry.severity == grf::Severity::Error;
+  });
+  LoadFailure failure = {file, SceneLoader::tr("Cannot read %1").arg(file), {}, {}};
+  if (first != entries.end()) {
+    failure.message = with_more(line_of(*first), diagnostics.error_count());
+    failure.location = first->location;
+  }
+  failure.diagnostics = std::move(diagnostics);
+  return failure;
 }
 
 }  // namespace
+
+QStringList warnings_of(const LoadedScene& scene) {
+  if (!is_grf(scene.path)) return scene.model.losses;
+  QStringList warnings;
+  for (const grf::Diagnostic& entry : scene.model.diagnostics.entries()) warnings.append(line_of(entry));
+  return warnings;
+}
 
 bool is_grf(const QString& file) {
   const convert::Format* format = convert::format_of_name(file.toStdString());
   return format != nullptr && format->name == "grf";
 }
 
-LoadFailure failure_of(const QString& file, const grf::Diagnostics& diagnostics) {
-  const auto& entries = diagnostics.entries();
-  const auto first = std::find_if(entries.begin(), entries.end(), [](const grf::Diagnostic& entry) {
-    return entry.severity == grf::Severity::Error;
-  });
-  if (first == entries.end()) return {file, SceneLoader::tr("%1 cannot be read").arg(file), {}};
-  return {file, with_more(line_of(*first), diagnostics.error_count()), first->location};
-}
-
-SceneLoader::SceneLoader(QObject* parent) : QObject(parent), import_(folder_.path()), reading_(this) {
+SceneLoader::SceneLoader(QObject* parent)
+    : QObject(parent), import_(ModelImport::default_folder()), reading_(this) {
   connect(&import_, &ModelImport::done, this, &SceneLoader::take_model);
   connect(&import_, &ModelImport::failed, this, [this](const QString& message) {
-    emit failed({file_, message.section('\n', 0, 0), {}});
+    LoadFailure failure = {file_, message.section('\n', 0, 0), {}, {}};
+    failure.diagnostics.error({}, message.toStdString());
+    emit failed(failure);
   });
 }
 
 void SceneLoader::start(const QString& file) {
   file_ = QFileInfo(file).absoluteFilePath();
-  import_.cancel();
-  reading_.stop();
+  cancel();
   if (is_grf(file_)) {
     reading_.start([file = file_](const StopFlag&) { return read(file); },
                    [this](const Outcome& outcome) { take(outcome); });
@@ -62,31 +73,42 @@ void SceneLoader::start(const QString& file) {
   }
 }
 
+void SceneLoader::cancel() {
+  import_.cancel();
+  reading_.stop();
+}
+
+SceneLoader::Outcome SceneLoader::outcome_of(const QString& file, ImportedModel model) {
+  auto loaded = std::make_shared<LoadedScene>();
+  loaded->path = file;
+  loaded->objects = std::make_shared<const SceneObjects>(objects_of(model.scene, model.path.toStdString()));
+  loaded->model = std::move(model);
+  Outcome outcome;
+  outcome.scene = std::move(loaded);
+  outcome.files.append(file);
+  return outcome;
+}
+
 SceneLoader::Outcome SceneLoader::read(const QString& file) {
   Outcome outcome;
-  grf::Diagnostics diagnostics;
-  const auto scene = grf::read(file.toStdString(), diagnostics);
+  ImportedModel model;
+  model.path = file;
+  auto scene = grf::read(file.toStdString(), model.diagnostics);
+  const std::set<std::string> files = model.diagnostics.files();
   if (scene) {
-    outcome.scene = std::make_shared<const LoadedScene>(
-        LoadedScene{file, objects_of(*scene, file.toStdString()), warnings_of(diagnostics)});
+    model.scene = std::move(*scene);
+    outcome = outcome_of(file, std::move(model));
   } else {
-    outcome.failure = failure_of(file, diagnostics);
+    outcome.failure = failure_of(file, std::move(model.diagnostics));
+    outcome.files.append(file);
   }
-  outcome.files.append(file);
-  for (const std::string& path : diagnostics.files()) outcome.files.append(QString::fromStdString(path));
+  for (const std::string& path : files) outcome.files.append(QString::fromStdString(path));
   return outcome;
 }
 
 void SceneLoader::take_model(const std::shared_ptr<const ImportedModel>& model) {
-  reading_.start(
-      [file = file_, model](const StopFlag&) {
-        Outcome outcome;
-        outcome.scene = std::make_shared<const LoadedScene>(
-            LoadedScene{file, objects_of(model->scene, model->path.toStdString()), model->losses});
-        outcome.files.append(file);
-        return outcome;
-      },
-      [this](const Outcome& outcome) { take(outcome); });
+  reading_.start([file = file_, model](const StopFlag&) { return outcome_of(file, *model); },
+                 [this](const Outcome& outcome) { take(outcome); });
 }
 
 void SceneLoader::take(const Outcome& outcome) {

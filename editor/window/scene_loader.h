@@ -3,12 +3,11 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QTemporaryDir>
 #include <memory>
 
-#include "editor/brdf/background_job.h"
 #include "editor/document/model_import.h"
 #include "editor/document/scene_objects.h"
+#include "editor/jobs/background_job.h"
 #include "grf/diagnostics.h"
 #include "grf/source_location.h"
 
@@ -16,9 +15,9 @@ namespace editor {
 
 /// What was made of a file.
 struct LoadedScene {
-  QString path;  ///< of that file
-  SceneObjects objects;
-  QStringList warnings;
+  QString path;         ///< of that file
+  ImportedModel model;  ///< of a GRF file: its scene, and what was said of it
+  std::shared_ptr<const SceneObjects> objects;
 };
 
 /// What is wrong with a file.
@@ -27,16 +26,17 @@ struct LoadFailure {
   QString message;  ///< the first error, and how many more there are
   grf::SourceLocation
       location;  ///< of that error, in this file or one that it includes; without a file: none
+  grf::Diagnostics diagnostics;  ///< all errors
 };
+
+/// What is to be known of a scene that was read, a line each.
+QStringList warnings_of(const LoadedScene& scene);
 
 /// Whether a file is GRF by its name, and not a model that has to be imported.
 bool is_grf(const QString& file);
 
-/// What is said of a file that was not read.
-LoadFailure failure_of(const QString& file, const grf::Diagnostics& diagnostics);
-
-/// Reads scenes to be looked at, in a thread, and models of other formats in a process of their own. The file
-/// asked for last counts.
+/// Reads scenes in a thread, and models of other formats in a process of their own. The file asked for last
+/// counts.
 class SceneLoader : public QObject {
   Q_OBJECT
 
@@ -44,6 +44,8 @@ class SceneLoader : public QObject {
   explicit SceneLoader(QObject* parent = nullptr);
 
   void start(const QString& file);
+  /// No signal comes any more.
+  void cancel();
 
  signals:
   void loaded(std::shared_ptr<const editor::LoadedScene> scene);
@@ -59,11 +61,11 @@ class SceneLoader : public QObject {
   };
 
   static Outcome read(const QString& file);
+  static Outcome outcome_of(const QString& file, ImportedModel model);
   void take(const Outcome& outcome);
   void take_model(const std::shared_ptr<const ImportedModel>& model);
 
   QString file_;
-  QTemporaryDir folder_;  ///< for images that stood inside models
   ModelImport import_;
   BackgroundJob<Outcome> reading_;
 };

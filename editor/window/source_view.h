@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "editor/brdf/background_job.h"
+#include "editor/jobs/background_job.h"
 #include "editor/window/source_excerpt.h"
 #include "grf/source_location.h"
 

@@ -4,17 +4,20 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
 #include "editor/document/document.h"
+#include "editor/jobs/job_list.h"
 
 namespace editor {
 
-StatusLine::StatusLine(const Document& document, QStatusBar& bar)
+StatusLine::StatusLine(const Document& document, const JobList& jobs, QStatusBar& bar)
     : QObject(&bar),
       document_(document),
+      jobs_(jobs),
       message_(new QLabel(&bar)),
       work_(new QLabel(&bar)),
       progress_(new QProgressBar(&bar)),
@@ -29,9 +32,8 @@ StatusLine::StatusLine(const Document& document, QStatusBar& bar)
   progress_->setAccessibleName(tr("Progress"));
   progress_->setToolTip(tr("How much of the work is done"));
   cancel_->setIcon(icon("stop"));
-  cancel_->setText(tr("Stop"));
-  cancel_->setAccessibleName(tr("Stop"));
-  cancel_->setToolTip(tr("Gives this work up; the scene stays as it was"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setAccessibleName(tr("Cancel"));
   cancel_->setAutoRaise(true);
   counts_->setAccessibleName(tr("Counts"));
   counts_->setToolTip(tr("Selected faces, and triangles of the whole scene with all instances"));
@@ -42,11 +44,19 @@ StatusLine::StatusLine(const Document& document, QStatusBar& bar)
   bar.addPermanentWidget(cancel_);
   bar.addPermanentWidget(counts_);
   connect(cancel_, &QToolButton::clicked, this, [this] {
-    if (cancelled_) cancelled_();
+    if (job_) job_->cancel();
+  });
+  patience_.setSingleShot(true);
+  patience_.setInterval(200);
+  connect(&patience_, &QTimer::timeout, this, &StatusLine::show_job);
+  connect(&jobs_, &JobList::changed, this, [this] {
+    const bool is_idle = jobs_.jobs().empty();
+    if (job_ || is_idle) return show_job();
+    if (!patience_.isActive()) patience_.start();
   });
   connect(&document_, &Document::selection_changed, this, &StatusLine::count);
   connect(&document_, &Document::changed, this, &StatusLine::count);
-  end_work();
+  show_job();
   count();
 }
 
@@ -68,23 +78,19 @@ void StatusLine::show_hovered(const QString& text) { message_->setText(text.isEm
 
 QString StatusLine::message() const { return told_; }
 
-void StatusLine::begin_work(const QString& what, const std::function<void()>& cancel) {
-  cancelled_ = cancel;
-  work_->setText(what);
-  show_done(-1);
-  for (QWidget* part : work_parts()) part->show();
-}
-
-std::array<QWidget*, 3> StatusLine::work_parts() const { return {work_, progress_, cancel_}; }
-
-void StatusLine::show_done(double done) {
-  progress_->setRange(0, done < 0 ? 0 : 1000);  // without a range it moves to and fro
-  if (done >= 0) progress_->setValue(static_cast<int>(1000 * done));
-}
-
-void StatusLine::end_work() {
-  cancelled_ = {};
-  for (QWidget* part : work_parts()) part->hide();
+/// The first job that runs, and how many there are besides.
+void StatusLine::show_job() {
+  const std::vector<Job*>& jobs = jobs_.jobs();
+  const auto first = std::find_if(jobs.begin(), jobs.end(),
+                                  [](const Job* job) { return job->state() == Job::State::Running; });
+  job_ = first == jobs.end() ? nullptr : *first;
+  for (QWidget* part : std::initializer_list<QWidget*>{work_, progress_}) part->setVisible(job_ != nullptr);
+  cancel_->setVisible(job_ && !job_->cancel_tip().isEmpty());
+  if (!job_) return;
+  work_->setText(jobs.size() == 1 ? job_->title() : tr("%1 (+%2)").arg(job_->title()).arg(jobs.size() - 1));
+  cancel_->setToolTip(job_->cancel_tip());
+  progress_->setRange(0, job_->done() < 0 ? 0 : 1000);  // without a range it moves to and fro
+  if (job_->done() >= 0) progress_->setValue(static_cast<int>(1000 * job_->done()));
 }
 
 }  // namespace editor

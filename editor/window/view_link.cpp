@@ -131,4 +131,8 @@ bool ViewLink::drop(QDropEvent& event) {
   return true;
 }
 
+void ViewLink::add_observer() {
+  document_.replace(tr("Add an observer"), editor::add_observer(document_.scene(), view_.camera().eye()));
+}
+
 }  // namespace editor

@@ -27,6 +27,9 @@ class ViewLink : public QObject {
   /// The next click in the view is not to select a face but to be given to this; Escape gives it up.
   void pick_face(const std::function<void(FaceId)>& picked);
 
+  /// Adds an observer where the view is seen from.
+  void add_observer();
+
  signals:
   void failed(const QString& message);
   void told(const QString& message);

@@ -171,16 +171,16 @@ void ViewerWindow::show_scene(const std::shared_ptr<const LoadedScene>& scene) {
   notice_->hide();
   pages_->setCurrentWidget(view_);
   pages_->layout()->activate();
-  view_->show(std::shared_ptr<const SceneObjects>(scene, &scene->objects));
-  if (scene->path != shown_path_) {
+  view_->show(scene->objects);
+  if (!shown_ || scene->path != shown_->path) {
     view_->frame_all();
     view_->setFocus();
   }
-  shown_path_ = scene->path;
+  shown_ = scene;
   setWindowTitle(tr("%1 - GRF viewer").arg(QFileInfo(scene->path).fileName()));
-  counts_->setText(counts_of(scene->objects));
+  counts_->setText(counts_of(*scene->objects));
   show_selection();
-  show_warnings(scene->warnings);
+  show_warnings(warnings_of(*scene));
   emit opened(scene->path);
 }
 
@@ -192,9 +192,9 @@ void ViewerWindow::show_failure(const LoadFailure& failure) {
                        [this, location = failure.location] { show_line(location); }});
   }
   QString text = failure.message;
-  if (!shown_path_.isEmpty()) {
-    text += shown_path_ == failure.path ? tr("\nThe scene is shown as it was before.")
-                                        : tr("\n%1 is still shown.").arg(QFileInfo(shown_path_).fileName());
+  if (shown_) {
+    text += shown_->path == failure.path ? tr("\nThe scene is shown as it was before.")
+                                         : tr("\n%1 is still shown.").arg(QFileInfo(shown_->path).fileName());
   }
   notice_->show_notice(NoticeBar::Kind::Error, text, choices);
   emit failed(failure.message);

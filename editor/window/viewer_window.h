@@ -59,7 +59,7 @@ class ViewerWindow : public QMainWindow {
   void show_warnings(const QStringList& warnings);
 
   QString path_;
-  QString shown_path_;  ///< of the scene in the view; empty: there is none
+  std::shared_ptr<const LoadedScene> shown_;  ///< null: there is no scene
   SceneLoader loader_;
   FileWatch watch_;
   NoticeBar* notice_;

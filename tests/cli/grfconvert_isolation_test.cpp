@@ -39,9 +39,7 @@ class GrfconvertIsolation : public testing::Test {
   std::string good_ = folder_.add("in/good.obj", Triangle);
 
   std::string crash_error() const { return crashing_ + ": error: the conversion crashed ("; }
-  std::string time_error() const {
-    return endless_ + ": error: not done after the 0.5 s that --max-time allows\n";
-  }
+  std::string time_error() const { return endless_ + ": error: not done within the limit of 0.5 s\n"; }
   std::string memory_error() const {
     return greedy_ + ": error: more memory is needed than the limit of 4 GB\n";
   }

@@ -70,6 +70,31 @@ TEST_F(ModelImports, CarryWhatStoodInsideTheModelToWhereTheSceneIsSaved) {
   EXPECT_EQ(test::bytes_of(after), test::bytes_of(before));
 }
 
+TEST_F(ModelImports, LeaveNothingOnceNobodyNeedsIt) {
+  const QString box = "/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb";
+  ASSERT_NE(imported("/usr/share/glmark2/models/bunny.obj"), nullptr);
+  EXPECT_TRUE(left().isEmpty()) << "a model without images";
+  Document document;
+  document.take_import(*imported(box));
+  EXPECT_EQ(left().size(), 1);
+  const QDir folder(import_folder() + "/" + left().front());
+  EXPECT_EQ(folder.entryList(QDir::Files).size(), 1) << "the image, and not the scene";
+  document.merge_import("Merge in", *imported(box));
+  EXPECT_EQ(left().size(), 2);
+  document.undo_stack().undo();
+  grf::Diagnostics diagnostics;
+  folder_.add("saved/other", "");
+  ASSERT_TRUE(document.save(QString::fromStdString(folder_.path("saved/box.grf")), diagnostics));
+  ASSERT_EQ(left().size(), 1) << "what redo brings back needs its image";
+  document.undo_stack().redo();
+  ASSERT_TRUE(document.save(document.path(), diagnostics));
+  EXPECT_TRUE(left().isEmpty());
+  document.take_import(*imported(box));
+  EXPECT_EQ(left().size(), 1);
+  document.clear();
+  EXPECT_TRUE(left().isEmpty()) << "of a scene that was replaced";
+}
+
 TEST_F(ModelImports, SayWhatIsWrong) {
   const std::string broken = folder_.add("broken.obj", "v 0 0 0\nf 1 2 3\n");
   EXPECT_THAT(failure_of(QString::fromStdString(broken)), HasSubstr("broken.obj:2:7: error: no vertex"));
@@ -87,6 +112,11 @@ TEST_F(ModelImports, KeepToALimitOfMemoryThatCanBeRaised) {
   ModelImport::set_memory_limit(2);
   EXPECT_NE(imported("/usr/share/glmark2/models/bunny.obj"), nullptr);
   QSettings().remove("import/memory_limit");
+}
+
+TEST_F(ModelImports, TakeNoLongerThanTheSizeOfTheFileCalls) {
+  EXPECT_EQ(ModelImport::time_limit(147), 60);
+  EXPECT_GE(ModelImport::time_limit(1'000'000'000), 3600);
 }
 
 TEST_F(ModelImports, CanBeCancelled) {

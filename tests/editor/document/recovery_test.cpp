@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/document/document.h"
+#include "editor/document/import_folder.h"
 #include "grf/read.h"
 #include "grf/scene_path.h"
 #include "grf/write.h"
@@ -50,6 +51,7 @@ class RecoveryTest : public testing::Test {
   }
 
   QString sessions() const { return QString::fromStdString(folder_.path("sessions")); }
+  QString imports() const { return QString::fromStdString(folder_.path("imports")); }
 
   test::TemporaryFolder folder_;
   std::string part_;
@@ -58,6 +60,8 @@ class RecoveryTest : public testing::Test {
 
 /// How long, in milliseconds, what takes a moment may take on a machine that is busy.
 constexpr int Patience = 30000;
+
+const QString TexturedBox = "/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb";
 
 void wait_for(QSignalSpy& spy) { ASSERT_TRUE(spy.count() > 0 || spy.wait(Patience)); }
 
@@ -70,7 +74,8 @@ TEST_F(RecoveryTest, KeepsNothingWhereNothingIsUnsaved) {
 TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
   // A program of its own: a fork has none of the threads that this one has, and Qt would wait for them.
   QProcess session;
-  session.start(GRANADA_BIN_DIR "/editing_session", {document_.path(), sessions(), "changed inside"});
+  session.start(GRANADA_BIN_DIR "/editing_session",
+                {document_.path(), sessions(), imports(), "changed inside"});
   ASSERT_TRUE(session.waitForReadyRead(Patience)) << session.readAllStandardError().toStdString();
   EXPECT_EQ(session.readAll().toStdString(), "kept\n");
   Document next;
@@ -98,6 +103,49 @@ TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
   EXPECT_TRUE(recovery.lost_work().empty());
 }
 
+TEST_F(RecoveryTest, GivesBackImagesThatStoodInsideAModel) {
+  QProcess session;
+  session.start(GRANADA_BIN_DIR "/editing_session", {TexturedBox, sessions(), imports(), "box"});
+  ASSERT_TRUE(session.waitForReadyRead(Patience)) << session.readAllStandardError().toStdString();
+  const auto folders = [this] { return QDir(imports()).entryList(QDir::Dirs | QDir::NoDotAndDotDot); };
+  ASSERT_EQ(folders().size(), 1);
+  ImportFolder::remove_abandoned(imports(), {});
+  EXPECT_EQ(folders().size(), 1) << "of a session that lives";
+  session.kill();
+  ASSERT_TRUE(session.waitForFinished(Patience));
+  Document next;
+  const Recovery recovery(next, sessions(), 0);
+  const auto lost = recovery.lost_work();
+  ASSERT_EQ(lost.size(), 1U);
+  ImportFolder::remove_abandoned(imports(), lost[0].imports);
+  ASSERT_EQ(folders().size(), 1) << "since its work can be recovered";
+
+  grf::Diagnostics diagnostics;
+  auto scene = Recovery::read(lost[0], diagnostics);
+  ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
+  next.take(std::move(*scene), lost[0].path, {}, true);
+  for (const QString& folder : lost[0].imports) next.add_import(ImportFolder::adopt(folder));
+  ImportFolder::remove_abandoned(imports(), {});
+  ASSERT_EQ(folders().size(), 1) << "of this session now";
+  const std::string image = next.objects().meshes[0].looks.front().texture;
+  const std::string bytes = test::bytes_of(image);
+  EXPECT_GT(bytes.size(), 1000U);
+  folder_.add("saved/other", "");
+  ASSERT_TRUE(next.save(QString::fromStdString(folder_.path("saved/box.grf")), diagnostics));
+  const std::string copy = next.objects().meshes[0].looks.front().texture;
+  EXPECT_THAT(copy, HasSubstr("/saved/"));
+  EXPECT_EQ(test::bytes_of(copy), bytes);
+  EXPECT_TRUE(QDir(imports()).isEmpty()) << "once the image is copied, nobody needs it there";
+}
+
+TEST_F(RecoveryTest, LeavesNoImportsOfSessionsThatKeptNothing) {
+  folder_.add("imports/one/image.png", "");
+  folder_.add("imports/one.lock", "");
+  folder_.add("imports/two/image.png", "");
+  ImportFolder::remove_abandoned(imports(), {imports() + "/two"});
+  EXPECT_EQ(QDir(imports()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("two"));
+}
+
 TEST_F(RecoveryTest, WritesNoIncludedFileAgainThatIsAsItWas) {
   Recovery recovery(document_, sessions(), 0);
   QSignalSpy kept(&recovery, &Recovery::kept);
@@ -105,7 +153,7 @@ TEST_F(RecoveryTest, WritesNoIncludedFileAgainThatIsAsItWas) {
   wait_for(kept);
   const QString session = QDir(sessions()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).value(0);
   grf::Diagnostics diagnostics;
-  const auto scene = Recovery::read({sessions() + "/" + session, document_.path(), {}}, diagnostics);
+  const auto scene = Recovery::read({sessions() + "/" + session, document_.path(), {}, {}}, diagnostics);
   ASSERT_TRUE(scene.has_value());
   ASSERT_TRUE(grf::write(*scene, document_.path().toStdString(), diagnostics));
   EXPECT_EQ(diagnostics.to_text(), "") << "no note that an included file was written";

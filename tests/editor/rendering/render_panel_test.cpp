@@ -15,6 +15,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
+#include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/render_history.h"
@@ -75,7 +76,8 @@ class RenderPanelTest : public testing::Test {
   test::TemporaryFolder folder_;
   editor::Document document_;
   editor::OpDocument& options_ = document_.options();
-  RenderPanel panel_{document_};
+  editor::JobList jobs_;
+  RenderPanel panel_{document_, jobs_};
 };
 
 TEST_F(RenderPanelTest, TakesCameraAndOptionsFromTheFileBesideTheScene) {
@@ -143,8 +145,7 @@ TEST_F(RenderPanelTest, RendersByF6AndKeepsAHistory) {
   open(8);
   QSignalSpy opened(&panel_, &RenderPanel::image_opened);
   QTest::keyClick(&panel_, Qt::Key_F6);
-  EXPECT_FALSE(panel_.render_action()->isEnabled());
-  EXPECT_THAT(panel_.render_action()->toolTip().toStdString(), HasSubstr("running"));
+  EXPECT_THAT(panel_.render_action()->toolTip().toStdString(), HasSubstr("once the renders before it"));
   ASSERT_TRUE(render_ends());
   EXPECT_THAT(status(), HasSubstr("Done · 8 samples"));
   EXPECT_TRUE(QFileInfo::exists(path("scene.exr")));
@@ -161,6 +162,61 @@ TEST_F(RenderPanelTest, RendersByF6AndKeepsAHistory) {
   image->setFocus();
   QTest::keyClick(image, Qt::Key_Return);
   EXPECT_EQ(opened.back()[0].toString(), path("scene.exr"));
+}
+
+TEST_F(RenderPanelTest, QueuesRendersOfTheSceneAsItIsWhenTheyAreAskedFor) {
+  open(1'000'000);
+  const auto render_as = [this](int samples, const char* output) {
+    options::RenderOptions now = options();
+    now.samples = samples;
+    now.output = folder_.path(output);
+    options_.follow(now);
+    QTest::keyClick(&panel_, Qt::Key_F6);
+  };
+  render_as(1'000'000, "first.exr");
+  auto* curve = panel_.findChild<editor::ErrorCurve*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return curve->size() >= 2; }, test::Minute));
+  render_as(2, "second.exr");
+  render_as(4, "removed.exr");
+  render_as(3, "third.exr");
+  std::vector<std::string> titles;
+  for (const editor::Job* job : jobs_.jobs()) titles.push_back(job->title().toStdString());
+  EXPECT_THAT(titles, testing::ElementsAre("Render first.exr", "Render second.exr", "Render removed.exr",
+                                           "Render third.exr"));
+  EXPECT_GT(jobs_.jobs()[0]->done(), 0);
+  EXPECT_EQ(jobs_.jobs()[1]->state(), editor::Job::State::Waiting);
+  jobs_.jobs()[2]->cancel();
+  options::RenderOptions later = options();
+  later.samples = 1'000'000;
+  options_.follow(later);
+  document_.replace("Empty it", {});
+  jobs_.jobs()[0]->cancel();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return jobs_.jobs().empty(); }, test::Minute));
+  auto* history = panel_.findChild<editor::RenderHistory*>();
+  ASSERT_EQ(history->count(), 3);
+  EXPECT_THAT(status(), HasSubstr("Done · 3 samples"));
+  for (const char* made : {"first.exr", "second.exr", "third.exr"}) {
+    EXPECT_TRUE(QFileInfo::exists(path(made))) << made;
+  }
+  EXPECT_FALSE(QFileInfo::exists(path("removed.exr")));
+  test::expect_lit_corner(*panel_.findChild<editor::FittedImage*>()->image());
+}
+
+TEST_F(RenderPanelTest, ReplacesNoImageThatCameWhileTheRenderWaited) {
+  open(1'000'000);
+  QTest::keyClick(&panel_, Qt::Key_F6);
+  options::RenderOptions now = options();
+  now.output = folder_.path("second.exr");
+  options_.follow(now);
+  QTest::keyClick(&panel_, Qt::Key_F6);
+  folder_.add("second.exr", "of somebody else");
+  std::string why;
+  QObject::connect(&panel_.final_render(), &editor::FinalRender::failed,
+                   [&why](const QString& problem) { why += problem.toStdString(); });
+  jobs_.jobs()[0]->cancel();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return jobs_.jobs().empty(); }, test::Minute));
+  EXPECT_THAT(why, HasSubstr("second.exr exists"));
+  EXPECT_EQ(QFileInfo(path("second.exr")).size(), 16);
 }
 
 TEST_F(RenderPanelTest, MarksARenderThatWasStopped) {

@@ -78,11 +78,25 @@ void empty(const Take& take) {
   for (const char* name : {"scene", "lights", "surface"})
     take(QString("%1_empty").arg(name), stage.dock(name).grab());
   take_brdf_dock(stage, "_empty", take);
-  for (const char* name : {"render", "messages"})
+  for (const char* name : {"render", "messages", "jobs"})
     take(QString("%1_empty").arg(name), stage.dock(name).grab());
   stage.window().image_browser();
   stage.settle();
   take("images_empty", stage.picture());
+}
+
+/// A render that runs, one that waits for it, and a scene that is being written.
+void jobs(const Take& take) {
+  Stage stage;
+  stage.open(Samples + "cornell_box/cornell_box.grf");
+  editor::JobList& jobs = stage.window().jobs();
+  const auto render = [](editor::Job& job) { job.show_progress(0.43, 75); };
+  jobs.add({"Render cornell_box.exr", "pictures", render, {}, "Stop this render, and keep its image"});
+  jobs.add({"Render cornell_box_large.exr", "pictures", render, {}, "Stop this render, and keep its image"});
+  jobs.add({"Save cornell_box.grf", "files", [](editor::Job&) {}, {}, {}});
+  QTest::qWait(300);  // until the line at the bottom shows it
+  take("jobs", stage.dock("jobs").grab());
+  take("jobs_window", stage.picture());
 }
 
 void lights(const Take& take) {
@@ -220,9 +234,9 @@ void focus(const Take& take) {
 }  // namespace
 
 std::vector<ReviewGroup> review_groups() {
-  return {{"docks", docks},   {"small", small_window}, {"empty", empty},   {"lights", lights},
-          {"render", render}, {"mistakes", mistakes},  {"images", images}, {"windows", windows},
-          {"modes", modes},   {"focus", focus}};
+  return {{"docks", docks},     {"small", small_window}, {"empty", empty},       {"jobs", jobs},
+          {"lights", lights},   {"render", render},      {"mistakes", mistakes}, {"images", images},
+          {"windows", windows}, {"modes", modes},        {"focus", focus}};
 }
 
 }  // namespace screenshots

@@ -32,14 +32,14 @@ Stage::Stage(QSize size) {
   settle();
 }
 
-Stage::~Stage() { window_->document().undo_stack().setClean(); }
+Stage::~Stage() { window_->document().clear(); }
 
 QString Stage::add(const char* name, const QByteArray& bytes) const {
   return QString::fromStdString(folder_.add(name, bytes.toStdString()));
 }
 
 void Stage::open(const QString& file) {
-  window_->document().undo_stack().setClean();  // so that nobody is asked about the scene before
+  window_->document().clear();  // so that nobody is asked about the scene before
   QSignalSpy taken(&window_->document(), &editor::Document::taken);
   window_->files().open(file);
   expect(!taken.empty() || taken.wait(Minute), file + " did not open");

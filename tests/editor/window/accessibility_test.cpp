@@ -264,6 +264,7 @@ TEST_F(Accessibility, OfTheMainWindow) {
   };
   check_docks();
   window.files().open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.files().is_importing(); }, test::Minute));
   check_docks();
   test::action(window, "All").trigger();
   check_docks();

@@ -32,6 +32,10 @@ class Authoring : public testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([this] { return window_.view().is_complete(); }, test::Minute));
   }
 
+  bool are_jobs_done() {
+    return QTest::qWaitFor([this] { return window_.jobs().jobs().empty(); }, test::Minute);
+  }
+
   void select_two_faces() {
     const QPoint middle = window_.view().rect().center();
     QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, middle);

@@ -4,11 +4,13 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,6 +57,38 @@ void choose(QComboBox& list, const QString& text) {
   emit list.activated(index);
 }
 
+TEST_F(Authoring, KeepsWhatIsEditedWhileAMeshIsSubdivided) {
+  open(BunnyFile);
+  test::action(window_, "All").trigger();
+  test::action(window_, "Subdivide (Loop)").trigger();
+  SurfaceEdit red;
+  red.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(1, 0, 0));
+  document().edit_surfaces("Colour", red);
+  ASSERT_TRUE(are_jobs_done());
+  EXPECT_EQ(document().objects().faces, 4 * 69666U);
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.colour.has_value(); }), 4 * 69666U);
+  test::action(window_, "Smooth vertices").trigger();
+  document().undo_stack().undo();
+  ASSERT_EQ(document().objects().faces, 69666U);
+  const grf::Scene before = document().scene();
+  ASSERT_TRUE(are_jobs_done());
+  EXPECT_TRUE(document().scene() == before) << "the mesh that was smoothed is no more";
+  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("edited meanwhile"));
+}
+
+TEST_F(Authoring, CancelsTheSubdivisionOfAMesh) {
+  open(BunnyFile);
+  test::action(window_, "Subdivide (Loop)").trigger();
+  EXPECT_FALSE(test::action(window_, "Smooth vertices").isEnabled());
+  Docks::show(window_.findChild<QDockWidget*>("jobs"));
+  test::named<QToolButton>(window_, "Cancel Subdivide").click();
+  EXPECT_TRUE(window_.jobs().jobs().empty());
+  EXPECT_TRUE(test::action(window_, "Smooth vertices").isEnabled());
+  QTest::qWait(1000);
+  EXPECT_EQ(document().objects().faces, 69666U);
+  EXPECT_FALSE(document().undo_stack().canUndo());
+}
+
 TEST_F(Authoring, SubdividesAndSmoothsAModel) {
   open(BunnyFile);
   ASSERT_EQ(document().objects().faces, 69666U);
@@ -63,10 +97,13 @@ TEST_F(Authoring, SubdividesAndSmoothsAModel) {
     return QTest::qWaitFor([this] { return window_.view().is_complete(); }, Minute);
   };
   test::action(window_, "Subdivide (Loop)").trigger();
+  EXPECT_EQ(document().objects().faces, 69666U) << "the window goes on";
+  ASSERT_TRUE(are_jobs_done());
   EXPECT_EQ(document().objects().faces, 4 * 69666U);
   EXPECT_EQ(document().undo_stack().undoText(), "Subdivide");
   const double rough = area();
   test::action(window_, "Smooth vertices").trigger();
+  ASSERT_TRUE(are_jobs_done());
   EXPECT_EQ(document().objects().faces, 4 * 69666U);
   EXPECT_LT(area(), rough);
   EXPECT_TRUE(shown());
@@ -137,6 +174,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   // Save, reopen, equal.
   const QString file = path("bunny.grf");
   window_.files().save_as(file);
+  ASSERT_TRUE(are_jobs_done());
   EXPECT_FALSE(document().is_modified());
   const grf::Scene saved = document().scene();
   open(file);
@@ -240,6 +278,7 @@ TEST_F(Authoring, ListsWhatIsWrongWithAFileThatIsNotOpened) {
   const grf::Scene before = document().scene();
   folder_.add("broken.grf", "begin mesh \"a\"\n  nonsense\nend mesh\n");
   window_.files().open(path("broken.grf"));
+  ASSERT_TRUE(are_jobs_done());
   EXPECT_TRUE(document().scene() == before);
   EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("broken.grf:2:"));
   EXPECT_GT(window_.message_panel().error_count(), 0U);
@@ -321,6 +360,7 @@ TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.empty(); }, Minute));
   EXPECT_TRUE(QFile::exists(path("box.exr")));
   press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(are_jobs_done());
   EXPECT_FALSE(document().is_modified());
   EXPECT_THAT(test::bytes_of(folder_.path("box.grf")), HasSubstr("ward"));
 }

@@ -11,6 +11,7 @@
 #include "editor/rendering/irradiance_bake.h"
 #include "editor/rendering/render_panel.h"
 #include "grf/read.h"
+#include "tests/editor/answer.h"
 #include "tests/editor/window/authoring.h"
 
 namespace editor {
@@ -56,6 +57,7 @@ TEST_F(KeepingWork, BakesIrradianceIntoTheSceneAsItIsAndSavesItAsIgrf) {
     const test::FileTyping accepts("");
     test::action(window_, "Save").trigger();
   }
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_.files().is_saving(); }, Minute));
   EXPECT_EQ(document().path(), path("scene.igrf"));
   EXPECT_FALSE(document().is_modified());
   grf::Diagnostics diagnostics;
@@ -105,6 +107,29 @@ TEST_F(KeepingWork, OffersToReloadKeepOrCompareWhatAnotherProgramWrote) {
   press("Keep mine");
   EXPECT_TRUE(window_.files().outside_changes().files().empty());
   EXPECT_EQ(document().objects().meshes.size(), 1U);
+}
+
+TEST_F(KeepingWork, ClosesOnceTheSceneIsWritten) {
+  QFile::copy("/usr/share/glmark2/models/bunny.obj", path("bunny.obj"));
+  open(path("bunny.obj"));
+  window_.files().save_as(path("bunny.grf"));
+  EXPECT_FALSE(window_.close()) << "it is being written";
+  EXPECT_TRUE(window_.isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_.isVisible(); }, Minute));
+  EXPECT_FALSE(document().is_modified());
+  grf::Diagnostics diagnostics;
+  EXPECT_EQ(*grf::read(folder_.path("bunny.grf"), diagnostics), document().scene());
+}
+
+TEST_F(KeepingWork, ClosesAfterSavingWhereTheAuthorSaysSo) {
+  add_lit_floor(folder_);
+  open(path("scene.grf"));
+  document().replace("Add an observer", add_observer(document().scene(), {0, 0, 5}));
+  test::answer(QMessageBox::Save);
+  window_.close();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_.isVisible(); }, Minute));
+  grf::Diagnostics diagnostics;
+  EXPECT_EQ(*grf::read(folder_.path("scene.grf"), diagnostics), document().scene());
 }
 
 TEST_F(KeepingWork, AsksBeforeClosingEndsARenderOrABake) {

@@ -100,12 +100,15 @@ TEST(RecoveryOfTheProgram, GivesBackWhatWasUnsavedWhenItDied) {
   }
   ASSERT_NE(recover, nullptr);
   QTest::mouseClick(recover, Qt::LeftButton);
+  const auto settle = [&] { return QTest::qWaitFor([&] { return window.jobs().jobs().empty(); }, Minute); };
+  ASSERT_TRUE(settle());
   EXPECT_EQ(window.document().objects().faces, 69666U);
   EXPECT_TRUE(window.document().is_modified());
   EXPECT_TRUE(window.document().scene() ==
               imported(BunnyFile, QString::fromStdString(folder.path("imports"))));
 
   window.files().save_as(QString::fromStdString(folder.path("bunny.grf")));
+  ASSERT_TRUE(settle());
   EXPECT_FALSE(window.document().is_modified());
   // What the dead session kept goes once this one has it.
   EXPECT_TRUE(QTest::qWaitFor([&] { return !has_kept_work(sessions); }, Minute));

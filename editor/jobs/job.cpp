@@ -1,0 +1,31 @@
+#include "editor/jobs/job.h"
+
+namespace editor {
+
+QString Job::cancel_tip() const {
+  return state_ == State::Waiting ? tr("Remove this job, which has not begun") : task_.cancel_tip;
+}
+
+void Job::begin() {
+  state_ = State::Running;
+  emit changed();
+  task_.begin(*this);
+}
+
+void Job::show_progress(double done, std::optional<double> seconds_left) {
+  done_ = done;
+  seconds_left_ = seconds_left;
+  emit changed();
+}
+
+void Job::end(const QString& problem) {
+  if (std::exchange(state_, State::Ended) != State::Ended) emit ended(problem);
+}
+
+void Job::cancel() {
+  if (cancel_tip().isEmpty()) return;
+  if (state_ == State::Running && task_.cancel) return task_.cancel();
+  end();
+}
+
+}  // namespace editor

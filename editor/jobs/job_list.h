@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "editor/jobs/job.h"
+
+namespace editor {
+
+/// The jobs that wait or run. Those of one queue run in the order in which they were added.
+class JobList : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit JobList(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Adds a job, which begins at once if its queue is free.
+  void add(JobTask task);
+  const std::vector<Job*>& jobs() const { return jobs_; }
+  /// Whether jobs of a queue wait or run.
+  bool is_busy(const QString& queue) const;
+  void cancel(const QString& queue);
+
+ signals:
+  /// A job was added or has ended, or its state or progress are others.
+  void changed();
+  void failed(const QString& problem);
+  void queue_emptied(const QString& queue);
+
+ private:
+  void remove(Job* job, const QString& problem);
+  void begin_next(const QString& queue);
+
+  std::vector<Job*> jobs_;  ///< children of this
+};
+
+}  // namespace editor

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+#include "editor/document/import_folder.h"
+#include "editor/rendering/irradiance_bake.h"
+
+namespace editor {
+
+class Document;
+class Job;
+class JobList;
+
+/// Bakes irradiance as a job, and gives it to the scene as that is by then.
+class BakeController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Document and jobs outlive the controller.
+  BakeController(Document& document, JobList& jobs, QObject* parent);
+
+  /// Begins a bake of the scene as it is now, unless one runs.
+  void bake();
+  bool is_running() const { return bake_.is_running(); }
+
+ signals:
+  void told(const QString& message);
+  void failed(const QString& why);
+
+ private:
+  void begin(Job& job);
+  void take(const BakedIrradiance& irradiance, const IrradianceBakeResult& result);
+
+  Document& document_;
+  JobList& jobs_;
+  QPointer<Job> job_;
+  ImportFolders imports_;  ///< with images of the scene that is baked
+  IrradianceBake bake_;
+};
+
+}  // namespace editor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+class QMenu;
+
+namespace editor {
+
+class ImageBrowser;
+class ImageServer;
+class Pages;
+class RenderPanel;
+
+/// Brings images of renders, of other programs and of files to the image view, which is made when it is first
+/// wanted.
+class ImageController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The menu is shown once there is an image view, with its actions. All outlive the controller.
+  ImageController(RenderPanel& render, Pages& pages, QMenu& menu, QObject* parent);
+
+  /// Goes to the image view.
+  ImageBrowser& browser();
+
+ private:
+  void connect_renders();
+
+  RenderPanel& render_;
+  Pages& pages_;
+  QMenu& menu_;
+  ImageServer* server_;
+  ImageBrowser* browser_ = nullptr;
+};
+
+}  // namespace editor
