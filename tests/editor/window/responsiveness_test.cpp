@@ -27,7 +27,7 @@ namespace {
 using test::Minute;
 
 /// Milliseconds for which the event loop may not come round. Sanitizers make all several times as slow.
-constexpr qint64 Limit = 100;
+constexpr qint64 Limit = 50;
 constexpr int Tries = test::HasSanitizers ? 1 : 3;
 const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
 
