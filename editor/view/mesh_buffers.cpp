@@ -62,7 +62,6 @@ void MeshBuffers::set_edges(const std::vector<MeshGeometry::Edge>& edges) {
   attribute(0, positions_.get(), 3);
   edges_ = buffer_of(GL_ELEMENT_ARRAY_BUFFER, edges.data(), edges.size() * sizeof(MeshGeometry::Edge));
   edge_count_ = edges.size();
-  has_edges_ = true;
   gl_.glBindVertexArray(0);
 }
 

@@ -20,7 +20,7 @@ class MeshBuffers {
   std::size_t triangle_count() const { return triangle_count_; }
   std::size_t vertex_count() const { return vertex_count_; }
   std::size_t edge_count() const { return edge_count_; }
-  bool has_edges() const { return has_edges_; }
+  bool has_edges() const { return edges_ != nullptr; }
   bool has_face_normals() const { return face_count_ > 0; }
 
   /// Adds what some modes alone draw.
@@ -42,7 +42,6 @@ class MeshBuffers {
   std::size_t vertex_count_ = 0;
   std::size_t edge_count_ = 0;
   std::size_t face_count_ = 0;
-  bool has_edges_ = false;
   std::unique_ptr<GlObject> positions_, normals_, colours_, irradiance_, uvs_, triangles_, edges_;
   std::unique_ptr<GlObject> face_centres_, face_normals_;
   BufferTexture face_of_triangle_;

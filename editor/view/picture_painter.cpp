@@ -31,11 +31,6 @@ bool has_faces(DisplayMode mode) { return mode != DisplayMode::Points && mode !=
 
 bool has_textures(DisplayMode mode) { return mode == DisplayMode::Textured || mode == DisplayMode::Brdf; }
 
-QMatrix3x3 camera_to_world(const ViewCamera& camera) {
-  const auto matrix = to_qt(camera.world_to_camera().inverse());
-  return matrix.toGenericMatrix<3, 3>();
-}
-
 /// Of a pixel and a pass.
 int sky_samples(const PictureRequest& request) { return request.is_quick ? 4 : 8; }
 
@@ -334,7 +329,8 @@ QOpenGLShaderProgram* PicturePainter::brdf_program(std::size_t model) {
 void PicturePainter::set_eye(QOpenGLShaderProgram& program, const Job& job) {
   const ViewCamera& camera = job.request.camera;
   const double tangent = std::tan(camera.field_of_view() * std::numbers::pi / 360);
-  program.setUniformValue("camera_to_world", camera_to_world(camera));
+  program.setUniformValue("camera_to_world",
+                          to_qt(camera.world_to_camera().inverse()).toGenericMatrix<3, 3>());
   program.setUniformValue("is_orthographic", camera.is_orthographic());
   program.setUniformValue("screen_size", QVector2D(static_cast<float>(job.g_buffer.size().width()),
                                                    static_cast<float>(job.g_buffer.size().height())));
@@ -361,12 +357,9 @@ void PicturePainter::paint_brdf(const Job& job, std::size_t model, int first_row
 }
 
 void PicturePainter::paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) {
-  LightByCpp light;
-  light.model = model;
-  light.samples = sky_samples(job.request);
-  light.first_sample = job.request.pass * light.samples;
-  light.camera = job.request.camera;
-  light.aspect = job.request.aspect;
+  const PictureRequest& request = job.request;
+  const int samples = sky_samples(request);
+  const LightByCpp light{model, samples, request.pass * samples, request.camera, request.aspect};
   const int rows_left = job.g_buffer.size().height() - first_row;
   add_light_by_cpp(light, job.scene.faces(), job.scene.surfaces(), job.g_buffer, first_row,
                    std::min(rows, rows_left));
