@@ -72,18 +72,17 @@ double ImagePane::scale() const { return zoom_ / devicePixelRatioF(); }
 
 QSizeF ImagePane::image_size() const { return image_ ? QSizeF(image_->width, image_->height) : QSizeF(); }
 
-bool ImagePane::shows_two() const {
-  return image_ && reference_ &&
-         (arrangement_ == Arrangement::Wipe || arrangement_ == Arrangement::SideBySide);
+bool ImagePane::shows_two_by(Arrangement arrangement) const {
+  return image_ && reference_ && arrangement_ == arrangement;
 }
 
 QRectF ImagePane::left_view() const {
-  if (!shows_two() || arrangement_ != Arrangement::SideBySide) return rect();
+  if (!shows_two_by(Arrangement::SideBySide)) return rect();
   return {0, 0, std::floor(width() / 2.0) - 1, double(height())};
 }
 
 QRectF ImagePane::right_view() const {
-  if (!shows_two() || arrangement_ != Arrangement::SideBySide) return rect();
+  if (!shows_two_by(Arrangement::SideBySide)) return rect();
   const double left = std::floor(width() / 2.0) + 1;
   return {left, 0, width() - left, double(height())};
 }
@@ -102,8 +101,7 @@ QPointF ImagePane::place_of(const QPoint& pixel) const {
 }
 
 bool ImagePane::is_near_wipe(const QPointF& place) const {
-  return shows_two() && arrangement_ == Arrangement::Wipe &&
-         std::abs(place.x() - wipe_ * width()) < WipeReach;
+  return shows_two_by(Arrangement::Wipe) && std::abs(place.x() - wipe_ * width()) < WipeReach;
 }
 
 // Moving and zooming
@@ -195,17 +193,16 @@ void ImagePane::paintEvent(QPaintEvent*) {
   const SharedImage& first = shows_reference ? reference_ : image_;
   if (!first) return draw_hint(painter);
   QRectF clip = left_view();
-  if (shows_two() && arrangement_ == Arrangement::Wipe) clip.setWidth(std::round(wipe_ * width()));
+  const bool has_wipe = shows_two_by(Arrangement::Wipe);
+  if (has_wipe) clip.setWidth(std::round(wipe_ * width()));
   draw(painter, first, left_view(), clip, converted_[0]);
-  if (shows_two()) {
+  if (has_wipe || shows_two_by(Arrangement::SideBySide)) {
     QRectF right = right_view();
-    if (arrangement_ == Arrangement::Wipe) right.setLeft(clip.right());
+    if (has_wipe) right.setLeft(clip.right());
     draw(painter, reference_, right_view(), right, converted_[1]);
     painter.setClipping(false);
-    if (arrangement_ == Arrangement::Wipe) draw_wipe(painter);
-    if (arrangement_ == Arrangement::SideBySide) {
-      painter.fillRect(QRectF(left_view().right(), 0, 2, height()), colours.line);
-    }
+    if (has_wipe) draw_wipe(painter);
+    if (!has_wipe) painter.fillRect(QRectF(left_view().right(), 0, 2, height()), colours.line);
     draw_name(painter, reference_name_, right_view(), Qt::AlignRight);
   }
   painter.setClipping(false);
@@ -282,11 +279,6 @@ void ImagePane::draw_wipe(QPainter& painter) {
 
 void ImagePane::resizeEvent(QResizeEvent*) {
   if (fits_) fit();
-}
-
-void ImagePane::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) update();
-  QWidget::changeEvent(event);
 }
 
 void ImagePane::wheelEvent(QWheelEvent* event) {

@@ -71,7 +71,6 @@ class ImagePane : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
-  void changeEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -95,7 +94,7 @@ class ImagePane : public QWidget {
   QRectF left_view() const;
   QRectF right_view() const;
   bool is_near_wipe(const QPointF& place) const;
-  bool shows_two() const;
+  bool shows_two_by(Arrangement arrangement) const;
   void set_zoom(double zoom);
   void keep_in_sight();
   void tell_pixel();

@@ -26,12 +26,13 @@ ImageTools::ImageTools(ImagePane& pane, QWidget* parent)
 }
 
 QAction* ImageTools::add_action(const QString& icon_name, const QString& text, const QString& help,
-                                const QKeySequence& key) {
-  auto* action = new QAction(icon(icon_name), text, this);
+                                const QKeySequence& key, const std::function<void()>& work) {
+  auto* action = new QAction(icon_name.isEmpty() ? QIcon() : icon(icon_name), text, this);
   action->setShortcut(key);
   action->setShortcutContext(Qt::WidgetShortcut);
   const QString keys = key.isEmpty() ? QString() : tr(" (%1)").arg(key.toString(QKeySequence::NativeText));
   action->setToolTip(text + keys + "\n" + help);
+  if (work) connect(action, &QAction::triggered, this, work);
   pane_.addAction(action);
   return action;
 }
@@ -46,51 +47,40 @@ void ImageTools::make_actions() {
                     QKeySequence::Copy);
   remove = add_action("close", tr("Close image"), tr("Takes image A off the list; its file stays."),
                       Qt::Key_Delete);
-  QAction* fit = add_action("fit", tr("Fit"), tr("Shows all of the image."), Qt::Key_0);
-  QAction* actual =
-      add_action("actual_size", tr("Actual size"), tr("One pixel on one of the screen."), Qt::Key_1);
-  QAction* in =
-      add_action("zoom_in", tr("Zoom in"), tr("Also with the wheel, about the pointer."), Qt::Key_Plus);
-  QAction* out =
-      add_action("zoom_out", tr("Zoom out"), tr("Also with the wheel, about the pointer."), Qt::Key_Minus);
+  const QString zoom_help = tr("Also with the wheel, about the pointer.");
+  of_view = {
+      add_action("fit", tr("Fit"), tr("Shows all of the image."), Qt::Key_0, [this] { pane_.fit(); }),
+      add_action("actual_size", tr("Actual size"), tr("One pixel on one of the screen."), Qt::Key_1,
+                 [this] { pane_.show_actual_size(); }),
+      add_action("zoom_in", tr("Zoom in"), zoom_help, Qt::Key_Plus, [this] { pane_.zoom_by(2); }),
+      add_action("zoom_out", tr("Zoom out"), zoom_help, Qt::Key_Minus, [this] { pane_.zoom_by(0.5); })};
+  of_view[2]->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});  // they share a key on many keyboards
   flip = add_action("flip", tr("Flip to B"), tr("Shows B in the place of A until it is pressed again."),
                     Qt::Key_Space);
   flip->setCheckable(true);
   swap = add_action("swap", tr("Swap A and B"), tr("Makes the image the reference."), Qt::Key_X);
-  in->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});  // they share a key on many keyboards
-  of_view = {fit, actual, in, out};
-  connect(fit, &QAction::triggered, &pane_, &ImagePane::fit);
-  connect(actual, &QAction::triggered, &pane_, &ImagePane::show_actual_size);
-  connect(in, &QAction::triggered, &pane_, [this] { pane_.zoom_by(2); });
-  connect(out, &QAction::triggered, &pane_, [this] { pane_.zoom_by(0.5); });
 }
 
 /// Keys of the view that need no button: they work the controls.
 void ImageTools::add_keys() {
-  const auto add = [this](const QKeySequence& key, const QString& text, const QString& tip,
-                          const auto& work) {
-    auto* action = new QAction(text, this);
-    action->setToolTip(tip);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    connect(action, &QAction::triggered, this, work);
-    pane_.addAction(action);
+  const auto add_step = [this](const QKeySequence& key, const QString& text, const QString& help,
+                               float stops) {
+    add_action({}, text, help, key,
+               [this, stops] { controls_->set_exposure(controls_->settings().exposure + stops); });
   };
-  constexpr float Step = 0.5F;
-  add(Qt::Key_E, tr("Brighter"), tr("Shows half a stop more"),
-      [this] { controls_->set_exposure(controls_->settings().exposure + Step); });
-  add(Qt::SHIFT | Qt::Key_E, tr("Darker"), tr("Shows half a stop less"),
-      [this] { controls_->set_exposure(controls_->settings().exposure - Step); });
-  const auto add_channel = [&](Qt::Key key, const QString& text, const QString& tip, ImageChannel channel) {
-    add(key, text, tip, [this, channel] { controls_->set_channel(channel); });
+  add_step(Qt::Key_E, tr("Brighter"), tr("Shows half a stop more"), 0.5F);
+  add_step(Qt::SHIFT | Qt::Key_E, tr("Darker"), tr("Shows half a stop less"), -0.5F);
+  const auto add_channel = [this](Qt::Key key, const QString& text, const QString& help,
+                                  ImageChannel channel) {
+    add_action({}, text, help, key, [this, channel] { controls_->set_channel(channel); });
   };
   add_channel(Qt::Key_C, tr("Colour"), tr("Shows all three channels"), ImageChannel::Colour);
   add_channel(Qt::Key_R, tr("Red"), tr("Shows the red channel"), ImageChannel::Red);
   add_channel(Qt::Key_G, tr("Green"), tr("Shows the green channel"), ImageChannel::Green);
   add_channel(Qt::Key_B, tr("Blue"), tr("Shows the blue channel"), ImageChannel::Blue);
   add_channel(Qt::Key_Y, tr("Luminance"), tr("Shows how bright pixels are"), ImageChannel::Luminance);
-  add(Qt::Key_P, tr("False colour"), tr("Shows luminance as colours"),
-      [this] { controls_->set_false_colour(true); });
+  add_action({}, tr("False colour"), tr("Shows luminance as colours"), Qt::Key_P,
+             [this] { controls_->set_false_colour(true); });
 }
 
 QToolBar* ImageTools::make_bar() {

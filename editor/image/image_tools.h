@@ -2,6 +2,7 @@
 
 #include <QList>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "editor/image/image_figures.h"
@@ -52,7 +53,7 @@ class ImageTools : public QWidget {
 
  private:
   QAction* add_action(const QString& icon_name, const QString& text, const QString& help,
-                      const QKeySequence& key);
+                      const QKeySequence& key, const std::function<void()>& work = {});
   void make_actions();
   void add_keys();
   QToolBar* make_bar();

@@ -76,9 +76,4 @@ void ScaleBar::paintEvent(QPaintEvent*) {
   }
 }
 
-void ScaleBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) update();
-  QWidget::changeEvent(event);
-}
-
 }  // namespace editor

@@ -21,7 +21,6 @@ class ScaleBar : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   struct Tick {

@@ -17,12 +17,6 @@ constexpr int MostStops = 16;
 constexpr int StepsAStop = 10;
 constexpr int FalseColourView = 5;  ///< behind those of the channels
 
-QLabel* label(const QString& text, QWidget* buddy) {
-  auto* label = new QLabel(text, buddy->parentWidget());
-  label->setBuddy(buddy);
-  return label;
-}
-
 void explain(QWidget* control, const QString& name, const QString& help) {
   control->setAccessibleName(name);
   control->setToolTip(help);
@@ -47,6 +41,17 @@ ScreenControls::ScreenControls(QWidget* parent)
   row->addStretch(1);
 }
 
+template <class Edit>
+void ScreenControls::change(const Edit& edit) {
+  const ScreenSettings before = settings_;
+  edit(settings_);
+  if (settings_ == before) return;
+  const QSignalBlocker block_slider(slider_);
+  slider_->setValue(static_cast<int>(std::lround(settings_.exposure * StepsAStop)));
+  stops_->set_value(static_cast<double>(settings_.exposure));
+  emit edited(settings_);
+}
+
 void ScreenControls::add_exposure() {
   const QString help = tr("Brightness in stops: one more doubles it. Key E, back with Shift+E.");
   slider_->setRange(-MostStops * StepsAStop, MostStops * StepsAStop);
@@ -66,7 +71,9 @@ void ScreenControls::add_exposure() {
   for (const auto signal : {&NumberBox::changing, &NumberBox::edited}) {
     connect(stops_, signal, this, [this](double value) { set_exposure(static_cast<float>(value)); });
   }
-  layout()->addWidget(label(tr("Exposure"), stops_));
+  auto* label = new QLabel(tr("Exposure"), this);
+  label->setBuddy(stops_);
+  layout()->addWidget(label);
   layout()->addWidget(slider_);
   layout()->addWidget(stops_);
 }
@@ -75,12 +82,9 @@ void ScreenControls::add_curve() {
   curve_->addItems({tr("sRGB"), tr("Filmic"), tr("Reinhard")});
   explain(curve_, tr("Tone curve"),
           tr("How radiance becomes brightness. sRGB: as 8-bit files have it, 1 is white. Filmic: highlights "
-             "roll off "
-             "as on film. Reinhard: x / (1 + x), which cuts nothing."));
+             "roll off as on film. Reinhard: x / (1 + x), which cuts nothing."));
   connect(curve_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    ScreenSettings settings = settings_;
-    settings.curve = static_cast<ToneCurve>(index);
-    change(settings);
+    change([index](ScreenSettings& settings) { settings.curve = static_cast<ToneCurve>(index); });
   });
   layout()->addWidget(curve_);
 }
@@ -89,38 +93,25 @@ void ScreenControls::add_view() {
   view_->addItems({tr("Colour"), tr("Red"), tr("Green"), tr("Blue"), tr("Luminance"), tr("False colour")});
   explain(view_, tr("Channels shown"),
           tr("What is shown of the image: all channels, one of them, the luminance in grey, or the luminance "
-             "in false "
-             "colours with a scale. Keys C, R, G, B, Y and P."));
+             "in false colours with a scale. Keys C, R, G, B, Y and P."));
   connect(view_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    ScreenSettings settings = settings_;
-    settings.colouring = index == FalseColourView ? Colouring::FalseColour : Colouring::Natural;
-    settings.channel = index == FalseColourView ? ImageChannel::Colour : static_cast<ImageChannel>(index);
-    change(settings);
+    const bool is_false = index == FalseColourView;
+    change([is_false, index](ScreenSettings& settings) {
+      settings.colouring = is_false ? Colouring::FalseColour : Colouring::Natural;
+      settings.channel = is_false ? ImageChannel::Colour : static_cast<ImageChannel>(index);
+    });
   });
   layout()->addWidget(view_);
 }
 
 void ScreenControls::set_exposure(float stops) {
-  ScreenSettings settings = settings_;
-  settings.exposure = std::clamp(stops, float(-MostStops), float(MostStops));
-  change(settings);
+  change([stops](ScreenSettings& settings) {
+    settings.exposure = std::clamp(stops, float(-MostStops), float(MostStops));
+  });
 }
 
 void ScreenControls::set_channel(ImageChannel channel) { view_->setCurrentIndex(static_cast<int>(channel)); }
 
 void ScreenControls::set_false_colour(bool is_on) { view_->setCurrentIndex(is_on ? FalseColourView : 0); }
-
-void ScreenControls::change(const ScreenSettings& settings) {
-  if (settings == settings_) return;
-  settings_ = settings;
-  show_settings();
-  emit edited(settings_);
-}
-
-void ScreenControls::show_settings() {
-  const QSignalBlocker block_slider(slider_);
-  slider_->setValue(static_cast<int>(std::lround(settings_.exposure * StepsAStop)));
-  stops_->set_value(static_cast<double>(settings_.exposure));
-}
 
 }  // namespace editor

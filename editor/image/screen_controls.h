@@ -31,8 +31,8 @@ class ScreenControls : public QWidget {
   void add_exposure();
   void add_curve();
   void add_view();
-  void change(const ScreenSettings& settings);
-  void show_settings();
+  template <class Edit>
+  void change(const Edit& edit);
 
   ScreenSettings settings_;
   QSlider* slider_;

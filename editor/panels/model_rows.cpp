@@ -11,6 +11,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/brdf/parameter_rows.h"
 #include "editor/controls/parts.h"
+#include "editor/controls/tab_order.h"
 #include "editor/document/definitions.h"
 #include "grf/keywords.h"
 #include "grf/write.h"
@@ -278,6 +279,7 @@ void PdfRow::show_parameters() {
   const grf::ModelInfo* info = model_ ? grf::find_model(catalogue_.pdfs, model_->keyword) : nullptr;
   parameters_->show_models(info, {model_ ? &*model_ : nullptr});
   parameters_->setVisible(info != nullptr && !info->parameters.empty());
+  lead_tab_through({choice_, reset_, parameters_});
 }
 
 void PdfRow::edit_parameters(const std::function<void(grf::Model&)>& edit, bool is_done) {

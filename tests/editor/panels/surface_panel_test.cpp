@@ -192,6 +192,9 @@ TEST_F(SurfacePanels, CheckParametersOfASamplingScheme) {
   EXPECT_EQ(grf::to_text(std::get<grf::PdfModel>(*sides().surface(0).pdf)), "hemisphere exp=20");
   EXPECT_EQ(document_.undo_stack().count(), steps + 1);
   auto* slider = find<ScaledSlider>("exp");
+  QWidget* next = find<QComboBox>("Sampling scheme");
+  for (int i = 0; i < 12 && next != slider; ++i) next = next->nextInFocusChain();
+  EXPECT_EQ(next, slider) << "Tab leads on to the parameters";
   const int y = slider->height() / 2;
   QTest::mousePress(slider, Qt::LeftButton, {}, {4, y});
   for (int x = 8; x < slider->width() - 4; x += 4) QTest::mouseMove(slider, {x, y});
