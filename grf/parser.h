@@ -59,7 +59,7 @@ struct ParserContext {
   std::map<std::pair<std::size_t, std::string>, std::size_t> scope_numbers;
   std::size_t scope_number = 0;
   struct Contents {
-    Shared<BlockList> blocks;
+    IncludeOrigin file;
     std::size_t nesting = 0;  ///< see nesting_of
   };
   /// The contents of files that include no others, by number of the scope.
@@ -97,7 +97,7 @@ class Parser {
   // parser_includes.cpp
   bool parse_include(Include& include);
   bool may_include(const OpenFile& included, const SourceLocation& location);
-  std::optional<Shared<BlockList>> contents_of(const OpenFile& included, const SourceLocation& location);
+  std::optional<IncludeOrigin> contents_of(const OpenFile& included, const SourceLocation& location);
   bool is_read_too_often(const OpenFile& included, std::size_t bytes);
 
   // parser_definitions.cpp

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -31,8 +32,8 @@ bool Parser::parse_include(Include& include) {
   const OpenFile included{canonical_path(path), path};
   if (!may_include(included, location)) return true;
   if (auto contents = contents_of(included, location)) {
-    include.contents = *std::move(contents);
-    include.origin = {included.exact_path, include.contents};
+    include.contents = contents->contents;
+    include.origin = *std::move(contents);
   }
   return true;  // the statement itself was read, so reading goes on behind it
 }
@@ -64,12 +65,11 @@ bool Parser::may_include(const OpenFile& included, const SourceLocation& locatio
 
 // Instances of an object are one file that is included many times, so a file is not read again where it would
 // give the same. One with includes of its own is, because its includes are to be counted again too.
-std::optional<Shared<BlockList>> Parser::contents_of(const OpenFile& included,
-                                                     const SourceLocation& location) {
+std::optional<IncludeOrigin> Parser::contents_of(const OpenFile& included, const SourceLocation& location) {
   const std::pair key(file_in_folder(included.path), context_.scope_number);
   const auto known = context_.contents_of_files.find(key);
   if (known != context_.contents_of_files.end()) {
-    if (context_.nesting + known->second.nesting <= DeepestNesting) return known->second.blocks;
+    if (context_.nesting + known->second.nesting <= DeepestNesting) return known->second.file;
     fail_too_deep(location);
     return std::nullopt;
   }
@@ -87,10 +87,11 @@ std::optional<Shared<BlockList>> Parser::contents_of(const OpenFile& included,
   if (!is_text(*text, "a GRF scene", {file, 0, 0}, context_.diagnostics)) return std::nullopt;
   const std::size_t includes_before = context_.include_count;
   context_.open_files.push_back(included);
-  Shared<BlockList> contents = Parser(text, file, context_).parse_file();
+  IncludeOrigin contents = {included.exact_path, Parser(text, file, context_).parse_file(),
+                            std::hash<std::string>()(*text)};
   context_.open_files.pop_back();
   if (context_.include_count == includes_before) {
-    context_.contents_of_files.insert({key, {contents, nesting_of(*contents)}});
+    context_.contents_of_files.insert({key, {contents, nesting_of(*contents.contents)}});
   }
   return contents;
 }

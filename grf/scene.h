@@ -65,10 +65,11 @@ struct Params {
   bool operator==(const Params&) const = default;
 };
 
-/// What an included file held when it was read, so that saving rewrites only files that changed.
+/// What an included file held when it was read, so that saving rewrites only files that hold something else.
 struct IncludeOrigin {
   std::string path;  ///< canonical; empty for an include that was not read from a file
   Shared<BlockList> contents;
+  std::size_t hash = 0;  ///< std::hash of the file's bytes
 
   /// Where a thing came from makes it no other thing.
   bool operator==(const IncludeOrigin&) const { return true; }

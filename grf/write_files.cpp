@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -96,7 +97,8 @@ class FilesWriter {
     for_each_file([this](const Include& include, const std::string& path) {
       const std::string exact_path = canonical_path(path);
       const IncludeOrigin& origin = include.origin;
-      const bool is_as_read = origin.path == exact_path && origin.contents == include.contents;
+      const bool is_as_read =
+          origin.path == exact_path && origin.contents == include.contents && is_on_disk(origin);
       if (!is_as_read || reads_otherwise(*include.contents, scope_.scope())) changed_.insert(exact_path);
     });
     prepare_own();
@@ -128,6 +130,15 @@ class FilesWriter {
     std::error_code ignored;  // what is wrong with the folder is said when the file cannot be made
     std::filesystem::create_directories(std::filesystem::path(exact_path).parent_path(), ignored);
     return replace_file(text.path, text.text, diagnostics_);
+  }
+
+  /// Whether the file still holds what was read: it may have been written since, in another state.
+  bool is_on_disk(const IncludeOrigin& origin) {
+    const auto [known, is_new] = hashes_on_disk_.try_emplace(origin.path);
+    Diagnostics unheard;
+    const auto text = is_new ? read_file(origin.path, unheard) : nullptr;
+    if (text) known->second = std::hash<std::string>()(*text);
+    return known->second == origin.hash;
   }
 
   void prepare_own() {
@@ -236,6 +247,7 @@ class FilesWriter {
   bool valid_ = true;
   std::vector<std::string> open_files_;
   std::set<std::string> changed_;
+  std::map<std::string, std::size_t> hashes_on_disk_;
   std::string own_text_;
   std::map<std::string, Text> texts_;           // by canonical path
   std::map<std::string, BrdfModel> instances_;  // the same
