@@ -54,9 +54,10 @@ class IrradianceWriter {
  private:
   /// What became of a definition in the places where it was used.
   struct Used {
-    Definition* definition = nullptr;
+    Definition* definition;
+    Definition::Body before = definition->body;
     std::size_t places = 0;
-    std::vector<Definition> copies;
+    std::vector<Definition> copies = {};
   };
 
   void write(BlockList& list, const Matrix44d& to_world) {
@@ -101,16 +102,19 @@ std::string IrradianceWriter::free_name(const std::string& name, std::size_t num
 
 void IrradianceWriter::write(grf::Use& use, const Matrix44d& to_world) {
   Used& used = in_scope_.at(use.mesh.name).back();
-  auto& mesh = std::get<Shared<Mesh>>(used.definition->body);
-  if (++used.places == 1) return fill(mesh, to_world);
-  Definition copy{free_name(use.mesh.name, used.places), mesh, {}, used.definition->location};
-  fill(std::get<Shared<Mesh>>(copy.body), to_world);
-  use.mesh.name = copy.name;
-  used.copies.push_back(std::move(copy));
+  auto mesh = std::get<Shared<Mesh>>(used.before);
+  fill(mesh, to_world);
+  auto& of_first_place = std::get<Shared<Mesh>>(used.definition->body);
+  if (++used.places == 1) {
+    of_first_place = std::move(mesh);
+  } else if (!(mesh == of_first_place)) {
+    use.mesh.name = free_name(use.mesh.name, used.places);
+    used.copies.push_back({use.mesh.name, std::move(mesh), {}, used.definition->location});
+  }
 }
 
 void IrradianceWriter::write(DefinitionScope& scope, const Matrix44d& to_world) {
-  for (Definition& definition : scope.definitions) in_scope_[definition.name].push_back({&definition, 0, {}});
+  for (Definition& definition : scope.definitions) in_scope_[definition.name].push_back({&definition});
   write(scope.body, to_world);
   std::vector<Definition> definitions;
   for (Definition& definition : scope.definitions) {

@@ -25,9 +25,9 @@ using ArrivingIrradiance = std::function<std::optional<grf::VertexIrradiance>(
 /// Gives the vertices of a scene irradiance, mesh by mesh in the order of `grf::visit`, in place of what they
 /// had; those of lights have none.
 ///
-/// What arrives differs from place to place: of a mesh that is placed by `use` more than once, all places but
-/// the first get a copy, defined beside it as `name$2`, `name$3`, ... Includes are kept, each with contents
-/// of its own.
+/// What arrives differs from place to place: of a mesh that is placed by `use` more than once, places with
+/// other irradiance than the first get a copy, defined beside it as `name$2`, `name$3`, ... Includes are
+/// kept, each with contents of its own.
 BakedScene with_irradiance(grf::Scene scene, const ArrivingIrradiance& arriving);
 
 /// The same for a flat scene (`grf::flatten`) and a bake of it that has ended.

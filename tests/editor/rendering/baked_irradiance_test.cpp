@@ -127,6 +127,11 @@ TEST_F(BakedIrradianceTest, CopiesAMeshThatIsUsedAtSeveralPlaces) {
       test::scene_of_text("def tile = " + triangle(irad(3)) + "def other = " + triangle(irad(5)) +
                           "begin use tile transform translation (0,1,0) begin use other end end\n" + View));
   EXPECT_EQ(irradiances(irradiance.applied_to(scene, path()).scene), (std::vector<float>{3, 5}));
+  grf::Scene edited = scene;
+  auto& body = std::get<grf::DefinitionScope>(edited.contents.blocks[0].content).body.blocks;
+  std::get<grf::Transform>(body[1].content).steps[0].value.y = 2;
+  EXPECT_EQ(irradiances(irradiance.applied_to(edited, path()).scene), (std::vector<float>{3, -1}))
+      << "an instance that was moved meanwhile";
 }
 
 }  // namespace
