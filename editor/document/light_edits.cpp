@@ -58,8 +58,7 @@ grf::Params* params_of(grf::BlockList& list) {
 }
 
 grf::Params* params_at(grf::Scene& scene, const ObserverObject& observer) {
-  const grf::ScenePlace place = grf::find(scene, observer.path);
-  auto* params = place.block == nullptr ? nullptr : std::get_if<grf::Params>(&place.block->content);
+  auto* params = content_at<grf::Params>(scene, observer.path);
   return params != nullptr && observer.number < params->views.size() ? params : nullptr;
 }
 
@@ -130,8 +129,7 @@ grf::Scene add_light(const grf::Scene& scene, const grf::AreaLight& light) {
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
                                        const grf::AreaLight& light, grf::Diagnostics& diagnostics) {
   grf::Scene changed = scene;
-  const grf::ScenePlace place = grf::find(changed, path);
-  auto* there = place.block == nullptr ? nullptr : std::get_if<grf::AreaLight>(&place.block->content);
+  auto* there = content_at<grf::AreaLight>(changed, path);
   if (there == nullptr) return nothing_there("light", diagnostics);
   *there = light;
   return changed;

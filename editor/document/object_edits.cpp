@@ -28,8 +28,7 @@ bool remove_observers(grf::Scene& scene, const std::vector<ObserverObject>& obse
   std::map<grf::ScenePath, std::set<std::size_t>> numbers;
   for (const ObserverObject& observer : observers) numbers[observer.path].insert(observer.number);
   for (const auto& [path, of_params] : numbers) {
-    const grf::ScenePlace place = grf::find(scene, path);
-    auto* params = place.block == nullptr ? nullptr : std::get_if<grf::Params>(&place.block->content);
+    auto* params = content_at<grf::Params>(scene, path);
     if (params == nullptr || *of_params.rbegin() >= params->views.size()) return false;
     for (auto number = of_params.rbegin(); number != of_params.rend(); ++number) {
       params->views.erase(params->views.begin() + static_cast<std::ptrdiff_t>(*number));
@@ -41,11 +40,9 @@ bool remove_observers(grf::Scene& scene, const std::vector<ObserverObject>& obse
 
 /// The transform that moves a block alone: what stands at the path, or the block around it. Else null.
 grf::Transform* transform_of(grf::Scene& scene, grf::ScenePath& path) {
-  auto* own = std::get_if<grf::Transform>(&grf::find(scene, path).block->content);
-  if (own != nullptr) return own;
+  if (auto* own = content_at<grf::Transform>(scene, path)) return own;
   const grf::ScenePath around(path.begin(), path.end() - 1);
-  const grf::ScenePlace place = grf::find(scene, around);
-  auto* outer = place.block == nullptr ? nullptr : std::get_if<grf::Transform>(&place.block->content);
+  auto* outer = content_at<grf::Transform>(scene, around);
   if (outer == nullptr || outer->body.blocks.size() != 1) return nullptr;
   path = around;
   return outer;

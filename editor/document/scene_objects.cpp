@@ -16,62 +16,32 @@ class Collector {
   explicit Collector(const std::string& path) : path_(path) {}
 
   SceneObjects collect(const grf::Scene& scene) {
-    grf::SceneVisitor visitor;
-    visitor.mesh = [this](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block& block) {
-      if (placement.instance_of == nullptr) {
-        const auto& shared = std::get<grf::Shared<grf::Mesh>>(block.content);
-        place(add_mesh(shared, mesh.name, placement), placement);
-      } else {
-        place(defined_.at(placement.instance_of), placement);
-      }
-    };
-    visitor.mesh_light = [this](const grf::MeshLight& light, const grf::Placement& placement,
-                                const grf::Block&) {
-      const std::uint32_t mesh = add_mesh(light.mesh, {}, placement);
-      objects_.meshes[mesh].is_light = true;
-      place(mesh, placement);
-    };
+    grf::SceneVisitor visitor = mesh_visitor(
+        [this](MeshObject object, const grf::Placement& placement) {
+          object.path = path_of(placement);
+          object.looks = looks_of(*object.mesh, placement);
+          objects_.faces += object.mesh->face_count();
+          objects_.meshes.push_back(std::move(object));
+        },
+        [this](std::uint32_t mesh, const grf::Placement& placement) { place(mesh, placement); });
     visit_lights(visitor);
-    visitor.definition = [this](const grf::Definition& definition, const grf::Placement& placement) {
-      if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
-      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
-      if (mesh == nullptr) return;
-      const std::uint32_t index = add_mesh(*mesh, definition.name, placement);
-      objects_.meshes[index].is_definition = true;
-      defined_[&definition] = index;
-    };
     grf::visit(scene, visitor, path_);
     objects_.bounds.extendBy(objects_.mesh_bounds);
     objects_.instances = std::move(instances_);
     return std::move(objects_);
   }
 
-  /// Meets the meshes in the same order as `collect`, which is that of their numbers.
   void update(SceneObjects& objects, const grf::Scene& scene, const Change& change) {
     std::vector<bool> are_changed(objects.meshes.size(), change.definitions);
     for (const std::uint32_t mesh : change.meshes) are_changed[mesh] = true;
-    std::uint32_t number = 0;
-    const auto meet = [&](const grf::Shared<grf::Mesh>& mesh, const grf::Placement& placement) {
-      if (are_changed[number]) {
-        objects.meshes[number].mesh = mesh;
-        if (!objects.meshes[number].is_definition && !objects.meshes[number].is_light) {
-          objects.meshes[number].name = mesh->name;
-        }
-        objects.meshes[number].looks = looks_of(*mesh, placement);
-      }
-      ++number;
-    };
-    grf::SceneVisitor visitor;
-    visitor.mesh = [&](const grf::Mesh&, const grf::Placement& placement, const grf::Block& block) {
-      if (placement.instance_of == nullptr) meet(std::get<grf::Shared<grf::Mesh>>(block.content), placement);
-    };
-    visitor.mesh_light = [&](const grf::MeshLight& light, const grf::Placement& placement,
-                             const grf::Block&) { meet(light.mesh, placement); };
-    visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
-      if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
-      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
-      if (mesh != nullptr) meet(*mesh, placement);
-    };
+    grf::SceneVisitor visitor = mesh_visitor(
+        [&](MeshObject object, const grf::Placement& placement) {
+          if (!are_changed[next_mesh_]) return;
+          object.path = std::move(objects.meshes[next_mesh_].path);
+          object.looks = looks_of(*object.mesh, placement);
+          objects.meshes[next_mesh_] = std::move(object);
+        },
+        [](std::uint32_t, const grf::Placement&) {});
     if (change.lights) visit_lights(visitor);
     grf::visit(scene, visitor, path_);
     if (!change.lights) return;
@@ -86,6 +56,37 @@ class Collector {
     return {placement.path.begin(), placement.path.end()};
   }
 
+  /// Meets meshes in the order of their numbers, without their paths and looks, and the places of each.
+  template <class Meet, class Place>
+  grf::SceneVisitor mesh_visitor(const Meet& meet, const Place& place) {
+    grf::SceneVisitor visitor;
+    const auto meet_next = [this, meet](MeshObject object, const grf::Placement& placement) {
+      meet(std::move(object), placement);
+      return next_mesh_++;
+    };
+    visitor.mesh = [=, this](const grf::Mesh& mesh, const grf::Placement& placement,
+                             const grf::Block& block) {
+      const bool is_instance = placement.instance_of != nullptr;
+      place(
+          is_instance
+              ? defined_.at(placement.instance_of)
+              : meet_next({{}, mesh.name, std::get<grf::Shared<grf::Mesh>>(block.content), false, false, {}},
+                          placement),
+          placement);
+    };
+    visitor.mesh_light = [=](const grf::MeshLight& light, const grf::Placement& placement,
+                             const grf::Block&) {
+      place(meet_next({{}, {}, light.mesh, false, true, {}}, placement), placement);
+    };
+    visitor.definition = [=, this](const grf::Definition& definition, const grf::Placement& placement) {
+      if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
+      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
+      if (mesh != nullptr)
+        defined_[&definition] = meet_next({{}, definition.name, *mesh, true, false, {}}, placement);
+    };
+    return visitor;
+  }
+
   void visit_lights(grf::SceneVisitor& visitor) {
     visitor.light = [this](const grf::AreaLight& light, const grf::Placement& placement, const grf::Block&) {
       add_light(light, placement);
@@ -96,18 +97,6 @@ class Collector {
             {path_of(placement), i, grf::Vec3d(params.views[i]) * placement.to_world});
       }
     };
-  }
-
-  std::uint32_t add_mesh(const grf::Shared<grf::Mesh>& mesh, const std::string& name,
-                         const grf::Placement& placement) {
-    MeshObject object;
-    object.path = path_of(placement);
-    object.name = name;
-    object.mesh = mesh;
-    object.looks = looks_of(*mesh, placement);
-    objects_.faces += mesh->face_count();
-    objects_.meshes.push_back(std::move(object));
-    return static_cast<std::uint32_t>(objects_.meshes.size() - 1);
   }
 
   void place(std::uint32_t index, const grf::Placement& placement) {
@@ -156,6 +145,7 @@ class Collector {
   const std::string& path_;
   SceneObjects objects_;
   std::vector<MeshInstance> instances_;
+  std::uint32_t next_mesh_ = 0;
   // What was met last under these definitions: they are met before what uses them, and those in a file that
   // is included at several places once at each of them, where names around it may mean other things.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "editor/document/definitions.h"
@@ -12,6 +13,8 @@
 
 namespace editor {
 namespace {
+
+using namespace patch;
 
 /// A block without what stands inside it.
 grf::Block head_of(const grf::Block& block) {
@@ -26,27 +29,18 @@ grf::Block head_of(const grf::Block& block) {
   return head;
 }
 
-/// How many elements two lists begin and end with alike, where the second begins after the first ends.
-struct Alike {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-template <class T>
-Alike alike(const std::vector<T>& a, const std::vector<T>& b) {
-  const std::size_t least = std::min(a.size(), b.size());
-  Alike alike;
-  while (alike.first < least && a[alike.first] == b[alike.first]) ++alike.first;
-  while (alike.last < least - alike.first && a[a.size() - 1 - alike.last] == b[b.size() - 1 - alike.last]) {
-    ++alike.last;
-  }
-  return alike;
-}
-
-template <class T>
-std::vector<T> between(const std::vector<T>& list, const Alike& alike) {
-  return {list.begin() + static_cast<std::ptrdiff_t>(alike.first),
-          list.end() - static_cast<std::ptrdiff_t>(alike.last)};
+/// What lies between the elements that two lists begin and end with alike.
+template <class Part, class Item>
+Part list_part(grf::ScenePath path, const std::vector<Item>& before, const std::vector<Item>& after) {
+  const auto [first, first_after] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
+  const auto last = std::mismatch(before.rbegin(), std::make_reverse_iterator(first), after.rbegin(),
+                                  std::make_reverse_iterator(first_after));
+  Part part;
+  part.path = std::move(path);
+  part.first = static_cast<std::size_t>(first - before.begin());
+  part.before.assign(first, last.first.base());
+  part.after.assign(first_after, last.second.base());
+  return part;
 }
 
 template <class T>
@@ -61,55 +55,82 @@ void splice(std::vector<T>& list, std::size_t first, std::size_t count, const st
   }
 }
 
+template <class Item>
+void put_items(const ListPart<Item>& part, bool is_forward, std::vector<Item>& list) {
+  const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
+  splice(list, part.first, from.size(), to);
+}
+
 grf::ScenePath path_in(grf::ScenePath path, std::size_t number) {
   path.push_back(static_cast<std::uint32_t>(number));
   return path;
 }
 
-}  // namespace
+std::variant<SurfacesPart, MeshPart> mesh_part(grf::ScenePath path, const grf::Mesh& before,
+                                               const grf::Mesh& after) {
+  const bool have_same_shape = before.name == after.name && before.comments == after.comments &&
+                               before.geometry == after.geometry && before.irradiance == after.irradiance;
+  if (!have_same_shape) return MeshPart{std::move(path), before, after};
+  auto part = list_part<SurfacesPart>(std::move(path), before.surfaces, after.surfaces);
+  if (before.surface_of_face.shares(after.surface_of_face)) return part;
+  for (std::uint32_t face = 0; face < before.face_count(); ++face) {
+    const std::uint32_t from = (*before.surface_of_face)[face];
+    const std::uint32_t to = (*after.surface_of_face)[face];
+    if (from == to) continue;
+    FaceRun* last = part.runs.empty() ? nullptr : &part.runs.back();
+    if (last != nullptr && last->first + last->count == face && last->before == from && last->after == to) {
+      ++last->count;
+    } else {
+      part.runs.push_back({face, 1, from, to});
+    }
+  }
+  return part;
+}
 
 /// Walks two scenes at once and notes where they differ. Lists of one length are compared pair by pair.
-class ScenePatch::Finder {
+class Finder {
  public:
   void compare(const grf::BlockList& before, const grf::BlockList& after, const grf::ScenePath& path,
                std::size_t definitions = 0) {
     if (before.end_comments != after.end_comments) {
-      add(EndCommentsPart{path, before.end_comments, after.end_comments});
+      add(list_part<ListPart<std::string>>(path, before.end_comments, after.end_comments));
     }
-    const Alike same = alike(before.blocks, after.blocks);
-    if (before.blocks.size() != after.blocks.size()) {
-      add(BlocksPart{path, same.first, editor::between(before.blocks, same),
-                     editor::between(after.blocks, same)});
-      return;
-    }
-    for (std::size_t i = same.first; i + same.last < before.blocks.size(); ++i) {
-      compare(before.blocks[i], after.blocks[i], path, i, definitions);
-    }
+    compare_items(before.blocks, after.blocks, path, [&](std::size_t number) {
+      compare(before.blocks[number], after.blocks[number], path, number, definitions);
+    });
+  }
+  void compare(const grf::Mesh& before, const grf::Mesh& after, const grf::ScenePath& path) {
+    std::visit([this](auto&& part) { add(std::move(part)); }, mesh_part(path, before, after));
   }
 
-  ScenePatch take() { return std::move(patch_); }
+  std::vector<Part> take() { return std::move(parts_); }
 
  private:
   template <class Content>
   void add(Content content) {
-    patch_.parts_.push_back({is_included_, std::move(content)});
+    parts_.push_back({is_included_, std::move(content)});
+  }
+
+  template <class Item, class Compare>
+  void compare_items(const std::vector<Item>& before, const std::vector<Item>& after,
+                     const grf::ScenePath& path, const Compare& compare_pair) {
+    if (before.size() != after.size()) return add(list_part<ListPart<Item>>(path, before, after));
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (!(before[i] == after[i])) compare_pair(i);
+    }
   }
 
   void compare(const grf::Block& before, const grf::Block& after, const grf::ScenePath& list,
                std::size_t number, std::size_t definitions) {
-    if (before == after) return;
     const bool is_of_a_kind = before.content.index() == after.content.index();
     const bool has_parts = !std::holds_alternative<grf::AreaLight>(before.content) &&
                            !std::holds_alternative<grf::Params>(before.content) &&
                            !std::holds_alternative<grf::Use>(before.content);
-    if (!is_of_a_kind || !has_parts) {
-      add(BlocksPart{list, number, {before}, {after}});
-      return;
-    }
+    if (!is_of_a_kind || !has_parts) return add(ListPart<grf::Block>{list, number, {before}, {after}});
     const grf::ScenePath path = path_in(list, definitions + number);
     grf::Block head = head_of(before);
     grf::Block head_after = head_of(after);
-    if (!(head == head_after)) add(HeadPart{path, std::move(head), std::move(head_after)});
+    if (!(head == head_after)) add(HeadPart{{path, 0, {std::move(head)}, {std::move(head_after)}}});
     std::visit(
         [&]<class Content>(const Content& content) {
           compare_inside(content, std::get<Content>(after.content), path);
@@ -119,7 +140,7 @@ class ScenePatch::Finder {
 
   void compare_inside(const grf::Shared<grf::Mesh>& before, const grf::Shared<grf::Mesh>& after,
                       const grf::ScenePath& path) {
-    if (!(before == after)) add(mesh_part(path, *before, *after));
+    if (!(before == after)) compare(*before, *after, path);
   }
   void compare_inside(const grf::MeshLight& before, const grf::MeshLight& after, const grf::ScenePath& path) {
     compare_inside(before.mesh, after.mesh, path);
@@ -136,39 +157,138 @@ class ScenePatch::Finder {
   // Definitions come first: paths in the body count them.
   void compare_inside(const grf::DefinitionScope& before, const grf::DefinitionScope& after,
                       const grf::ScenePath& path) {
-    compare_definitions(before.definitions, after.definitions, path);
+    compare_items(before.definitions, after.definitions, path, [&](std::size_t number) {
+      compare(before.definitions[number], after.definitions[number], path, number);
+    });
     compare(before.body, after.body, path, after.definitions.size());
   }
   template <class Content>
   void compare_inside(const Content&, const Content&, const grf::ScenePath&) {}
 
-  void compare_definitions(const std::vector<grf::Definition>& before,
-                           const std::vector<grf::Definition>& after, const grf::ScenePath& path) {
-    const Alike same = alike(before, after);
-    if (before.size() != after.size()) {
-      add(DefinitionsPart{path, same.first, editor::between(before, same), editor::between(after, same)});
-      return;
-    }
-    for (std::size_t i = same.first; i + same.last < before.size(); ++i) {
-      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&before[i].body);
-      const auto* mesh_after = std::get_if<grf::Shared<grf::Mesh>>(&after[i].body);
-      const bool is_of_same_name = before[i].name == after[i].name && before[i].comments == after[i].comments;
-      if (mesh != nullptr && mesh_after != nullptr && is_of_same_name) {
-        compare_inside(*mesh, *mesh_after, path_in(path, i));
-      } else if (!(before[i] == after[i])) {
-        add(DefinitionsPart{path, i, {before[i]}, {after[i]}});
-      }
+  void compare(const grf::Definition& before, const grf::Definition& after, const grf::ScenePath& scope,
+               std::size_t number) {
+    const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&before.body);
+    const auto* mesh_after = std::get_if<grf::Shared<grf::Mesh>>(&after.body);
+    const bool is_of_same_name = before.name == after.name && before.comments == after.comments;
+    if (mesh != nullptr && mesh_after != nullptr && is_of_same_name) {
+      compare_inside(*mesh, *mesh_after, path_in(scope, number));
+    } else {
+      add(ListPart<grf::Definition>{scope, number, {before}, {after}});
     }
   }
 
-  ScenePatch patch_;
+  std::vector<Part> parts_;
   bool is_included_ = false;
 };
+
+void put(const MeshPart& part, bool is_forward, grf::Scene& scene) {
+  *grf::find_mesh(scene, part.path) = is_forward ? part.after : part.before;
+}
+
+void put(const SurfacesPart& part, bool is_forward, grf::Scene& scene) {
+  grf::Mesh& mesh = grf::find_mesh(scene, part.path)->edit();
+  put_items(part, is_forward, mesh.surfaces);
+  if (part.runs.empty()) return;
+  const auto begin = mesh.surface_of_face.edit().begin();
+  for (const FaceRun& run : part.runs) {
+    std::fill_n(begin + run.first, run.count, is_forward ? run.after : run.before);
+  }
+}
+
+void put(const ListPart<grf::Block>& part, bool is_forward, grf::Scene& scene) {
+  put_items(part, is_forward, grf::find_blocks(scene, part.path)->blocks);
+}
+
+void put(const ListPart<std::string>& part, bool is_forward, grf::Scene& scene) {
+  put_items(part, is_forward, grf::find_blocks(scene, part.path)->end_comments);
+}
+
+void put(const ListPart<grf::Definition>& part, bool is_forward, grf::Scene& scene) {
+  auto& scope = std::get<grf::DefinitionScope>(grf::find(scene, part.path).block->content);
+  put_items(part, is_forward, scope.definitions);
+}
+
+void put(const HeadPart& part, bool is_forward, grf::Scene& scene) {
+  grf::Block& block = *grf::find(scene, part.path).block;
+  const grf::Block& head = is_forward ? part.after.front() : part.before.front();
+  block.comments = head.comments;
+  block.location = head.location;
+  if (const auto* transform = std::get_if<grf::Transform>(&head.content)) {
+    std::get<grf::Transform>(block.content).steps = transform->steps;
+  } else if (const auto* include = std::get_if<grf::Include>(&head.content)) {
+    auto& changed = std::get<grf::Include>(block.content);
+    changed.file = include->file;
+    changed.origin = include->origin;
+  }
+}
+
+bool name_anything(const std::vector<grf::Surface>& surfaces) {
+  return std::any_of(surfaces.begin(), surfaces.end(), names_a_definition);
+}
+
+void add_to(Change& change, const MeshPart& part) {
+  const bool have_same_surfaces = part.before->surfaces == part.after->surfaces &&
+                                  part.before->surface_of_face == part.after->surface_of_face;
+  change.is_structural = change.is_structural || !(part.before->geometry == part.after->geometry);
+  change.names = change.names || part.before->name != part.after->name;
+  change.references = change.references || !have_same_surfaces;
+}
+
+void add_to(Change& change, const SurfacesPart& part) {
+  change.references =
+      change.references || !part.runs.empty() || name_anything(part.before) || name_anything(part.after);
+}
+
+void add_to(Change& change, const ListPart<grf::Block>& part) {
+  const auto is_light = [](const grf::Block& block) {
+    return std::holds_alternative<grf::AreaLight>(block.content) ||
+           std::holds_alternative<grf::Params>(block.content);
+  };
+  const bool are_lights = part.before.size() == part.after.size() &&
+                          std::all_of(part.before.begin(), part.before.end(), is_light) &&
+                          std::all_of(part.after.begin(), part.after.end(), is_light);
+  (are_lights ? change.lights : change.is_structural) = true;
+}
+
+void add_to(Change& change, const ListPart<grf::Definition>& part) {
+  const auto is_mesh = [](const grf::Definition& definition) {
+    return std::holds_alternative<grf::Shared<grf::Mesh>>(definition.body);
+  };
+  const bool have_same_names = std::equal(
+      part.before.begin(), part.before.end(), part.after.begin(), part.after.end(),
+      [&](const auto& a, const auto& b) { return a.name == b.name && !is_mesh(a) && !is_mesh(b); });
+  (have_same_names ? change.definitions : change.is_structural) = true;
+}
+
+void add_to(Change& change, const HeadPart&) { change.is_structural = true; }
+
+void add_to(Change&, const ListPart<std::string>&) {}
+
+/// A later change of the same thing is taken up, so that the ticks of a slider are one change.
+template <class Content>
+bool continues(Content& part, const Content& later) {
+  if (part.path != later.path) return false;
+  if constexpr (std::is_same_v<Content, MeshPart>) {
+    part.after = later.after;
+    return true;
+  } else {
+    if (part.first != later.first || part.after.size() != later.before.size()) return false;
+    if constexpr (std::is_same_v<Content, SurfacesPart>) {
+      if (!later.runs.empty()) return false;
+    }
+    part.after = later.after;
+    return true;
+  }
+}
+
+}  // namespace
 
 ScenePatch ScenePatch::between(const grf::Scene& before, const grf::Scene& after) {
   Finder finder;
   finder.compare(before.contents, after.contents, {});
-  return finder.take();
+  ScenePatch patch;
+  patch.parts_ = finder.take();
+  return patch;
 }
 
 ScenePatch ScenePatch::of_meshes(const grf::Scene& before, const std::vector<PlacedMesh>& after) {
@@ -176,38 +296,14 @@ ScenePatch ScenePatch::of_meshes(const grf::Scene& before, const std::vector<Pla
   for (const PlacedMesh& each : after) {
     const grf::Mesh* there = mesh_at(before, each.path);
     if (there == nullptr || *there == each.mesh) continue;
-    patch.parts_.push_back({is_in_include(before, each.path), mesh_part(each.path, *there, each.mesh)});
+    const bool is_included = is_in_include(before, each.path);
+    std::visit(
+        [&](auto&& part) {
+          patch.parts_.push_back({is_included, std::move(part)});
+        },
+        mesh_part(each.path, *there, each.mesh));
   }
   return patch;
-}
-
-ScenePatch::MeshPart ScenePatch::mesh_part(grf::ScenePath path, const grf::Mesh& before,
-                                           const grf::Mesh& after) {
-  MeshPart part;
-  part.path = std::move(path);
-  const bool have_same_shape = before.name == after.name && before.comments == after.comments &&
-                               before.geometry == after.geometry && before.irradiance == after.irradiance;
-  if (!have_same_shape) {
-    part.whole = WholeMeshes{before, after};
-    return part;
-  }
-  const Alike same = alike(before.surfaces, after.surfaces);
-  part.first = same.first;
-  part.before = editor::between(before.surfaces, same);
-  part.after = editor::between(after.surfaces, same);
-  if (before.surface_of_face.shares(after.surface_of_face)) return part;
-  for (std::uint32_t face = 0; face < before.face_count(); ++face) {
-    const std::uint32_t from = (*before.surface_of_face)[face];
-    const std::uint32_t to = (*after.surface_of_face)[face];
-    if (from == to) continue;
-    FaceRun* last = part.runs.empty() ? nullptr : &part.runs.back();
-    if (last != nullptr && last->first + last->count == face && last->before == from && last->after == to) {
-      ++last->count;
-    } else {
-      part.runs.push_back({face, 1, from, to});
-    }
-  }
-  return part;
 }
 
 void ScenePatch::apply(grf::Scene& before) const {
@@ -222,91 +318,6 @@ void ScenePatch::revert(grf::Scene& after) const {
   }
 }
 
-void ScenePatch::put(const MeshPart& part, bool is_forward, grf::Scene& scene) {
-  grf::Shared<grf::Mesh>* shared = grf::find_mesh(scene, part.path);
-  if (shared == nullptr) return;
-  if (part.whole) {
-    *shared = is_forward ? part.whole->after : part.whole->before;
-    return;
-  }
-  grf::Mesh& mesh = shared->edit();
-  const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
-  splice(mesh.surfaces, part.first, from.size(), to);
-  if (part.runs.empty()) return;
-  const auto begin = mesh.surface_of_face.edit().begin();
-  for (const FaceRun& run : part.runs) {
-    std::fill_n(begin + run.first, run.count, is_forward ? run.after : run.before);
-  }
-}
-
-void ScenePatch::put(const BlocksPart& part, bool is_forward, grf::Scene& scene) {
-  const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
-  splice(grf::find_blocks(scene, part.list)->blocks, part.first, from.size(), to);
-}
-
-void ScenePatch::put(const DefinitionsPart& part, bool is_forward, grf::Scene& scene) {
-  auto& scope = std::get<grf::DefinitionScope>(grf::find(scene, part.list).block->content);
-  const auto& [from, to] = is_forward ? std::tie(part.before, part.after) : std::tie(part.after, part.before);
-  splice(scope.definitions, part.first, from.size(), to);
-}
-
-void ScenePatch::put(const HeadPart& part, bool is_forward, grf::Scene& scene) {
-  grf::Block& block = *grf::find(scene, part.path).block;
-  const grf::Block& head = is_forward ? part.after : part.before;
-  block.comments = head.comments;
-  block.location = head.location;
-  if (const auto* transform = std::get_if<grf::Transform>(&head.content)) {
-    std::get<grf::Transform>(block.content).steps = transform->steps;
-  } else if (const auto* include = std::get_if<grf::Include>(&head.content)) {
-    auto& changed = std::get<grf::Include>(block.content);
-    changed.file = include->file;
-    changed.origin = include->origin;
-  }
-}
-
-void ScenePatch::put(const EndCommentsPart& part, bool is_forward, grf::Scene& scene) {
-  grf::find_blocks(scene, part.list)->end_comments = is_forward ? part.after : part.before;
-}
-
-void ScenePatch::add_to(Change& change, const MeshPart& part) {
-  if (part.whole) {
-    const grf::Mesh& before = *part.whole->before;
-    const grf::Mesh& after = *part.whole->after;
-    change.is_structural = change.is_structural || !(before.geometry == after.geometry);
-    change.names = change.names || before.name != after.name;
-  }
-  const auto name_anything = [](const std::vector<grf::Surface>& surfaces) {
-    return std::any_of(surfaces.begin(), surfaces.end(), names_a_definition);
-  };
-  change.references = change.references || part.whole.has_value() || !part.runs.empty() ||
-                      name_anything(part.before) || name_anything(part.after);
-}
-
-void ScenePatch::add_to(Change& change, const BlocksPart& part) {
-  const auto is_light = [](const grf::Block& block) {
-    return std::holds_alternative<grf::AreaLight>(block.content) ||
-           std::holds_alternative<grf::Params>(block.content);
-  };
-  const bool are_lights = part.before.size() == part.after.size() &&
-                          std::all_of(part.before.begin(), part.before.end(), is_light) &&
-                          std::all_of(part.after.begin(), part.after.end(), is_light);
-  (are_lights ? change.lights : change.is_structural) = true;
-}
-
-void ScenePatch::add_to(Change& change, const DefinitionsPart& part) {
-  const auto is_mesh = [](const grf::Definition& definition) {
-    return std::holds_alternative<grf::Shared<grf::Mesh>>(definition.body);
-  };
-  const bool have_same_names = std::equal(
-      part.before.begin(), part.before.end(), part.after.begin(), part.after.end(),
-      [&](const auto& a, const auto& b) { return a.name == b.name && !is_mesh(a) && !is_mesh(b); });
-  (have_same_names ? change.definitions : change.is_structural) = true;
-}
-
-void ScenePatch::add_to(Change& change, const HeadPart&) { change.is_structural = true; }
-
-void ScenePatch::add_to(Change&, const EndCommentsPart&) {}
-
 Change ScenePatch::change() const {
   Change change;
   for (const Part& part : parts_) {
@@ -318,39 +329,10 @@ Change ScenePatch::change() const {
 std::set<grf::ScenePath> ScenePatch::meshes() const {
   std::set<grf::ScenePath> paths;
   for (const Part& part : parts_) {
+    if (const auto* surfaces = std::get_if<SurfacesPart>(&part.content)) paths.insert(surfaces->path);
     if (const auto* mesh = std::get_if<MeshPart>(&part.content)) paths.insert(mesh->path);
   }
   return paths;
-}
-
-/// A later change of the same thing is taken up, so that the ticks of a slider are one change.
-bool ScenePatch::continues(MeshPart& part, const MeshPart& later) {
-  const bool follows = part.path == later.path && !part.whole && !later.whole && later.runs.empty() &&
-                       part.first == later.first && part.after.size() == later.before.size();
-  if (!follows) return false;
-  part.after = later.after;
-  return true;
-}
-
-template <class Item>
-bool ScenePatch::continues(ListPart<Item>& part, const ListPart<Item>& later) {
-  if (part.list != later.list || part.first != later.first || part.after.size() != later.before.size()) {
-    return false;
-  }
-  part.after = later.after;
-  return true;
-}
-
-bool ScenePatch::continues(HeadPart& part, const HeadPart& later) {
-  if (part.path != later.path) return false;
-  part.after = later.after;
-  return true;
-}
-
-bool ScenePatch::continues(EndCommentsPart& part, const EndCommentsPart& later) {
-  if (part.list != later.list) return false;
-  part.after = later.after;
-  return true;
 }
 
 void ScenePatch::append(const ScenePatch& later) {
@@ -375,23 +357,17 @@ void ScenePatch::relocate(const std::string& from, const std::string& to,
   const auto relocate_all = [&](auto& list) { grf::relocate(std::span(list), from, to, moved); };
   for (Part& part : parts_) {
     if (part.is_included) continue;
-    if (auto* mesh = std::get_if<MeshPart>(&part.content)) {
-      if (mesh->whole) {
-        relocate_all(mesh->whole->before.edit().surfaces);
-        relocate_all(mesh->whole->after.edit().surfaces);
-      }
-      relocate_all(mesh->before);
-      relocate_all(mesh->after);
-    } else if (auto* blocks = std::get_if<BlocksPart>(&part.content)) {
-      relocate_all(blocks->before);
-      relocate_all(blocks->after);
-    } else if (auto* definitions = std::get_if<DefinitionsPart>(&part.content)) {
-      relocate_all(definitions->before);
-      relocate_all(definitions->after);
-    } else if (auto* head = std::get_if<HeadPart>(&part.content)) {
-      grf::relocate(std::span(&head->before, 1), from, to, moved);
-      grf::relocate(std::span(&head->after, 1), from, to, moved);
-    }
+    std::visit(
+        [&]<class Content>(Content& content) {
+          if constexpr (std::is_same_v<Content, MeshPart>) {
+            relocate_all(content.before.edit().surfaces);
+            relocate_all(content.after.edit().surfaces);
+          } else if constexpr (!std::is_same_v<Content, ListPart<std::string>>) {
+            relocate_all(content.before);
+            relocate_all(content.after);
+          }
+        },
+        part.content);
   }
 }
 

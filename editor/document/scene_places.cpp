@@ -297,37 +297,42 @@ namespace {
 
 using Texts = std::map<std::string, grf::Shared<grf::BlockList>>;
 
-/// The texts of included files as they were read; of one that is included at several places, the first.
-void collect_texts(const grf::BlockList& list, Texts& texts) {
+/// Calls an action with each include, and goes into those for which it returns true.
+template <class Action>
+void for_each_include(const grf::BlockList& list, const Action& action) {
   for (const grf::Block& block : list.blocks) {
-    if (const auto* include = std::get_if<grf::Include>(&block.content)) {
-      const bool is_known =
-          !include->origin.path.empty() && !texts.emplace(include->origin.path, include->contents).second;
-      if (!is_known) collect_texts(*include->contents, texts);
-    } else if (const grf::BlockList* inside = list_in(block)) {
-      collect_texts(*inside, texts);
-    }
+    const auto* include = std::get_if<grf::Include>(&block.content);
+    const bool goes_on = include == nullptr || action(*include);
+    if (const grf::BlockList* inside = goes_on ? list_in(block) : nullptr) for_each_include(*inside, action);
   }
 }
 
-/// Notes the texts of files that are others now, and says so where a file would have two.
-void collect_changed(const grf::BlockList& list, const Texts& before, Texts& changed,
-                     grf::Diagnostics& diagnostics) {
-  for (const grf::Block& block : list.blocks) {
-    const auto* include = std::get_if<grf::Include>(&block.content);
-    const auto known = include == nullptr ? before.end() : before.find(include->origin.path);
-    if (known != before.end()) {
-      if (include->contents == known->second) continue;
-      const auto [other, is_new] = changed.emplace(known->first, include->contents);
-      if (!is_new && !(other->second == include->contents)) {
-        diagnostics.error(grf::whole_file(known->first),
-                          fmt::format("'{}' is included at several places, which would differ: edit one of "
-                                      "them, or include a file of its own there",
-                                      known->first));
-      }
+/// The texts of included files as they were read; of one that is included at several places, the first.
+Texts texts_of(const grf::Scene& scene) {
+  Texts texts;
+  for_each_include(scene.contents, [&texts](const grf::Include& include) {
+    return include.origin.path.empty() || texts.emplace(include.origin.path, include.contents).second;
+  });
+  return texts;
+}
+
+/// The texts of files that are others now; says so where a file would have two.
+Texts changed_texts(const grf::Scene& scene, const Texts& before, grf::Diagnostics& diagnostics) {
+  Texts changed;
+  for_each_include(scene.contents, [&](const grf::Include& include) {
+    const auto known = before.find(include.origin.path);
+    if (known == before.end()) return true;
+    if (include.contents == known->second) return false;
+    const auto [other, is_new] = changed.emplace(known->first, include.contents);
+    if (!is_new && !(other->second == include.contents)) {
+      diagnostics.error(grf::whole_file(known->first),
+                        fmt::format("'{}' is included at several places, which would differ: edit one of "
+                                    "them, or include a file of its own there",
+                                    known->first));
     }
-    if (const grf::BlockList* inside = list_in(block)) collect_changed(*inside, before, changed, diagnostics);
-  }
+    return true;
+  });
+  return changed;
 }
 
 /// Gives all includes of files the text that these have now; returns of how many that is another one.
@@ -353,14 +358,6 @@ std::size_t put_texts(grf::BlockList& list, const Texts& changed) {
   return places;
 }
 
-void count_includes(const grf::BlockList& list, std::map<std::string, std::size_t>& counts) {
-  for (const grf::Block& block : list.blocks) {
-    const auto* include = std::get_if<grf::Include>(&block.content);
-    if (include != nullptr && !include->origin.path.empty()) ++counts[include->origin.path];
-    if (const grf::BlockList* inside = list_in(block)) count_includes(*inside, counts);
-  }
-}
-
 /// Where something is written: a file that is included, and the way from there.
 struct WrittenPlace {
   std::string file;
@@ -384,16 +381,17 @@ std::optional<WrittenPlace> written_place(const grf::Scene& scene, grf::ScenePat
 
 std::map<std::string, std::size_t> included_files(const grf::Scene& scene) {
   std::map<std::string, std::size_t> counts;
-  count_includes(scene.contents, counts);
+  for_each_include(scene.contents, [&counts](const grf::Include& include) {
+    if (!include.origin.path.empty()) ++counts[include.origin.path];
+    return true;
+  });
   return counts;
 }
 
 std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Diagnostics& diagnostics) {
-  Texts texts;
-  collect_texts(before.contents, texts);
+  const Texts texts = texts_of(before);
   if (texts.empty()) return 0;
-  Texts changed;
-  collect_changed(after.contents, texts, changed, diagnostics);
+  const Texts changed = changed_texts(after, texts, diagnostics);
   if (changed.empty() || diagnostics.error_count() > 0) return 0;
   return put_texts(after.contents, changed);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "editor/document/face_selection.h"
@@ -33,6 +34,12 @@ const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView
 const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path);
 /// The mesh of a block, of a mesh light or of a definition, or null.
 const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path);
+/// What stands at a place, to be changed, or null if that is another kind of thing.
+template <class Content>
+Content* content_at(grf::Scene& scene, grf::ScenePathView path) {
+  const grf::ScenePlace place = grf::find(scene, path);
+  return place.block == nullptr ? nullptr : std::get_if<Content>(&place.block->content);
+}
 /// Whether a place is in an included file.
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path);
 
