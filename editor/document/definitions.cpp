@@ -41,6 +41,8 @@ struct FoundReference {
   std::string name;
   const grf::Definition* definition = nullptr;
   const grf::Definition* from = nullptr;  ///< the definition that holds it; null: a block does
+  std::size_t place =
+      0;  ///< at which of its places the definition is meant: a file may be included at several
 };
 
 /// All references of a scene, in its order, and where each definition stands.
@@ -53,10 +55,13 @@ References references_of(const grf::Scene& scene) {
   References found;
   const auto adder = [&found](const grf::Placement& placement, const grf::Definition* from = nullptr) {
     return [&found, &placement, from](const grf::Reference& reference) {
+      const grf::Definition* definition = placement.scope.find(reference.name);
+      const auto places = found.places.find(definition);  // which the definition was met at last
       found.all.push_back({{placement.path.begin(), placement.path.end()},
                            reference.name,
-                           placement.scope.find(reference.name),
-                           from});
+                           definition,
+                           from,
+                           places == found.places.end() ? 0 : places->second.size() - 1});
     };
   };
   const auto add_mesh = [&adder](const grf::Mesh& mesh, const grf::Placement& placement,
@@ -124,7 +129,7 @@ void rename_in(grf::Scene& scene, const grf::ScenePath& owner, const std::string
 bool mean_the_same(const References& before, const References& after) {
   const auto place = [](const References& references, const FoundReference& reference) {
     const auto found = references.places.find(reference.definition);
-    return found == references.places.end() ? grf::ScenePath() : found->second.front();
+    return found == references.places.end() ? grf::ScenePath() : found->second[reference.place];
   };
   return std::equal(
       before.all.begin(), before.all.end(), after.all.begin(), after.all.end(),

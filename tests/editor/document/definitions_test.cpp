@@ -174,6 +174,26 @@ TEST(Definitions, OfAFileThatIsIncludedTwiceStayOneText) {
   EXPECT_THAT(diagnostics.to_text(), HasSubstr("included at several places"));
 }
 
+TEST(Definitions, AreRenamedBesideAFileThatIsIncludedTwiceAndHasItsOwn) {
+  const test::TemporaryFolder folder;
+  folder.add("part.grf", "def tile = begin mesh brdf gold" + Triangle + "begin use tile end");
+  grf::Diagnostics diagnostics;
+  const auto scene =
+      grf::read_text("def gold = brdf ward begin include \"part.grf\" include \"part.grf\" end",
+                     folder.path("scene.grf"), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  const auto renamed = rename_definition(*scene, grf::ScenePath{0, 0}, "brass", diagnostics);
+  ASSERT_TRUE(renamed) << diagnostics.to_text();
+  for (const grf::ScenePath& part : {grf::ScenePath{0, 1, 0, 0}, grf::ScenePath{0, 2, 0, 0}}) {
+    EXPECT_EQ(std::get<grf::Reference>(*mesh_at(*renamed, part)->surfaces[0].brdf).name, "brass");
+  }
+  const auto of_part = rename_definition(*scene, grf::ScenePath{0, 2, 0, 0}, "slab", diagnostics);
+  ASSERT_TRUE(of_part) << diagnostics.to_text();
+  for (const grf::ScenePath& use : {grf::ScenePath{0, 1, 0, 1}, grf::ScenePath{0, 2, 0, 1}}) {
+    EXPECT_EQ(std::get<grf::Use>(block_at(*of_part, use)->content).mesh.name, "slab");
+  }
+}
+
 TEST(Places, AreFoundByWhereTheyWereWritten) {
   const grf::Scene scene = scene_of(Scopes);
   const auto& block = *block_at(scene, grf::ScenePath{0, 4, 1});
