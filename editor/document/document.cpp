@@ -47,6 +47,7 @@ class Document::Step : public QUndoCommand {
 
   int id() const override { return 1; }
   void undo() override {
+    document_.finish_gesture();
     follow_file();
     const Change change = document_.change_of(patch_);
     patch_.revert(document_.scene_);
@@ -125,7 +126,7 @@ void Document::take_import(const ImportedModel& model) {
 void Document::merge(const QString& text, const grf::Scene& scene, const QString& path) {
   grf::Scene result = scene_;
   grf::BlockList added = moved(scene, path, path_).contents;
-  auto& blocks = result.contents.blocks;
+  auto& blocks = outermost_blocks(result).blocks;
   blocks.insert(blocks.end(), std::make_move_iterator(added.blocks.begin()),
                 std::make_move_iterator(added.blocks.end()));
   replace(text, std::move(result));

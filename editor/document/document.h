@@ -67,7 +67,8 @@ class Document : public QObject {
   void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified = false);
   /// Takes a model that was imported, as a new scene that is not saved yet.
   void take_import(const ImportedModel& model);
-  /// Adds the blocks of another scene, whose file is `path`, to this one: one step of undo.
+  /// Adds the blocks of another scene, whose file is `path`, to this one, where its names are in scope: one
+  /// step of undo.
   void merge(const QString& text, const grf::Scene& scene, const QString& path);
   void merge_import(const QString& text, const ImportedModel& model);
   /// Folders with images of models that were imported into this scene; they stay as long as someone has them.

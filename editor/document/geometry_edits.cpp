@@ -13,6 +13,7 @@
 #include "converters/mesh_operations/smooth.h"
 #include "converters/mesh_operations/subdivide.h"
 #include "editor/document/scene_places.h"
+#include "editor/document/surface_edits.h"
 #include "grf/scene_path.h"
 #include "grf/visit.h"
 
@@ -199,7 +200,9 @@ grf::Scene without_faces(const SelectedFaces& faces) {
     for (std::size_t face = 0; face < of_mesh.size(); ++face) {
       if (!of_mesh[face]) rebuild.add_face(object.mesh->face(face), (*object.mesh->surface_of_face)[face]);
     }
-    *grf::find_mesh(scene, object.path) = rebuild.take();
+    grf::Mesh rest = rebuild.take();
+    remove_unused_surfaces(rest.surfaces, rest.surface_of_face.edit());
+    *grf::find_mesh(scene, object.path) = std::move(rest);
   }
   const std::vector<grf::ScenePath> uses = uses_of(scene, gone);
   gone.insert(gone.end(), uses.begin(), uses.end());

@@ -1,6 +1,7 @@
 #include "editor/document/surface_edits.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
@@ -67,7 +68,7 @@ class Reassignment {
     if (!edit_whole_surfaces(selection, number)) {
       std::vector<std::uint32_t> surface_of_face = *mesh_.surface_of_face;
       reassign(selection, number, surface_of_face);
-      remove_unused(surface_of_face);
+      remove_unused_surfaces(surfaces_, surface_of_face);
       if (surface_of_face != *mesh_.surface_of_face) result.surface_of_face = std::move(surface_of_face);
     }
     result.surfaces = std::move(surfaces_);
@@ -77,11 +78,15 @@ class Reassignment {
  private:
   /// Edits surfaces all of whose faces are selected in their place, so that no face needs another number.
   /// Returns false, with nothing done, where that is not all: the first surface is the mesh's own, which
-  /// stays for the faces that are not listed, and no two surfaces may come to be the same.
+  /// stays for the faces that are not listed as long as two are used, and no two surfaces may come to be the
+  /// same.
   bool edit_whole_surfaces(const FaceSelection& selection, std::uint32_t number) {
     const std::vector<std::size_t> uses = uses_of_surfaces(mesh_);
     std::vector<std::size_t> selected(uses.size());
     selection.for_each_face(number, [&](std::size_t face) { ++selected[(*mesh_.surface_of_face)[face]]; });
+    const bool is_own_replaced =
+        uses[0] == 0 && std::count(uses.begin(), uses.end(), 0U) + 1 == std::ssize(uses);
+    if (is_own_replaced) return false;
     std::vector<grf::Surface> changed = surfaces_;
     for (std::size_t i = 0; i < uses.size(); ++i) {
       if (selected[i] == 0) continue;
@@ -112,23 +117,6 @@ class Reassignment {
     return index.index_of(changed);
   }
 
-  // The first surface is what the mesh says before its lists: where all faces have another, that becomes it.
-  void remove_unused(std::vector<std::uint32_t>& surface_of_face) {
-    std::vector<bool> used(surfaces_.size());
-    for (const std::uint32_t surface : surface_of_face) used[surface] = true;
-    std::vector<std::uint32_t> places(used.size(), 0);
-    std::vector<grf::Surface> kept;
-    const auto uses = std::count(used.begin(), used.end(), true);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      const bool is_own = i == 0 && uses != 1;
-      if (!used[i] && !is_own) continue;
-      places[i] = static_cast<std::uint32_t>(kept.size());
-      kept.push_back(std::move(surfaces_[i]));
-    }
-    surfaces_ = std::move(kept);
-    for (std::uint32_t& surface : surface_of_face) surface = places[surface];
-  }
-
   const grf::Mesh& mesh_;
   const SurfaceEdits& edits_;
   std::vector<grf::Surface> surfaces_;
@@ -149,6 +137,22 @@ SurfaceEdit edit_to(const grf::Surface& surface) {
     return value ? AttributeEdit<Value>::set(*value) : AttributeEdit<Value>::remove();
   };
   return {to(surface.colour), to(surface.brdf), to(surface.pdf), to(surface.texture), to(surface.emission)};
+}
+
+void remove_unused_surfaces(std::vector<grf::Surface>& surfaces,
+                            std::vector<std::uint32_t>& surface_of_face) {
+  std::vector<bool> used(surfaces.size());
+  for (const std::uint32_t surface : surface_of_face) used[surface] = true;
+  const bool keeps_own = std::count(used.begin(), used.end(), true) != 1;
+  std::vector<std::uint32_t> places(used.size(), 0);
+  std::vector<grf::Surface> kept;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i] && (i > 0 || !keeps_own)) continue;
+    places[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(std::move(surfaces[i]));
+  }
+  surfaces = std::move(kept);
+  for (std::uint32_t& surface : surface_of_face) surface = places[surface];
 }
 
 CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& selection) {

@@ -84,8 +84,11 @@ std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSele
 /// The area of the selected faces in the world, all instances counted.
 double selected_area(const SceneObjects& objects, const FaceSelection& selection);
 
+/// Takes away surfaces that no face has, but for the first, which is the mesh's own: where all faces have
+/// another one, that becomes it.
+void remove_unused_surfaces(std::vector<grf::Surface>& surfaces, std::vector<std::uint32_t>& surface_of_face);
+
 /// The meshes with selected faces after edits. Mesh lights get their emission, and no more.
-/// Surfaces that no face has any more are gone, but for the first, which is the mesh's own.
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
                                const SurfaceEdit& edit);
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,

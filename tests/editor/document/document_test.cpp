@@ -7,7 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/document/definitions.h"
+#include "editor/document/geometry_edits.h"
 #include "editor/document/light_edits.h"
+#include "editor/document/scene_places.h"
 #include "grf/read.h"
 #include "grf/scene_path.h"
 #include "grf/write.h"
@@ -209,6 +212,47 @@ TEST(DocumentOfAFileThatIsIncludedTwice, IsEditedAtBothPlaces) {
   EXPECT_EQ(*saved, document.scene());
   document.undo_stack().undo();
   EXPECT_EQ(document.scene(), *scene);
+}
+
+TEST(DocumentThatIncludesAFile, WritesThatFileAgainWhereItsEditIsUndone) {
+  const test::TemporaryFolder folder;
+  const std::string part =
+      folder.add("part.grf",
+                 "begin mesh \"one\" begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs "
+                 "begin faces (0, 1, 2) end faces end mesh");
+  const std::string path = folder.add("scene.grf", "include \"part.grf\"");
+  grf::Diagnostics diagnostics;
+  Document document;
+  document.take(grf::read(path, diagnostics).value(), QString::fromStdString(path), {});
+  const std::string as_read = test::bytes_of(part);
+  ASSERT_TRUE(document.save(QString::fromStdString(path), diagnostics)) << diagnostics.to_text();
+  EXPECT_EQ(test::bytes_of(part), as_read) << "what holds what it held is not written in another style";
+  grf::Scene scene = document.scene();
+  grf::find_mesh(scene, document.objects().meshes[0].path)->edit().name = "two";
+  document.replace("Rename", scene);
+  ASSERT_TRUE(document.save(QString::fromStdString(path), diagnostics)) << diagnostics.to_text();
+  EXPECT_THAT(test::bytes_of(part), HasSubstr("two"));
+  document.undo_stack().undo();
+  ASSERT_TRUE(document.save(QString::fromStdString(path), diagnostics)) << diagnostics.to_text();
+  EXPECT_THAT(test::bytes_of(part), HasSubstr("one"));
+}
+
+TEST_F(Documents, GiveTheirNamesToWhatIsMergedIn) {
+  document_.merge("Merge", scene_of("light begin (0, 0, 1) (1, 0, 0) (0, 1, 0) end"), "/nowhere/other.grf");
+  std::vector<std::string> names;
+  for (const PlacedDefinition& each : definitions_at(document_.scene(), document_.objects().lights[0].path)) {
+    names.push_back(each.definition->name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("gold", "tile"));
+}
+
+TEST_F(Documents, ForgetASurfaceOfWhichAllFacesAreDeleted) {
+  select({0, 1});
+  document_.edit_surfaces("Assign gold", brdf("gold"));
+  ASSERT_EQ(count_uses(document_.scene()).size(), 2U) << "gold and tile";
+  document_.replace("Delete faces",
+                    without_faces({document_.scene(), document_.objects(), document_.selection()}));
+  EXPECT_EQ(count_uses(document_.scene()).size(), 1U);
 }
 
 TEST_F(Documents, BringBackTheGreySkyWhereTheFirstLightIsUndone) {
