@@ -1,0 +1,93 @@
+// A document beside a model of plain values: what its scene, its options, its undo stack and its files should
+// be.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "editor/document/document.h"
+#include "tests/editor/document/plain_project.h"
+
+namespace editor {
+
+class ModelledDocument {
+ public:
+  ModelledDocument();
+
+  Document& document() { return document_; }
+  const grf::Scene& scene() const { return document_.scene(); }
+  const FaceSelection& selection() const { return document_.selection(); }
+  /// What the project should be.
+  const PlainProject& state() const { return state_; }
+  /// Where things stand in the scene, as it was checked last.
+  const std::vector<PlainPlace>& places() const { return places_; }
+  const std::string& path() const { return path_; }
+  /// How many scenes have been opened.
+  int scenes() const { return scenes_; }
+
+  /// Writes a file as another program does.
+  void write(const std::string& path, const std::string& text);
+  /// What there is to be opened: files that were written, and whose names mean something.
+  std::vector<std::string> paths() const;
+  void open(const std::string& path);
+  void save(const std::string& path);
+
+  // Each edits the document; `after` is what should come of it.
+
+  void replace(const QString& text, grf::Scene scene, PlainProject after, const QString& key = {});
+  void edit_surfaces(const QString& text, const SurfaceEdit& edit, PlainProject after, const QString& key);
+  void merge(const QString& text, const grf::Scene& scene, const std::string& path, PlainProject after);
+  void set_depth(int depth, const QString& key);
+  void finish_gesture();
+  void undo();
+  void redo();
+
+  /// Notes a problem that a caller has found.
+  void fail(const std::string& problem) { problem_ = problem; }
+  /// Compares the document with the model. Gives what is wrong, or nothing.
+  std::string check();
+
+ private:
+  struct Step {
+    QString text;
+    QString key;
+    bool is_of_scene = true;
+    int gesture = 0;
+    FaceSelection selection;  // before
+    PlainProject after;
+  };
+
+  void push(const QString& text, const QString& key, bool is_of_scene, PlainProject after);
+  const PlainProject& state_at(std::size_t step) const { return step == 0 ? first_ : steps_[step - 1].after; }
+  PlainProject on_disk(const std::string& path) const;
+  void check_disk();
+  void check_stack();
+  void check_selection();
+
+  Document document_;
+  SceneObjects seen_;  // by who follows `changed`
+  std::string problem_;
+  std::vector<PlainPlace> places_;
+
+  PlainProject first_;
+  PlainProject state_;
+  std::vector<Step> steps_;
+  FaceSelection selection_before_;  // the edit that is being made
+  std::size_t index_ = 0;
+  std::optional<std::size_t> clean_ = 0;
+  int scene_gesture_ = 0;
+  int options_gesture_ = 0;
+  bool has_sky_ = false;
+  bool are_options_edited_ = false;
+  bool have_options_file_ = false;
+  std::string path_;
+  int scenes_ = 0;
+  std::map<std::string, PlainFile> disk_;
+  std::map<std::string, std::pair<int, float>> options_on_disk_;
+};
+
+}  // namespace editor
