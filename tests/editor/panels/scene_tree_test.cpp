@@ -14,9 +14,11 @@
 #include <gtest/gtest.h>
 
 #include "editor/document/brdf_mime.h"
+#include "grf/read.h"
 #include "grf/write.h"
 #include "tests/editor/panels/panel_scene.h"
 #include "tests/editor/scene_of.h"
+#include "tests/support/temporary_folder.h"
 
 namespace editor {
 namespace {
@@ -131,6 +133,26 @@ TEST_F(SceneTrees, RenameInPlace) {
   EXPECT_EQ(problem(), "'dull' is the name of another definition");
   document_.undo_stack().undo();
   EXPECT_TRUE(line("BRDFs", "gold").isValid());
+}
+
+TEST_F(SceneTrees, RenameAMeshAndWhatShowsItsName) {
+  const test::TemporaryFolder folder;
+  folder.add("part.grf", R"(begin mesh "box" begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs
+    begin faces (0, 1, 2) end faces end mesh)");
+  grf::Diagnostics diagnostics;
+  auto scene = grf::read_text("transform scale (2, 2, 2) begin include \"part.grf\" end",
+                              folder.path("scene.grf"), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  document_.take(std::move(*scene), QString::fromStdString(folder.path("scene.grf")), {});
+  const auto detail = [this] { return line("Objects", "transform").siblingAtColumn(1).data().toString(); };
+  ASSERT_EQ(detail(), "box");
+  const QPersistentModelIndex mesh = line("part.grf", "box");
+  ASSERT_TRUE(view()->model()->setData(mesh, "crate"));
+  EXPECT_EQ(mesh.data(), "crate");
+  EXPECT_EQ(detail(), "crate");
+  document_.undo_stack().undo();
+  EXPECT_EQ(mesh.data(), "box");
+  EXPECT_EQ(detail(), "box");
 }
 
 TEST_F(SceneTrees, KeepWhatIsExpandedAndCurrent) {
