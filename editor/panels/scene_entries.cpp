@@ -106,8 +106,7 @@ class Builder {
   }
 
   void add(const grf::Shared<grf::Mesh>& mesh, SceneEntry& parent) {
-    const QString name = mesh->name.empty() ? tr("mesh") : QString::fromStdString(mesh->name);
-    parent.add(entry(Kind::Mesh, name, face_count(*mesh), tr("A mesh")));
+    parent.add(entry(Kind::Mesh, line_name_of(*mesh), face_count(*mesh), tr("A mesh")));
   }
   void add(const grf::MeshLight& light, SceneEntry& parent) {
     parent.add(
@@ -132,14 +131,6 @@ class Builder {
     if (is_of_one) made->help += ", " + text;
     if (!is_of_one) made->detail = contents_of(*made);
     parent.add(std::move(made));
-  }
-  /// What is in a transform: the name of the only object, through what it is nested in, or how many.
-  static QString contents_of(const SceneEntry& transform) {
-    const SceneEntry* only = &transform;
-    while (only->children.size() == 1) only = only->children.front().get();
-    return only != &transform && only->children.empty()
-               ? only->name
-               : counted(transform.children.size(), tr("1 object"), tr("%1 objects"));
   }
   void add(const grf::DefinitionScope& scope, SceneEntry& parent) {
     path_.push_back(0);
@@ -210,6 +201,18 @@ void SceneEntry::number_children() {
     children[i]->parent = this;
     children[i]->row = static_cast<int>(i);
   }
+}
+
+QString line_name_of(const grf::Mesh& mesh) {
+  return mesh.name.empty() ? tr("mesh") : QString::fromStdString(mesh.name);
+}
+
+QString contents_of(const SceneEntry& transform) {
+  const SceneEntry* only = &transform;
+  while (only->children.size() == 1) only = only->children.front().get();
+  return only != &transform && only->children.empty()
+             ? only->name
+             : counted(transform.children.size(), tr("1 object"), tr("%1 objects"));
 }
 
 std::unique_ptr<SceneEntry> entries_of(const Document& document) { return Builder(document).build(); }

@@ -55,6 +55,11 @@ struct SceneEntry {
 /// what it defines. A transform of one thing is a part of that thing's line.
 std::unique_ptr<SceneEntry> entries_of(const Document& document);
 
+/// The name of a mesh's line.
+QString line_name_of(const grf::Mesh& mesh);
+/// What is in a transform: the name of the only object, through what it is nested in, or how many.
+QString contents_of(const SceneEntry& transform);
+
 /// The icon's name for a kind.
 QString icon_of(SceneEntry::Kind kind);
 

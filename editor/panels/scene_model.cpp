@@ -156,9 +156,31 @@ QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const {
 void SceneModel::update_scene(const Change& change) {
   // What faces have is not in the list, but how many of them use a definition is.
   const bool is_of_faces_alone = !change.is_structural && !change.definitions && !change.lights;
-  if (is_of_faces_alone && !change.names && !change.references) return;
+  if (is_of_faces_alone && !change.references) {
+    if (change.names) update_names(change);
+    return;
+  }
   update_children(*root_, std::move(entries_of(document_)->children));
   update_selection();
+}
+
+/// Meshes have other names, and transforms that show what is in them.
+void SceneModel::update_names(const Change& change) {
+  const std::vector<MeshObject>& meshes = document_.objects().meshes;
+  std::vector<bool> are_changed(meshes.size());
+  for (const std::uint32_t mesh : change.meshes) are_changed[mesh] = true;
+  for_each_entry(*root_, [&](SceneEntry& line) {
+    if (line.kind != SceneEntry::Kind::Mesh || !line.mesh || !are_changed[*line.mesh]) return true;
+    line.name = line_name_of(*meshes[*line.mesh].mesh);
+    emit dataChanged(index_of(line), index_of(line));
+    for (SceneEntry* around = line.parent; around->kind != SceneEntry::Kind::Group; around = around->parent) {
+      if (around->kind != SceneEntry::Kind::Transform) continue;
+      around->detail = contents_of(*around);
+      const QModelIndex detail = index_of(*around).siblingAtColumn(1);
+      emit dataChanged(detail, detail);
+    }
+    return true;
+  });
 }
 
 void SceneModel::update_selection() {

@@ -41,6 +41,7 @@ class SceneModel : public QAbstractItemModel {
 
  private:
   void update_scene(const Change& change);
+  void update_names(const Change& change);
   void update_selection();
   void update_children(SceneEntry& now, std::vector<std::unique_ptr<SceneEntry>> wanted);
   /// Returns whether the line itself looks other than before.
