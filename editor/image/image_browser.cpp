@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFutureWatcher>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMimeData>
@@ -22,6 +23,18 @@
 
 namespace editor {
 namespace {
+
+/// Runs work on a thread, and gives its result to the receiver, if that still lives then.
+template <class Work, class Take>
+void run_aside(QObject* receiver, const Work& work, const Take& take) {
+  using Result = std::invoke_result_t<Work>;
+  auto* watcher = new QFutureWatcher<Result>(receiver);
+  QObject::connect(watcher, &QFutureWatcher<Result>::finished, receiver, [watcher, take] {
+    take(watcher->result());
+    watcher->deleteLater();
+  });
+  watcher->setFuture(QtConcurrent::run(work));
+}
 
 QStringList paths_of(const QMimeData* data) {
   QStringList paths;
@@ -130,9 +143,9 @@ void ImageBrowser::select_reference(const QString& name) {
 
 void ImageBrowser::open_files(const QStringList& paths) {
   for (const QString& path : paths) {
-    QtConcurrent::run([path = absolute(path)] {
-      return load_image(path);
-    }).then(this, [this](const LoadedImage& loaded) { take_loaded(loaded); });
+    run_aside(
+        this, [path = absolute(path)] { return load_image(path); },
+        [this](const LoadedImage& loaded) { take_loaded(loaded); });
   }
 }
 
@@ -159,12 +172,12 @@ void ImageBrowser::save_as(const QString& path) {
   const SharedImage image = selection_.image().image;
   if (!image) return;
   const float exposure = controls().settings().exposure;
-  QtConcurrent::run([image, exposure, path] {
-    return save_image(image, exposure, path);
-  }).then(this, [this](const SavedImage& result) {
-    say(result.diagnostics);
-    if (result.is_written) emit saved(result.path);
-  });
+  run_aside(
+      this, [image, exposure, path] { return save_image(image, exposure, path); },
+      [this](const SavedImage& result) {
+        say(result.diagnostics);
+        if (result.is_written) emit saved(result.path);
+      });
 }
 
 void ImageBrowser::copy() const {
@@ -232,8 +245,11 @@ bool ImageBrowser::is_current(const ImageAnalysis& made) const {
 void ImageBrowser::start_analysis() {
   if (is_analysing_) return;
   is_analysing_ = true;
-  QtConcurrent::run(analysis_of, selection_.image().image, selection_.reference().image, tools_->difference())
-      .then(this, [this](const ImageAnalysis& made) { take_analysis(made); });
+  const SharedImage first = selection_.image().image;
+  const SharedImage second = selection_.reference().image;
+  run_aside(
+      this, [first, second, kind = tools_->difference()] { return analysis_of(first, second, kind); },
+      [this](const ImageAnalysis& made) { take_analysis(made); });
 }
 
 void ImageBrowser::take_analysis(const ImageAnalysis& made) {
