@@ -19,7 +19,8 @@ std::string to_text(const PdfModel& pdf);
 double shortest(float value);
 
 /// Replaces the file, and the included files that do not hold their contents, since these or the files have
-/// changed since they were read (each with a note that names it). A file that cannot be written stays as it was, and the diagnostics say why.
+/// changed since they were read (each with a note that names it). A file that cannot be written stays as it
+/// was, and the diagnostics say why.
 ///
 /// Text that no file can hold is written in the nearest way: line ends in comments and names as spaces, and
 /// the typographic quotes of a name that has plain ones too as plain ones.

@@ -53,8 +53,8 @@ constexpr double DoubtPart = 0.15;      ///< of second-order errors that the den
 constexpr double LoneDoubtPart = 0.45;  ///< the same, of lone pixels' errors
 constexpr double TailGrowth = 0.7;      ///< with the logarithm of the number of touched pixels
 constexpr double TailBound = 1600;      ///< of the squared relative error of the one that is touched least
-constexpr double UnseenPart = 1.6;      ///< of the error of pixels that were not hit, in most images
-constexpr double TouchedPart = 0.92;    ///< of touched pixels' errors, that may as well not be there
+constexpr double UnseenPart = 1.1;      ///< of the error of pixels that were not hit, in most images
+constexpr double TouchedPart = 0.9;     ///< of touched pixels' errors, that may as well not be there
 
 /// What the neighbours of a value are like.
 struct Surroundings {

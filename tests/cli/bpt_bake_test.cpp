@@ -106,7 +106,8 @@ TEST_F(BptBake, WarnsOfMeshesInManyPlaces) {
       write("scene.grf",
             "def tile = begin mesh brdf diffuse begin vertexs (0,0,0) (1,0,0) (0,1,0) (5,5,5) end vertexs\n"
             "begin faces (0,1,2) end faces end mesh begin\n"
-            "use tile transform translation (0,0,1) begin use tile end end\n");
+            "use tile transform translation (0,0,1) begin use tile end end\n"
+            "light begin rgb (5,5,5) (0,0,3) (0,1,0) (1,0,0) end\n");
   const Outcome outcome = bpt({"bake", scene, "-o", path("a.igrf"), "--samples", "4"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find("1 meshes are placed by 'use' more than once"), std::string::npos)
