@@ -65,7 +65,7 @@ class Key {
   template <class... Alternatives>
   void add(const std::variant<Alternatives...>& value) {
     add_number(value.index());
-    std::visit([this](const auto& alternative) { add(alternative); }, value);
+    std::visit([this](const auto& alternative) { this->add(alternative); }, value);
   }
   template <class Attribute>
   void add(const std::optional<Attribute>& attribute) {

@@ -23,7 +23,7 @@ constexpr double UncertainPart = 0.5;
 /// that are noisy by chance are taken for the noisy ones. Measured.
 constexpr double LostFreedom = 4.2;
 /// The part of the deviation that counts downwards: the error is seldom stated too great by noise. Measured.
-constexpr double LowerDeviation = 0.7;
+constexpr double LowerDeviation = 0.81;
 
 /// How much more the pixels must differ than the halves, so that it is no noise.
 constexpr double ContrastOverNoise = 1.5;
@@ -49,12 +49,12 @@ constexpr double Balance = 0.5;
 constexpr double BinomialPart = 0.5;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.15;      ///< of second-order errors that the denominators' bias makes
+constexpr double DoubtPart = 0.5;       ///< of second-order errors that the denominators' bias makes
 constexpr double LoneDoubtPart = 0.45;  ///< the same, of lone pixels' errors
-constexpr double TailGrowth = 0.7;      ///< with the logarithm of the number of touched pixels
+constexpr double TailGrowth = 0.65;     ///< with the logarithm of the number of touched pixels
 constexpr double TailBound = 1600;      ///< of the squared relative error of the one that is touched least
-constexpr double UnseenPart = 1.1;      ///< of the error of pixels that were not hit, in most images
-constexpr double TouchedPart = 0.9;     ///< of touched pixels' errors, that may as well not be there
+constexpr double UnseenPart = 0.5;      ///< of the error of pixels that were not hit, in most images
+constexpr double TouchedPart = 0.88;    ///< of touched pixels' errors, that may as well not be there
 
 /// What the neighbours of a value are like.
 struct Surroundings {
@@ -392,7 +392,7 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const double lone_above = half_logarithm((lone.high - lone.errors) / errors);
   const double lone_below = -half_logarithm(-(lone.errors - lone.low) / errors);
   const double above = std::hypot(std::hypot(deviation, doubt), tail_above, lone_above);
-  const double below = std::hypot(std::hypot(LowerDeviation * deviation, doubt), tail_below, lone_below);
+  const double below = std::hypot(LowerDeviation * deviation, tail_below, lone_below);
   const double error = std::sqrt(errors / sums.values);
   return ErrorEstimate{error, error * std::exp(-below), error * std::exp(above)};
 }

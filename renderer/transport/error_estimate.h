@@ -105,7 +105,8 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted);
 /// freedom, where N grows with (sum of var)^2 / sum of var^2, which is how many pixels the error is spread
 /// over: so the square of their ratio has the distribution F(N, N). An error that is a handful of pixels is
 /// hardly known. To that comes the doubt about what is divided by, which does not become less with more
-/// pixels.
+/// pixels; it is of the upper bound only, since what noise does to the denominators makes the error seem
+/// smaller.
 ///
 /// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean; all h are as likely. Of
 /// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
