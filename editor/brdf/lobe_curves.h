@@ -1,4 +1,4 @@
-// What the plots of a BRDF show, found in threads. No windows here.
+// Computes in threads what the plots of a BRDF show, without any window.
 #pragma once
 
 #include <QString>

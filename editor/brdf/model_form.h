@@ -26,11 +26,11 @@ class BrdfForm : public QWidget {
  public:
   explicit BrdfForm(QWidget* parent = nullptr);
 
-  /// What is edited, without a signal; none: the form says what to do.
+  /// Sets the models that are edited, without a signal; with none, the form says what to do.
   void set_models(std::vector<grf::BrdfModel> models);
   const std::vector<grf::BrdfModel>& models() const { return models_; }
 
-  /// What the terms of a sum can name.
+  /// Sets the definitions that the terms of a sum can name.
   void set_definitions(Definitions definitions);
 
   /// The messages of the last check, none if all is right.

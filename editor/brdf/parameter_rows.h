@@ -27,7 +27,7 @@ class ParameterRows : public QWidget {
   void show_mistakes(const std::vector<QString>& mistakes);
 
  signals:
-  /// What a control does to each of the instances; done once it is let go.
+  /// A control changes each of the instances so; done once it is let go.
   void edited(const std::function<void(grf::Model&)>& edit, bool is_done);
 
  private:

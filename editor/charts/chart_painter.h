@@ -9,7 +9,7 @@ struct PolarChart;
 
 namespace editor {
 
-// The same charts as in documents of `bpt`, in a plot whose axes can be read and looked at closely. Each
+// Draws the charts of `bpt`'s documents in a plot whose axes can be read and looked at closely. Each function
 // clears the plot and draws it anew, in the colours of the plot's palette; the caller replots.
 
 void draw(QCustomPlot& plot, const plot::Chart& chart);

@@ -78,7 +78,8 @@ class Document : public QObject {
   /// Writes the scene; names of other files follow it to another folder, and images that stood inside an
   /// imported model are copied there. After an error it is still modified.
   bool save(const QString& path, grf::Diagnostics& diagnostics);
-  /// The same in parts: what is requested can be written in a thread. What was edited meanwhile is not saved.
+  /// Save in two parts, so that the request can be written in a thread. What was edited meanwhile is not
+  /// saved.
   SaveRequest save_request(const QString& path);
   void take_saved(const SaveResult& result);
 

@@ -25,7 +25,7 @@ struct SaveRequest {
   std::uint64_t revision = 0;                   ///< of the document in this state
 };
 
-/// What was written.
+/// A save result says what was written.
 struct SaveResult {
   SaveRequest request;
   bool is_done = false;

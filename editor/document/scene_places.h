@@ -34,7 +34,7 @@ const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView
 const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path);
 /// The mesh of a block, of a mesh light or of a definition, or null.
 const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path);
-/// What stands at a place, to be changed, or null if that is another kind of thing.
+/// Returns the content at a path, to be changed, or null if that is of another kind.
 template <class Content>
 Content* content_at(grf::Scene& scene, grf::ScenePathView path) {
   const grf::ScenePlace place = grf::find(scene, path);

@@ -12,7 +12,7 @@ class ImageSelection {
  public:
   const std::vector<ImageEntry>& entries() const { return entries_; }
   QStringList names() const;
-  /// Without an image if there is none.
+  /// The entries hold no image if none is selected.
   const ImageEntry& image() const { return named(image_); }
   const ImageEntry& reference() const { return named(reference_); }
 

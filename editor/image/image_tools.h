@@ -33,7 +33,7 @@ class ImageTools : public QWidget {
 
   Comparison comparison() const;
   void set_comparison(Comparison comparison);
-  /// Of the pane, given that there is an image to compare with.
+  /// Returns how the pane arranges two images, given that there is one to compare with.
   Arrangement arrangement() const;
   /// The kind of difference that is shown, if any.
   std::optional<Difference> difference() const;
