@@ -1,6 +1,7 @@
 #include "renderer/transport/error_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,10 @@ constexpr double LowerDeviation = 0.81;
 
 /// How much more the pixels must differ than the halves, so that it is no noise.
 constexpr double ContrastOverNoise = 1.5;
+/// Above this visible part, what is taken for a pixel's radiance is nearly its own mean.
+constexpr double NearlyAllVisible = 0.95;
+/// How many pixels to each side are looked at along a row or column.
+constexpr int LinePixels = 2;
 /// Above this ratio of deviation and mean, only one half of a pixel is bright.
 constexpr double OneHalfBright = 0.7;
 /// How many times as bright as all neighbours but one, and as the floor, lone pixels are.
@@ -46,22 +51,41 @@ constexpr double BrightSide = 0.7;
 constexpr double Balance = 0.5;
 
 /// How large the part of a binomial variance is that pixels at edges may have, with samples well spread.
-constexpr double BinomialPart = 0.5;
+constexpr double BinomialPart = 0.4;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.5;       ///< of second-order errors that the denominators' bias makes
+constexpr double DoubtPart = 0.45;      ///< of second-order errors that the denominators' bias makes
 constexpr double LoneDoubtPart = 0.45;  ///< the same, of lone pixels' errors
 constexpr double TailGrowth = 0.65;     ///< with the logarithm of the number of touched pixels
 constexpr double TailBound = 1600;      ///< of the squared relative error of the one that is touched least
-constexpr double UnseenPart = 0.5;      ///< of the error of pixels that were not hit, in most images
+constexpr double UnseenPart = 0.4;      ///< of the error of pixels that were not hit, in most images
 constexpr double TouchedPart = 0.88;    ///< of touched pixels' errors, that may as well not be there
 
-/// What the neighbours of a value are like.
-struct Surroundings {
+/// Values around a pixel, and what they say of its radiance.
+struct Neighbours {
   int count = 0;
-  double mean = 0;
-  double noise = 0;     ///< sum of their variances
-  double contrast = 0;  ///< sum of squared differences from their mean
+  double sum = 0;
+  double squares = 0;
+  double noise = 0;  ///< sum of their variances
+
+  void add(double mean, double variance) {
+    ++count;
+    sum += mean;
+    squares += mean * mean;
+    noise += variance;
+  }
+  double mean() const { return sum / count; }
+  /// The sum of squared differences from their mean, and of the pixel's difference.
+  double contrast(double value) const {
+    const double difference = value - mean();
+    return std::max(0.0, squares - sum * mean()) + difference * difference;
+  }
+  /// The part of the contrast that noise makes in the mean.
+  double noise_with(double variance) const { return noise * (count - 1) / count + variance; }
+};
+
+/// The eight pixels around a value.
+struct Surroundings : Neighbours {
   double darkest = std::numeric_limits<double>::max();
   double brightest = 0;
   double second_brightest = 0;
@@ -77,33 +101,64 @@ struct PixelValue {
 
 Surroundings surroundings_of(const PixelMoments& pixels, const PixelValue& value) {
   Surroundings around;
-  double sum = 0;
-  double squares = 0;
-  for (int y = value.pixel.y - 1; y <= value.pixel.y + 1; ++y) {
-    for (int x = value.pixel.x - 1; x <= value.pixel.x + 1; ++x) {
-      if (Imath::V2i(x, y) == value.pixel || !pixels.contains(x, y)) continue;
+  const Imath::V2i end(std::min(value.pixel.x + 2, pixels.bounds.x + pixels.bounds.width),
+                       std::min(value.pixel.y + 2, pixels.bounds.y + pixels.bounds.height));
+  for (int y = std::max(value.pixel.y - 1, pixels.bounds.y); y < end.y; ++y) {
+    for (int x = std::max(value.pixel.x - 1, pixels.bounds.x); x < end.x; ++x) {
+      if (Imath::V2i(x, y) == value.pixel) continue;
       const auto index = pixels.index_of(x, y);
       const double beside = pixels.means[index][value.channel];
-      ++around.count;
-      sum += beside;
-      squares += beside * beside;
-      around.noise += pixels.variances[index][value.channel];
+      around.add(beside, pixels.variances[index][value.channel]);
       around.darkest = std::min(around.darkest, beside);
       around.second_brightest = std::max(around.second_brightest, std::min(around.brightest, beside));
       around.brightest = std::max(around.brightest, beside);
     }
   }
-  if (around.count == 0) return around;
-  around.mean = sum / around.count;
-  around.contrast = std::max(0.0, squares - sum * around.mean);
   return around;
 }
 
-/// From 0 where neighbours differ by noise, to 1 where they do by what is seen.
-double visible_part(const Surroundings& around, double difference, double variance) {
-  const double contrast = around.contrast + difference * difference;
-  const double noise = around.noise * (around.count - 1) / around.count + variance;
+/// The pixels before and behind a value in its row or column.
+Neighbours line_through(const PixelMoments& pixels, const PixelValue& value, const Imath::V2i& step) {
+  Neighbours line;
+  for (int i = 1; i <= LinePixels; ++i) {
+    const std::array ends = {value.pixel - step * i, value.pixel + step * i};
+    for (const Imath::V2i& end : ends) {
+      if (!pixels.contains(end.x, end.y)) return line;
+    }
+    for (const Imath::V2i& end : ends) {
+      const auto index = pixels.index_of(end.x, end.y);
+      line.add(pixels.means[index][value.channel], pixels.variances[index][value.channel]);
+    }
+  }
+  return line;
+}
+
+/// From 0 where the neighbours and the value differ by noise, to 1 where they do by what is seen.
+double visible_part(const Neighbours& around, const PixelValue& value) {
+  const double contrast = around.contrast(value.mean);
+  const double noise = around.noise_with(value.variance);
   return contrast > 0 ? std::max(0.0, 1 - ContrastOverNoise * noise / contrast) : 0;
+}
+
+/// The radiance that a value and its neighbours make likely, see `error_sums_of`.
+double likely_radiance(const PixelMoments& pixels, const PixelValue& value, const Surroundings& around) {
+  const auto shrunk = [&](const Neighbours& neighbours, double visible) {
+    return neighbours.mean() + visible * (value.mean - neighbours.mean());
+  };
+  const double visible = visible_part(around, value);
+  if (visible > NearlyAllVisible) return shrunk(around, visible);
+  const auto excess = [&](const Neighbours& neighbours) {
+    return (neighbours.contrast(value.mean) - neighbours.noise_with(value.variance)) / neighbours.count;
+  };
+  double least = excess(around);
+  double radiance = shrunk(around, visible);
+  for (const Imath::V2i& step : {Imath::V2i(1, 0), Imath::V2i(0, 1)}) {
+    const Neighbours line = line_through(pixels, value, step);
+    if (line.count == 0 || line.mean() < around.mean() || std::max(0.0, excess(line)) >= least) continue;
+    least = std::max(0.0, excess(line));
+    radiance = shrunk(line, visible_part(line, value));
+  }
+  return radiance;
 }
 
 /// What is expected of pixels that the same edge has barely touched, and that no sample has hit, for each
@@ -199,9 +254,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   }
   sums.touched.unseen += unseen_error(around, mean, pixels.samples);
   if (!(variance > 0)) return 0;
-  const double difference = mean - around.mean;
-  const double visible = visible_part(around, difference, variance);
-  const double radiance = around.mean + visible * difference;
+  const double radiance = likely_radiance(pixels, value, around);
   const double error = variance / (radiance * radiance + RelmseFloor);
   if (variance <= OneHalfBright * OneHalfBright * mean * mean) return error;
   const double own_error = variance / (mean * mean + RelmseFloor);
@@ -211,7 +264,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
     return 0;
   }
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
-  const bool is_touched = visible > 0.5 && brighter > 4 && mean <= around.brightest;
+  const bool is_touched = visible_part(around, value) > 0.5 && brighter > 4 && mean <= around.brightest;
   if (!is_touched) return error;
   if (const auto along = mean_along_edge(pixels, value, BrightSide * around.brightest)) {
     return variance / (*along * *along + RelmseFloor);

@@ -91,7 +91,9 @@ constexpr int ErrorNeighbours = 3;
 ///
 /// with the neighbours' mean m and sums over the pixel and its neighbours: an empirical Bayes estimate, that
 /// goes from the neighbours' mean, where all that differs is noise, to the pixel's own where the contrast is
-/// more than that (Efron and Morris 1973, "Stein's estimation rule and its competitors").
+/// more than that (Efron and Morris 1973, "Stein's estimation rule and its competitors"). Where the row or
+/// the column differs less beyond its noise than all eight neighbours do, and is brighter, it takes their
+/// place: the pixels of a thin line are like each other, and not like what is beside it.
 ///
 /// Of a pixel at an edge of which one half alone is bright, t is not known so: the samples that hit the
 /// bright side are few. If the edge is nearly parallel to the rows or columns of pixels, it covers as much of

@@ -65,6 +65,21 @@ TEST(ErrorEstimate, HoldsWithLampsInView) {
   }
 }
 
+// Lamps that are thinner than a pixel, along a row and along a column. Where each pixel was taken for the
+// mean of its eight neighbours, 1.2 times the error was stated.
+TEST(ErrorEstimate, TakesPixelsOfAThinLineForAlike) {
+  const auto wall = [] { return test::BrightScene(48).wall("brdf diffuse kd=0.6"); };
+  for (const test::ErrorCase& tested : {wall().lamp(24, 24.4, 36, 0.12, 0, 20).with("a row", 32),
+                                        wall().lamp(24.4, 24, 0.12, 36, 0, 20).with("a column", 32)}) {
+    SCOPED_TRACE(tested.scene.name);
+    test::ErrorStudy study;
+    test::study_intervals(tested.scene, 20, tested.samples, study);
+    EXPECT_GE(study.inside, study.runs - 4);
+    EXPECT_GT(study.mean_quotient(), 0.9);
+    EXPECT_LT(study.mean_quotient(), 1.15);
+  }
+}
+
 // 72 blocks: one of them is off by 4.4 standard deviations in one case of 1,000.
 TEST(AdaptiveSampling, HasTheMeanOfUniformSampling) {
   EXPECT_LT(test::largest_difference(test::sun_scene(), 64, 60), 4.4);
