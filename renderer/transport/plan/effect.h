@@ -1,4 +1,4 @@
-// The effects of which a render may be made up, by their names. Header only: options know them too.
+// The effects that a render may consist of, and their names. Header only, because options use them too.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ enum class Effect : std::uint8_t {
 struct EffectInfo {
   Effect effect;
   std::string_view name;
-  /// What a render has in its place where it is switched off.
+  /// What a render has instead where the effect is switched off.
   std::string_view without;
 };
 
@@ -81,7 +81,7 @@ class EffectSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Some effects under one name.
+/// A named set of effects.
 struct EffectGroup {
   std::string_view name;
   EffectSet effects;
@@ -99,7 +99,7 @@ constexpr std::array EffectGroups = [] {
   return std::array{direct, indirect};
 }();
 
-/// Effects and groups.
+/// Returns the names of effects and groups.
 inline std::vector<std::string_view> effect_words() {
   std::vector<std::string_view> words;
   for (const EffectInfo& info : EffectInfos) words.push_back(info.name);
@@ -107,7 +107,7 @@ inline std::vector<std::string_view> effect_words() {
   return words;
 }
 
-/// What words of `effect_words` name together.
+/// Returns the union of the effects and groups that words of `effect_words` name.
 template <class Words>
 EffectSet effects_named(const Words& words) {
   EffectSet set;
