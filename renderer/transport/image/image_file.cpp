@@ -14,8 +14,8 @@
 namespace transport {
 namespace {
 
-/// A new folder of this program's own, so that nobody else can have put a link in the image's way; empty if
-/// there can be none.
+/// Creates a new folder for this program only, so that nobody else can have placed a link at the image's
+/// path; empty on failure.
 std::string new_folder_in(const std::string& folder) {
   std::string path = (std::filesystem::path(folder) / "granada-XXXXXX").string();
   return ::mkdtemp(path.data()) == nullptr ? std::string() : path;
@@ -25,7 +25,7 @@ bool keep_in(const std::string& folder, const std::string& name, const std::stri
              std::string& kept_as) {
   const std::string own = new_folder_in(folder);
   if (own.empty()) return false;
-  grf::Diagnostics ignored;  // the first reason is the one to act on
+  grf::Diagnostics ignored;  // the first error is the one to report
   kept_as = (std::filesystem::path(own) / name).string();
   if (grf::replace_file(kept_as, bytes, ignored)) return true;
   std::error_code error;

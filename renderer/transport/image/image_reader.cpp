@@ -1,4 +1,4 @@
-// Decoders of images. Each throws for what it cannot read; `read_image` makes a diagnostic of that.
+// Image decoders. Each throws for what it cannot read; `read_image` turns that into a diagnostic.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -51,7 +51,7 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
-// Of the data window: what lies outside of it has no pixels.
+// Reads the data window: there are no pixels outside of it.
 Image decode_exr(std::string_view bytes) {
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
@@ -82,15 +82,14 @@ Image decode_exr(std::string_view bytes) {
   return image;
 }
 
-// Portable float map: three lines of text, then rows from the bottom. A negative scale says that the floats
-// are little-endian.
+// Portable float map: three lines of text, then rows from the bottom. A negative scale means little-endian.
 
 std::string_view next_word(std::string_view& bytes) {
   constexpr std::string_view Space = " \t\r\n";
   const std::size_t start = std::min(bytes.find_first_not_of(Space), bytes.size());
   const std::size_t end = std::min(bytes.find_first_of(Space, start), bytes.size());
   const std::string_view word = bytes.substr(start, end - start);
-  bytes.remove_prefix(std::min(end + 1, bytes.size()));  // one space alone: the next byte may be a pixel's
+  bytes.remove_prefix(std::min(end + 1, bytes.size()));  // one space: the next byte may be a pixel's
   return word;
 }
 
@@ -133,7 +132,7 @@ Image decode_pfm(std::string_view bytes) {
   return image;
 }
 
-// Width and height, then floats, rows from the top: `encode_raw`.
+// The format of `encode_raw`: width and height, then floats, rows from the top.
 
 Image decode_raw(std::string_view bytes) {
   std::array<std::uint32_t, 2> size = {};
@@ -148,7 +147,7 @@ Image decode_raw(std::string_view bytes) {
   return image;
 }
 
-// PNG: 16-bit files keep their 16 bits.
+// PNG; 16-bit files keep their 16 bits.
 
 Image decode_png(std::string_view bytes) {
   png_image png = {};
@@ -157,11 +156,11 @@ Image decode_png(std::string_view bytes) {
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
     throw std::runtime_error(png.message);
   }
-  // Of one bit at least each, and zlib makes at most 1032 bytes of one.
+  // A pixel takes at least one bit, and zlib expands a byte to at most 1032.
   Image image = blank_image(png.width, png.height, bytes, std::size_t(8) * 1032);
   const bool is_deep = (png.format & PNG_FORMAT_FLAG_LINEAR) != 0;
   png.format = is_deep ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;
-  // What is transparent is laid over these, so black.
+  // Transparent pixels are composited over black.
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0) {
     throw std::runtime_error(png.message);
@@ -195,7 +194,7 @@ Image decode_jpeg(std::string_view bytes) {
   check(tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &colours));
   Image image = blank_image(width, height);
   std::vector<std::uint8_t> pixels(3 * image.pixels.size());
-  // A warning, such as of an early end, is a failure too.
+  // A warning, such as about a truncated file, is a failure too.
   check(tjDecompress2(decoder.get(), data, bytes.size(), pixels.data(), width, 0, height, TJPF_RGB,
                       TJFLAG_ACCURATEDCT));
   decode_srgb(pixels.data(), image);
@@ -203,13 +202,13 @@ Image decode_jpeg(std::string_view bytes) {
 }
 
 struct Decoder {
-  std::string_view start;  ///< of all such files; empty: only the name tells them
+  std::string_view start;  ///< first bytes of all such files; empty: detected by the extension
   std::string_view extension;
   Image (*decode)(std::string_view);
 };
 
 constexpr std::array Decoders = {
-    Decoder{"", "raw", decode_raw},  // the first, because its first bytes, a width, may be anything
+    Decoder{"", "raw", decode_raw},  // first, because its first bytes, a width, may be anything
     Decoder{"\x76\x2f\x31\x01", "exr", decode_exr},
     Decoder{"#?", "hdr", decode_radiance},
     Decoder{"PF", "pfm", decode_pfm},
@@ -219,7 +218,7 @@ constexpr std::array Decoders = {
     Decoder{"", "tga", decode_tga},
 };
 
-/// By what the file holds: names are wrong at times.
+/// Detects the format from the contents, since extensions can be wrong.
 const Decoder* decoder_of(std::string_view bytes, const std::string& path) {
   const auto found = std::find_if(Decoders.begin(), Decoders.end(), [&](const Decoder& decoder) {
     return decoder.start.empty() ? has_extension(path, decoder.extension) : bytes.starts_with(decoder.start);
@@ -247,7 +246,7 @@ Image blank_image(std::int64_t width, std::int64_t height) {
 }
 
 Image blank_image(std::int64_t width, std::int64_t height, std::string_view file, std::size_t pixels_a_byte) {
-  // A few bytes that are garbled must not ask for gigabytes. Larger numbers are for the other check.
+  // A few corrupt bytes must not request gigabytes. Larger sizes are left to the other check.
   const bool is_plain = width > 0 && height > 0 && width < (1 << 30) && height < (1 << 30);
   if (is_plain && static_cast<std::size_t>(width * height) / pixels_a_byte > file.size()) {
     throw std::runtime_error("it ends early");

@@ -13,7 +13,7 @@ namespace {
 using reflectance::Rgb;
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// How rows and pixels follow each other, and the factor by which pixels were multiplied.
+/// The order of rows and pixels, and the factor by which pixels were multiplied.
 struct Header {
   int width = 0;
   int height = 0;
@@ -28,7 +28,7 @@ class RadianceDecoder {
 
   Image run() {
     const Header header = read_header();
-    // Each row has a pixel at least that is written out. A size that is garbled must not ask for gigabytes.
+    // Each row has at least one literal pixel. A corrupt size must not request gigabytes.
     if (header.height > 0 && rest_.size() / sizeof(Rgbe) < static_cast<std::size_t>(header.height)) {
       throw std::runtime_error("it ends early");
     }
@@ -58,7 +58,7 @@ class RadianceDecoder {
     return line;
   }
 
-  // Lines up to an empty one, and then the size, such as `-Y 512 +X 1024`.
+  // Lines up to an empty one, then the size, such as `-Y 512 +X 1024`.
   Header read_header() {
     Header header;
     for (std::string_view line = next_line(); !line.empty(); line = next_line()) {
@@ -129,8 +129,8 @@ class RadianceDecoder {
     }
   }
 
-  // A pixel of three ones says how often the one before is repeated; of several in a row, the later ones say
-  // the higher bytes of the count.
+  // A pixel of three ones holds a repeat count of the previous pixel; several in a row hold the higher bytes
+  // of the count.
   void read_pixels(std::vector<Rgbe>& row, Rgbe pixel) {
     unsigned shift = 0;
     for (std::size_t x = 0;;) {

@@ -98,7 +98,7 @@ std::size_t Planner::count(const Test& test) const {
   return sum;
 }
 
-/// The faces among them at which a path can be scattered.
+/// The number of those faces at which a path can be scattered.
 std::size_t Planner::reflecting(const Test& test) const {
   std::size_t sum = 0;
   for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
@@ -108,7 +108,7 @@ std::size_t Planner::reflecting(const Test& test) const {
   return sum;
 }
 
-/// Of things that so many faces have, of which so many reflect something, and none of them is met.
+/// Returns why faces with some property are not hit: `all` of them have it, `reflects` of which reflect.
 std::string Planner::why_not(std::size_t all, std::size_t reflects) const {
   if (reflects == 0)
     return fmt::format("only on {} that {} nothing", faces(all), all == 1 ? "reflects" : "reflect");

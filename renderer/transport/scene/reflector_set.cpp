@@ -38,7 +38,7 @@ std::uint32_t ReflectorSetBuilder::index_by_text(const grf::ResolvedSurface& sur
   return known->second;
 }
 
-/// The text alone does not say whether a file of data has changed.
+/// The cache key has the modification times of data files, since the text does not tell whether they changed.
 std::string ReflectorSetBuilder::identity_of(const grf::ResolvedSurface& surface, const std::string& text) {
   if (override_ && !override_->factors_file.empty()) return {};
   std::string identity =
