@@ -84,14 +84,14 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
     return false;
   };
   std::string_view rest = contents->bytes;
-  if (rest.size() < sizeof(BakeHeader)) return refuse("it is broken (it ends early)");
+  if (rest.size() < sizeof(BakeHeader)) return refuse("it is damaged (unexpected end of file)");
   BakeHeader header;
   take(rest, &header, 1);
   if (header.vertices != bake.vertex_count() || header.sums_per_vertex != bake.sums_per_vertex()) {
     return refuse(belongs_elsewhere(BakeKind, "with other options"));
   }
   const std::size_t vertex_bytes = bake.vertex_count() * bytes_per_vertex(bake);
-  if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is broken (its size is wrong)");
+  if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is damaged (wrong file size)");
   End end;
   std::string_view last = rest.substr(vertex_bytes);
   take(last, &end, 1);
@@ -99,7 +99,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   const double samples = static_cast<double>(end.totals.paths) / bake.baked_vertex_count();
   // Counts of vertices are rounded, by half a sample in each half.
   if (samples > bake.settings().samples + 1.0) {
-    return refuse(fmt::format("it has {:.0f} samples a vertex, more than the {} that are asked for", samples,
+    return refuse(fmt::format("it has {:.0f} samples per vertex, more than the {} requested", samples,
                               bake.settings().samples));
   }
   restore_vertices(rest, bake);

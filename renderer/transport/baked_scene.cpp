@@ -169,9 +169,10 @@ bool has_few_copies(const grf::Scene& scene, grf::Diagnostics& diagnostics, std:
   if (vertices <= most_vertices) return true;
   diagnostics.error(
       largest->location,
-      fmt::format("each place of a mesh has irradiance of its own, so copies with {} vertices would "
-                  "be written out, more than {}: 'use' '{}', which is placed {} times, less often",
-                  vertices, most_vertices, largest->name, places[largest]));
+      fmt::format(
+          "each placement of a mesh has its own irradiance, so copies with {} vertices would be written, "
+          "more than {}: 'use' '{}', which is placed {} times, less often",
+          vertices, most_vertices, largest->name, places[largest]));
   return false;
 }
 

@@ -105,7 +105,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
     return false;
   };
   std::string_view rest = contents->bytes;
-  if (rest.size() < sizeof(RenderHeader)) return refuse("it is broken (it ends early)");
+  if (rest.size() < sizeof(RenderHeader)) return refuse("it is damaged (unexpected end of file)");
   RenderHeader header;
   take(rest, &header, 1);
   const RenderHeader expected = header_of(render);
@@ -114,11 +114,11 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
     return refuse(belongs_elsewhere(RenderKind, "with other options"));
   }
   if (contents->bytes.size() != size_of_contents(render.film())) {
-    return refuse("it is broken (its size is wrong)");
+    return refuse("it is damaged (wrong file size)");
   }
   const std::uint32_t samples = samples_of(rest, render);
   if (samples > static_cast<std::uint32_t>(render.settings().samples)) {
-    return refuse(fmt::format("it has {} samples a pixel, more than the {} that are asked for", samples,
+    return refuse(fmt::format("it has {} samples per pixel, more than the {} requested", samples,
                               render.settings().samples));
   }
   header.totals.paths = restore_tiles(rest, render);  // workers may have continued after the header

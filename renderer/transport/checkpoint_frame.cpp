@@ -24,15 +24,15 @@ static_assert(std::is_trivially_copyable_v<Start> && sizeof(Start) == 8 + 3 * 4,
 std::string defect_of(std::string_view bytes, const CheckpointKind& kind) {
   const auto& magic = kind.magic;
   if (bytes.size() < magic.size() || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) {
-    return "it is no checkpoint of this version of bpt";
+    return "it is not a checkpoint of this version of bpt";
   }
-  if (bytes.size() < sizeof(Start) + sizeof(std::uint32_t)) return "it is broken (it ends early)";
+  if (bytes.size() < sizeof(Start) + sizeof(std::uint32_t)) return "it is damaged (unexpected end of file)";
   const std::size_t content = bytes.size() - sizeof(std::uint32_t);
   std::uint32_t expected = 0;
   std::memcpy(&expected, bytes.data() + content, sizeof(expected));
   return check_sum(0, bytes.substr(0, content)) == expected
              ? ""
-             : "it is broken (it ends early, or its bytes were changed)";
+             : "it is damaged (truncated, or bytes were changed)";
 }
 
 /// Returns why a checkpoint belongs to another result; empty if it does not.
@@ -89,7 +89,7 @@ void refuse_checkpoint(const std::string& path, const std::string& why, grf::Dia
 }
 
 std::string belongs_elsewhere(const CheckpointKind& kind, std::string_view what) {
-  return fmt::format("it belongs to a {} {}; remove it, or name another file, to start anew", kind.name,
+  return fmt::format("it belongs to a {} {}; remove it, or name another file, to start over", kind.name,
                      what);
 }
 

@@ -127,8 +127,8 @@ bool DisplayClient::connect_to_any() {
   if (!why) return true;
   if (!viewer_care_) {
     fail(fmt::format(
-        "no viewer listens at {} ({}): start `wannabe --tool image`, or another one that speaks tev's "
-        "protocol, to see the image as it forms",
+        "no viewer listens at {} ({}): to watch the render, start `wannabe --tool image` or another viewer "
+        "that supports tev's protocol",
         address_.text(), *why));
     return false;
   }
@@ -137,10 +137,10 @@ bool DisplayClient::connect_to_any() {
   while (!problem && !is_out_of_time()) {
     std::this_thread::sleep_for(Pause);
     if (!connect()) return true;
-    problem = Clock::now() < latest ? viewer_care_() : "the one that was started does not answer";
+    problem = Clock::now() < latest ? viewer_care_() : "the viewer that was started does not answer";
   }
   if (problem) {
-    fail(fmt::format("no viewer listens at {}, and none can be started ({}): the render goes on without one",
+    fail(fmt::format("no viewer listens at {}, and none can be started ({}): rendering continues without one",
                      address_.text(), *problem));
   }
   return false;
@@ -155,8 +155,8 @@ bool DisplayClient::send(std::string_view bytes) {
       if (is_out_of_time()) return false;
       is_writable(socket_);
     } else if (errno != EINTR) {
-      fail(fmt::format("the viewer at {} is gone ({}): the render goes on without it", address_.text(),
-                       reason()));
+      fail(fmt::format("connection to the viewer at {} lost ({}): rendering continues without it",
+                       address_.text(), reason()));
       return false;
     }
   }

@@ -392,7 +392,7 @@ TEST_F(BakeCheckpoint, RefusesWhatBelongsToSomethingElse) {
             std::string::npos);
   EXPECT_NE(refusal({9, 2, 3}, same).find("a bake with other options"), std::string::npos);
   EXPECT_NE(refusal({1, 2, 9}, same).find("by another build of bpt"), std::string::npos);
-  EXPECT_NE(refusal(ours_, bake_settings(50)).find("it has 100 samples a vertex, more than the 50"),
+  EXPECT_NE(refusal(ours_, bake_settings(50)).find("it has 100 samples per vertex, more than the 50"),
             std::string::npos);
   BakeSettings list = same;
   list.directions = 2;
@@ -400,7 +400,7 @@ TEST_F(BakeCheckpoint, RefusesWhatBelongsToSomethingElse) {
   std::string bytes = test::bytes_of(path_);
   ++bytes[bytes.size() / 2];
   folder_.add("state", bytes);
-  EXPECT_NE(refusal(ours_, same).find("it is broken"), std::string::npos);
+  EXPECT_NE(refusal(ours_, same).find("it is damaged"), std::string::npos);
 }
 
 /// Baked, written as text and read again.

@@ -198,7 +198,7 @@ TEST_F(Display, SaysOnceWhyNoViewerCanBeStarted) {
     while (client.is_connecting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_EQ(calls, good_calls + 1);
     EXPECT_EQ(client.take_problem(), "no viewer listens at 127.0.0.1:" + port +
-                                         ", and none can be started (why): the render goes on without one");
+                                         ", and none can be started (why): rendering continues without one");
     EXPECT_EQ(client.take_problem(), std::nullopt);
   }
 }
@@ -225,7 +225,7 @@ TEST_F(Display, GoesOnWhenTheViewerIsGone) {
   EXPECT_EQ(render.end(), transport::RenderEnd::Samples);
   const auto problem = client.take_problem();
   ASSERT_TRUE(problem);
-  EXPECT_NE(problem->find("is gone"), std::string::npos) << *problem;
+  EXPECT_NE(problem->find("connection to the viewer"), std::string::npos) << *problem;
 }
 
 // The socket's buffers are full before the image is through.

@@ -300,8 +300,8 @@ TEST(EnvironmentMap, ReportsTexelsThatCannotBe) {
   const auto map = transport::read_environment_map(path, diagnostics);
   ASSERT_TRUE(map);
   EXPECT_EQ(diagnostics.to_text(), path +
-                                       ": warning: 3 of 4 texels of the environment map are negative or no "
-                                       "finite numbers there, and count as 0\n");
+                                       ": warning: 3 of 4 texels of the environment map are negative or "
+                                       "not finite, and count as 0 there\n");
   EXPECT_EQ(map->image().pixels, (std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(0), Rgb(0)}));
   EXPECT_NEAR(map->density({-1e-3F, 0, 1}), 1 / std::numbers::pi, 1e-6);  // a quarter of the sphere
 }

@@ -307,7 +307,7 @@ class LostFolders : public ImageFiles {
 TEST_F(LostFolders, LeaveTheImageInAnother) {
   EXPECT_FALSE(keep({folder_.path()}, gone_));
   ASSERT_EQ(diagnostics_.entries().size(), 2U);
-  const std::string start = "the image was kept as '" + folder_.path("granada-");
+  const std::string start = "the image was saved as '" + folder_.path("granada-");
   EXPECT_TRUE(last_message().starts_with(start)) << last_message();
   const std::size_t quote = last_message().find('\'');
   const std::string kept = last_message().substr(quote + 1, last_message().rfind('\'') - quote - 1);
@@ -325,7 +325,7 @@ TEST_F(LostFolders, TakeTheFirstThatIsThere) {
 TEST_F(LostFolders, LeaveNothingButAnErrorIfAllAreLost) {
   EXPECT_FALSE(keep({folder_.path("none"), folder_.path("neither")}, gone_));
   EXPECT_EQ(diagnostics_.error_count(), 2U);
-  EXPECT_TRUE(last_message().starts_with("the image could not be kept in ")) << last_message();
+  EXPECT_TRUE(last_message().starts_with("the image could not be saved in ")) << last_message();
   EXPECT_TRUE(folder_.names().empty());
 }
 

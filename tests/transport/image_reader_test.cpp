@@ -197,8 +197,9 @@ TEST_F(ImageReader, ReadsWhatElseRadianceFilesSay) {
   ASSERT_TRUE(image) << diagnostics_.to_text();
   const Rgb half(0.125F, 0, 0);
   EXPECT_EQ(image->pixels, (std::vector<Rgb>{half * 2, half, half, half}));
-  expect_error("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n", "it is broken (its colours");
-  expect_error("c.hdr", "#?RADIANCE\n\n+X 1 +Y 4\n", "it is broken (its size is not said as rows and");
+  expect_error("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n", "it is damaged (its pixels");
+  expect_error("c.hdr", "#?RADIANCE\n\n+X 1 +Y 4\n",
+               "it is damaged (its resolution is not given as rows and");
 }
 
 TEST_F(ImageReader, TellsFilesByWhatTheyHold) {
@@ -228,7 +229,8 @@ TEST_F(ImageReader, ReadsOpenExrByItsChannels) {
   expect_everywhere(read("a.exr", exr_with(path, {"Y"})), Rgb(0.5F));
   expect_everywhere(read("b.exr", exr_with(path, {"R", "G", "B", "A", "Z"})), Rgb(0.5F));
   expect_everywhere(read("c.exr", exr_with(path, {"G"})), Rgb(0, 0.5F, 0));
-  expect_error("d.exr", exr_with(path, {"Z"}), "it is broken (its channels are not R, G and B, nor Y alone)");
+  expect_error("d.exr", exr_with(path, {"Z"}),
+               "it is damaged (its channels are neither R, G and B nor only Y)");
 }
 
 TEST_F(ImageReader, RefusesHugeImages) {
@@ -237,24 +239,25 @@ TEST_F(ImageReader, RefusesHugeImages) {
   header.channels().insert("R", Imf::Channel(Imf::HALF));
   { const Imf::OutputFile file(path.c_str(), header); }
   expect_error("a.exr", test::bytes_of(path),
-               "it is broken (it has 100000 x 200000 pixels, expected at most 134 million)");
+               "it is damaged (it has 100000 x 200000 pixels, expected at most 134 million)");
 }
 
 TEST_F(ImageReader, SaysWhatIsWrong) {
   expect_error("a.exr", "", "the file is empty");
-  expect_error("b.bmp", "BM something", "expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
-  expect_error("c.pfm", "PF\n2 2\n", "it is broken (its first lines are not a kind, a width, a height");
-  expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is broken (it ends early)");
-  expect_error("e.pfm", "PF\n0 2\n-1\n", "it is broken (it has no pixels)");
-  expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is broken (it has no pixels)");
-  expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is broken (it ends early)");
-  expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is broken (it ends early)");
-  expect_error("j.raw", std::string("\1\0\0", 3), "it is broken (it ends early)");
-  expect_error("k.raw", std::string(8, '\0'), "it is broken (it has no pixels)");
+  expect_error("b.bmp", "BM something",
+               "unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+  expect_error("c.pfm", "PF\n2 2\n", "it is damaged (its header is not a type, a width, a height");
+  expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is damaged (unexpected end of file)");
+  expect_error("e.pfm", "PF\n0 2\n-1\n", "it is damaged (it has no pixels)");
+  expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is damaged (it has no pixels)");
+  expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is damaged (unexpected end of file)");
+  expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is damaged (unexpected end of file)");
+  expect_error("j.raw", std::string("\1\0\0", 3), "it is damaged (unexpected end of file)");
+  expect_error("k.raw", std::string(8, '\0'), "it is damaged (it has no pixels)");
   expect_error("l.raw", std::string("\1\0\0\0\1\0\0\0 twelve bytes and more", 30),
-               "it is broken (it is longer than its size says)");
-  expect_error("m.raw", std::string(40, '\xff'), "it is broken (it ends early)");
-  expect_error("i.tga", "some text", "it is broken (");
+               "it is damaged (it is longer than its width and height require)");
+  expect_error("m.raw", std::string(40, '\xff'), "it is damaged (unexpected end of file)");
+  expect_error("i.tga", "some text", "it is damaged (");
   EXPECT_FALSE(transport::read_image(folder_.path("none.exr"), diagnostics_ = {}));
   EXPECT_EQ(diagnostics_.error_count(), 1U);
   EXPECT_FALSE(transport::read_image(folder_.path(), diagnostics_ = {}));
@@ -267,7 +270,7 @@ TEST_F(ImageReader, SaysItAtThePlaceThatNamesTheFile) {
   file->path = "scene.op";
   EXPECT_FALSE(transport::read_image(path, diagnostics_, {file, 3, 20}));
   EXPECT_TRUE(diagnostics_.to_text().starts_with("scene.op:3:20: error: cannot read the image '" + path +
-                                                 "': it is broken ("))
+                                                 "': it is damaged ("))
       << diagnostics_.to_text();
 }
 

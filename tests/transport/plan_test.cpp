@@ -237,9 +237,8 @@ TEST(Plan, LoadsNoFileThatNoPathNeeds) {
   const PlannedScene scene(text, depth(1));
   ASSERT_EQ(scene.plan().textures.size(), 1U);
   EXPECT_FALSE(scene.plan().textures[0].is_needed);
-  EXPECT_EQ(
-      scene.plan().textures[0].why,
-      "only on 1 face that no path meets: outside the view, and the depth of 1 makes no path go further");
+  EXPECT_EQ(scene.plan().textures[0].why,
+            "only on 1 face that no path hits: outside the view, and the depth of 1 allows no second bounce");
 }
 
 TEST(Plan, BuildsTablesOfPairsThatPathsMeetAlone) {

@@ -40,11 +40,11 @@ const std::vector<ImageFormat>& image_formats() {
   constexpr int WidestJpeg = 65500;
   static const std::vector<ImageFormat> formats = {
       {"exr", "OpenEXR, linear 32-bit floats", Widest, true, encode_exr},
-      {"hdr", "Radiance, linear, 8 bits with an exponent", Widest, false, encode_radiance},
+      {"hdr", "Radiance RGBE, linear, 8 bits with a shared exponent", Widest, false, encode_radiance},
       {"pfm", "portable float map, linear 32-bit floats", Widest, false, encode_pfm},
-      {"raw", "size and linear 32-bit floats, as they stand in memory", Widest, false, encode_raw},
+      {"raw", "raw: width, height and linear 32-bit floats", Widest, false, encode_raw},
       {"png", "PNG, 8 bits, sRGB", Widest, false, encode_png},
-      {"jpg", "JPEG, 8 bits, sRGB, with loss", WidestJpeg, false, encode_jpeg},
+      {"jpg", "JPEG, 8 bits, sRGB, lossy", WidestJpeg, false, encode_jpeg},
       {"tga", "Targa, 8 bits, sRGB", Widest, false, encode_tga}};
   return formats;
 }
@@ -60,7 +60,7 @@ const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& di
   for (const ImageFormat& format : formats) known.push_back(format.extension);
   diagnostics.error(
       grf::whole_file(path),
-      fmt::format("unknown type of image, expected one of the extensions {}", fmt::join(known, ", ")));
+      fmt::format("unknown image format, expected one of the extensions {}", fmt::join(known, ", ")));
   return nullptr;
 }
 
@@ -85,11 +85,11 @@ bool keep_image(const ImageFile& file, const std::string& path, const std::vecto
   for (const std::string& folder : fallbacks) {
     std::string kept_as;
     if (!keep_in(folder, name, bytes, kept_as)) continue;
-    diagnostics.note(grf::whole_file(path), fmt::format("the image was kept as '{}'", kept_as));
+    diagnostics.note(grf::whole_file(path), fmt::format("the image was saved as '{}' instead", kept_as));
     return false;
   }
   diagnostics.error(grf::whole_file(path),
-                    fmt::format("the image could not be kept in {} either", fmt::join(fallbacks, ", ")));
+                    fmt::format("the image could not be saved in {} either", fmt::join(fallbacks, ", ")));
   return false;
 }
 

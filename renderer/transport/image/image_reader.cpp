@@ -37,7 +37,7 @@ class MemoryInput : public Imf::IStream {
   bool read(char* to, int count) override {
     const auto size = static_cast<std::size_t>(count);
     if (position_ > bytes_.size() || size > bytes_.size() - position_) {
-      throw std::runtime_error("it ends early");
+      throw std::runtime_error("unexpected end of file");
     }
     std::memcpy(to, bytes_.data() + position_, size);
     position_ += size;
@@ -63,7 +63,7 @@ Image decode_exr(std::string_view bytes) {
                           channels.findChannel("B") != nullptr;
   const bool is_grey = !has_colour && channels.findChannel("Y") != nullptr;
   if (!has_colour && (!is_grey || channels.findChannel("RY") != nullptr)) {
-    throw std::runtime_error("its channels are not R, G and B, nor Y alone");
+    throw std::runtime_error("its channels are neither R, G and B nor only Y");
   }
   Imf::FrameBuffer buffer;
   char* first = reinterpret_cast<char*>(image.pixels.data());
@@ -99,7 +99,7 @@ Number next_number(std::string_view& bytes) {
   Number number = {};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size()) {
-    throw std::runtime_error("its first lines are not a kind, a width, a height and a scale");
+    throw std::runtime_error("its header is not a type, a width, a height and a scale");
   }
   return number;
 }
@@ -117,7 +117,7 @@ Image decode_pfm(std::string_view bytes) {
   const auto scale = next_number<float>(bytes);
   const std::size_t row = std::size_t(std::max(width, 0)) * channels * sizeof(float);
   if (width > 0 && height > 0 && bytes.size() / row < static_cast<std::size_t>(height)) {
-    throw std::runtime_error("it ends early");
+    throw std::runtime_error("unexpected end of file");
   }
   Image image = blank_image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -136,13 +136,14 @@ Image decode_pfm(std::string_view bytes) {
 
 Image decode_raw(std::string_view bytes) {
   std::array<std::uint32_t, 2> size = {};
-  if (bytes.size() < sizeof(size)) throw std::runtime_error("it ends early");
+  if (bytes.size() < sizeof(size)) throw std::runtime_error("unexpected end of file");
   std::memcpy(size.data(), bytes.data(), sizeof(size));
   bytes.remove_prefix(sizeof(size));
   const std::size_t row = std::max<std::size_t>(1, sizeof(Rgb) * size[0]);
-  if (bytes.size() / row < size[1]) throw std::runtime_error("it ends early");
+  if (bytes.size() / row < size[1]) throw std::runtime_error("unexpected end of file");
   Image image = blank_image(size[0], size[1]);
-  if (bytes.size() != row * size[1]) throw std::runtime_error("it is longer than its size says");
+  if (bytes.size() != row * size[1])
+    throw std::runtime_error("it is longer than its width and height require");
   std::memcpy(&image.pixels.front().x, bytes.data(), bytes.size());
   return image;
 }
@@ -249,7 +250,7 @@ Image blank_image(std::int64_t width, std::int64_t height, std::string_view file
   // A few corrupt bytes must not request gigabytes. Larger sizes are left to the other check.
   const bool is_plain = width > 0 && height > 0 && width < (1 << 30) && height < (1 << 30);
   if (is_plain && static_cast<std::size_t>(width * height) / pixels_a_byte > file.size()) {
-    throw std::runtime_error("it ends early");
+    throw std::runtime_error("unexpected end of file");
   }
   return blank_image(width, height);
 }
@@ -276,13 +277,14 @@ std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagn
   };
   if (bytes->empty()) return fail("the file is empty");
   const Decoder* decoder = decoder_of(*bytes, path);
-  if (decoder == nullptr) return fail("expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+  if (decoder == nullptr)
+    return fail("unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
   try {
     return decoder->decode(*bytes);
   } catch (const std::bad_alloc&) {
     return fail("it needs more memory than there is");
   } catch (const std::exception& problem) {
-    return fail(fmt::format("it is broken ({})", one_line(problem.what())));
+    return fail(fmt::format("it is damaged ({})", one_line(problem.what())));
   }
 }
 

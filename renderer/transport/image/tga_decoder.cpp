@@ -66,7 +66,7 @@ struct Free {
 
 [[noreturn]] void fail() {
   const char* reason = stbi_failure_reason();
-  throw std::runtime_error(reason != nullptr ? reason : "it is of another kind");
+  throw std::runtime_error(reason != nullptr ? reason : "unsupported type");
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ Image decode_tga(std::string_view bytes) {
   Source source(bytes);
   const std::unique_ptr<stbi_uc, Free> pixels(
       stbi_load_from_callbacks(&Callbacks, &source, &width, &height, &channels, 3));
-  if (source.ended_early()) throw std::runtime_error("it ends early");
+  if (source.ended_early()) throw std::runtime_error("unexpected end of file");
   if (!pixels) fail();
   decode_srgb(pixels.get(), image);
   return image;

@@ -86,7 +86,7 @@ std::optional<ScatterSample> NaivePaths::draw(const Scattering& scattering, cons
 /// Returns the scattered ray; empty if the surface blocks it.
 std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const ScatterSample& drawn) const {
   counter_.note_unless_finite("colour", scattering.point.colour, &scattering.point);
-  counter_.note_unless_finite("weight of a direction that was drawn", drawn.weight, &scattering.point);
+  counter_.note_unless_finite("weight of a sampled direction", drawn.weight, &scattering.point);
   const Vec3f direction = scattering.frame.to_world(drawn.direction);
   if (!scattering.is_above(direction)) return std::nullopt;
   if (drawn.is_mirror && !settings_.reflects_mirrors) return std::nullopt;

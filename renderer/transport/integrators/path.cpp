@@ -232,7 +232,7 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   if (!drawn || (drawn->is_mirror && !settings_.reflects_mirrors)) return false;
   const Vec3f direction = scattering.frame.to_world(drawn->direction);
   if (!scattering.is_above(direction)) return false;
-  seen("weight of a direction that was drawn", drawn->weight, &scattering.point);
+  seen("weight of a sampled direction", drawn->weight, &scattering.point);
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
   density_ = drawn->is_mirror ? 0 : static_cast<float>(ways_) * drawn->density;

@@ -219,10 +219,8 @@ std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf:
   if (map.wrong_texels() > 0) {
     diagnostics.warning(
         asked_for_at.file ? asked_for_at : grf::whole_file(path),
-        fmt::format(
-            "{} of {} texels of the environment map are negative or no finite numbers there, and count "
-            "as 0",
-            map.wrong_texels(), map.image().pixels.size()));
+        fmt::format("{} of {} texels of the environment map are negative or not finite, and count as 0 there",
+                    map.wrong_texels(), map.image().pixels.size()));
   }
   return map;
 }

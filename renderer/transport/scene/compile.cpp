@@ -107,11 +107,11 @@ class Compiler {
 bool Compiler::has_room() {
   if (!survey_.is_too_large()) return true;
   diagnostics_.error(
-      {},
-      fmt::format("more than {} million triangles, {} million vertices, {} million surfaces, or {} million "
-                  "instances, cannot be rendered",
-                  Survey::MostTriangles / 1'000'000, Survey::MostVertices / 1'000'000,
-                  Survey::MostSurfaces / 1'000'000, Survey::MostInstances / 1'000'000));
+      {}, fmt::format(
+              "the scene is too large: the limits are {} million triangles, {} million vertices, {} million "
+              "surfaces and {} million instances",
+              Survey::MostTriangles / 1'000'000, Survey::MostVertices / 1'000'000,
+              Survey::MostSurfaces / 1'000'000, Survey::MostInstances / 1'000'000));
   return false;
 }
 
