@@ -1,4 +1,4 @@
-// A viewer of our own that decodes tev's protocol from its description, independently of the code that sends.
+// A test viewer that decodes tev's protocol from its specification, independently of the code that sends.
 #include <cstring>
 #include <thread>
 
@@ -49,7 +49,7 @@ struct Viewer {
   std::vector<std::string> channels;
   int width = 0;
   int height = 0;
-  std::vector<std::vector<float>> values;  ///< of each channel
+  std::vector<std::vector<float>> values;  ///< per channel
   int updates = 0;
   bool closed_first = false;
 
@@ -228,7 +228,7 @@ TEST_F(Display, GoesOnWhenTheViewerIsGone) {
   EXPECT_NE(problem->find("connection to the viewer"), std::string::npos) << *problem;
 }
 
-// The socket's buffers are full before the image is through.
+// The socket's buffers are full before the whole image is sent.
 TEST_F(Display, WaitsForNoViewerThatDoesNotRead) {
   const test::Listener server;
   transport::RenderSettings large = settings(1);

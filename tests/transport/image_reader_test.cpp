@@ -1,4 +1,4 @@
-// Images of each kind, whole and broken.
+// Images of each format, valid and damaged.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -54,14 +54,14 @@ std::string radiance_header(int width, int height) {
          std::to_string(width) + "\n";
 }
 
-/// Rows of 4 bytes a pixel, without run lengths: (0.5, 1, 2) everywhere.
+/// Rows of 4 bytes per pixel, without run lengths: (0.5, 1, 2) everywhere.
 std::string radiance_file(int width, int height) {
   std::string file = radiance_header(width, height);
   for (int i = 0; i < width * height; ++i) file += bytes(32, 64, 128, 130);
   return file;
 }
 
-/// With run lengths, as most files are.
+/// Run-length encoded, as most files are.
 std::string radiance_rle_file(int width, int height) {
   std::string file = radiance_header(width, height);
   for (int y = 0; y < height; ++y) {
@@ -71,7 +71,7 @@ std::string radiance_rle_file(int width, int height) {
   return file;
 }
 
-/// Uncompressed, rows from the top, blue first.
+/// Uncompressed, rows from the top, BGR.
 std::string tga_file(int width, int height) {
   std::string file =
       bytes(0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, width & 255, width >> 8, height & 255, height >> 8, 24, 0x20);
@@ -146,7 +146,8 @@ class ImageReader : public testing::Test {
 
 const Rgb Orange(1, 0.2158605F, 0);  // 255, 128, 0
 
-// A code up to 128 is followed by so many bytes; one above by a single one, for so many pixels less 128.
+// A code up to 128 is followed by that many bytes; a greater one by a single byte, for as many pixels less
+// 128.
 TEST_F(ImageReader, TakesRunsOfRadianceOfAnyLength) {
   std::string file = radiance_header(130, 1) + bytes(2, 2, 0, 130);
   file += bytes(128);
@@ -291,7 +292,7 @@ class BrokenImages : public ImageReader {
   }
 };
 
-// What is cut off in a file's last bytes need not matter: PNG's end mark, JPEG's.
+// A cut within a file's last bytes may be harmless: PNG's end chunk, JPEG's end marker.
 TEST_F(BrokenImages, ThatEndEarlyAreRefused) {
   for (const auto& [name, file] : files()) {
     const std::size_t last = file.size() - 16;
@@ -311,7 +312,7 @@ TEST_F(BrokenImages, ThatAreGarbledDoNoHarm) {
     for (int i = 0; i < 80; ++i) {
       std::string garbled = file;
       for (std::uint32_t k = 0; k <= random() % 8; ++k) {
-        // The first bytes say the most.
+        // The first bytes matter most.
         const std::size_t range = random() % 2 == 0 ? std::min<std::size_t>(64, file.size()) : file.size();
         garbled[random() % range] = static_cast<char>(random());
       }
