@@ -107,8 +107,8 @@ inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int sam
   return {std::move(all), mean};
 }
 
-/// One scene, with so many seeds: renders of `samples` a pixel whose error is estimated, and as many that
-/// stop at a target of two thirds of the mean error that those have.
+/// Studies one scene with this many seeds: renders of `samples` per pixel whose error is estimated, and as
+/// many that stop at a target of two thirds of their mean error.
 inline void study_errors(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
   const StudiedScene studied = study_intervals(scene, seeds, samples, study);
   transport::RenderSettings settings = scene.settings;
