@@ -27,15 +27,15 @@ struct Arguments {
 
 void add_options(CLI::App& app, Arguments& arguments) {
   benchmark::Settings& settings = arguments.settings;
-  app.add_option("--folder", arguments.folder, "where scenes, images, references and results go")
+  app.add_option("--folder", arguments.folder, "folder for scenes, images, references and results")
       ->capture_default_str();
   app.add_option("--scenes", arguments.scenes,
-                 "cornell_box, glossy_sphere, coated_knot, environment; all if left out")
+                 "cornell_box, glossy_sphere, coated_knot, environment; all by default")
       ->delimiter(',');
   app.add_option("--size", settings.size, "width and height, pixels")
       ->check(CLI::Range(1, 8192))
       ->capture_default_str();
-  app.add_option("--samples", settings.samples, "a pixel; references have 64 times as many")
+  app.add_option("--samples", settings.samples, "samples per pixel; references have 64 times as many")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   app.add_option("--rounds", settings.rounds, "repetitions of each measurement, each with its own seed")
