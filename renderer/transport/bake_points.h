@@ -38,7 +38,7 @@ class BakePoints {
 
   struct Point {
     SurfacePoint point;
-    float share_end = 1;  ///< cumulative fraction of the vertex's angles, up to and including this point
+    float share_end = 1;  ///< cumulative fraction of the angles, this point included
   };
   /// Replaces `points` with those of a vertex, one per triangle.
   void points_at(std::size_t vertex, std::vector<Point>& points) const;
