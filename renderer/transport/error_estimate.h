@@ -20,8 +20,8 @@ struct ErrorSums {
   /// Second-order error e^2 / (1 + e), which comes from the uncertainty of the denominator.
   double doubt = 0;
 
-  /// What `errors` and `squares` could be: the sums if no pixel at an edge had less than a given fraction of
-  /// the variance of a binomial distribution.
+  /// Possible sums: `errors` and `squares` if no pixel at an edge had less than a given fraction of the
+  /// variance of a binomial distribution.
   struct Possible {
     double errors = 0;
     double squares = 0;

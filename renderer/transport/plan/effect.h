@@ -27,7 +27,7 @@ enum class Effect : std::uint8_t {
 struct EffectInfo {
   Effect effect;
   std::string_view name;
-  /// What a render has instead where the effect is switched off.
+  /// The replacement in a render where the effect is switched off.
   std::string_view without;
 };
 

@@ -10,7 +10,7 @@
 
 namespace transport {
 
-/// What is known of a render before anything expensive is built.
+/// The facts that a plan is based on, known before anything expensive is built.
 struct PlanSettings {
   PathLimits limits;
   bool draws_normals = false;  ///< only: Integrator::Normals

@@ -10,7 +10,7 @@
 
 namespace transport {
 
-/// What limits the paths of a render.
+/// The limits of a render's paths.
 struct PathLimits {
   View view;  ///< in world space
   int width = 0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-/// What a shadow ray ignores. Embree passes the context of the ray to the filter.
+/// The context of a shadow ray, which Embree passes to the filter: the triangles that the ray ignores.
 struct ShadowContext {
   RTCIntersectContext embree;
   TriangleId from;

@@ -15,7 +15,7 @@
 
 namespace transport {
 
-/// Which surfaces of each mesh can reflect light to the eye.
+/// Flags per surface of each mesh: whether it can reflect light to the eye.
 using ReflectingSurfaces = std::unordered_map<const grf::Mesh*, std::vector<bool>>;
 
 /// Resolves what the surfaces of meshes refer to in the scope of each placement. A mesh that is placed many
