@@ -1,5 +1,5 @@
-// All loops of the renderer that use several threads. They run on TBB, and say to ThreadSanitizer what it
-// cannot see of TBB: what was done before a loop is known in it, and what was done in it is known behind it.
+// The renderer's multi-threaded loops, on oneTBB. They tell ThreadSanitizer the happens-before relations that
+// it cannot see in TBB: work before a loop happens before the loop's bodies, and these before what follows.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,19 @@
 
 namespace parallel {
 
-/// Runs a function whose parallel loops use at most that many threads, of which the calling one is the first;
-/// 0: as many as the machine has. Jobs that run at the same time do not limit each other.
+/// Runs a function with its parallel loops limited to `threads` threads, the calling one included; 0: one per
+/// core. Concurrent calls do not limit each other.
 template <class Function>
 void run_with_threads(int threads, const Function& function) {
-  // TBB starts no more threads than there are cores for all jobs of the process together, unless it is
-  // allowed to. The least that it is allowed at one time holds for all of them, so every job says the same.
+  // TBB caps the whole process at one thread per core unless allowed more, and the smallest limit that is
+  // active anywhere in the process wins: so every call sets the same large one.
   constexpr std::size_t MoreThanAnyJobUses = 4096;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, MoreThanAnyJobUses);
   tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
   arena.execute(function);
 }
 
-/// Of the loops that are run here.
+/// Returns the number of threads that loops use here.
 inline int thread_count() { return tbb::this_task_arena::max_concurrency(); }
 
 /// Calls `body(i)` for each i from 0 to count - 1, in any order and on several threads.
@@ -42,7 +42,7 @@ void for_each_index(Index count, const Body& body) {
   see();
 }
 
-/// Calls `body(begin, end)` for parts that together are 0 to count - 1: for bodies with something to set up.
+/// Calls `body(begin, end)` for subranges that cover 0 to count - 1: for bodies with a set-up cost.
 template <class Body>
 void for_each_part(std::size_t count, const Body& body) {
   publish();
@@ -55,7 +55,7 @@ void for_each_part(std::size_t count, const Body& body) {
   see();
 }
 
-/// Calls `work()` once for each thread that is there, each time on another one if none is busy elsewhere.
+/// Calls `work()` once per available thread, each time on another thread if none is busy elsewhere.
 template <class Work>
 void on_each_thread(const Work& work) {
   publish();
@@ -70,7 +70,7 @@ void on_each_thread(const Work& work) {
   see();
 }
 
-/// Runs two functions, each of them perhaps on another thread, of which neither needs the other.
+/// Runs two independent functions, possibly on different threads.
 template <class First, class Second>
 void invoke(const First& first, const Second& second) {
   const auto task = [](const auto& function) {

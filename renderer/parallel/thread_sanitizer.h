@@ -1,5 +1,5 @@
-// ThreadSanitizer sees only what is compiled with it, and Debian's TBB is not: these say in its place that
-// what one task did is known to those that TBB starts, or waits for, afterwards. Elsewhere they are nothing.
+// ThreadSanitizer annotations for TBB, which Debian builds without the sanitizer: they state that what one
+// task did happens before the tasks that TBB starts, or waits for, afterwards. No-ops in other builds.
 #pragma once
 
 #ifdef GRANADA_THREAD_SANITIZER
@@ -11,14 +11,14 @@ namespace parallel {
 
 #ifdef GRANADA_THREAD_SANITIZER
 namespace detail {
-/// Stands for TBB. One for all: what a function captured, such as an object of its own, is what a task must
-/// not read before it has called `see`.
+/// The address that stands for TBB. One serves all: a task must not read anything that its function captured,
+/// such as a synchronisation object, before it has called `see`.
 inline constexpr char Tasks = 0;
 inline void* tasks() { return const_cast<char*>(&Tasks); }
 }  // namespace detail
 #endif
 
-/// What was done before becomes visible to whoever calls `see` later.
+/// Releases: what was done before becomes visible to any thread that calls `see` later.
 inline void publish() {
 #ifdef GRANADA_THREAD_SANITIZER
   __tsan_release(detail::tasks());

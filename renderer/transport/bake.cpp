@@ -13,10 +13,10 @@
 namespace transport {
 namespace {
 
-/// Samples of a half that tell how much light varies at a vertex.
+/// Pilot samples per half, which estimate the variance at a vertex.
 constexpr int PilotSamples = 32;
 
-/// How many samples there are at the next look at the error.
+/// Returns the number of samples at the next error check.
 std::int64_t next_check(std::int64_t samples) {
   return samples + std::max<std::int64_t>(2, (samples / 5 + 1) / 2 * 2);
 }
@@ -31,7 +31,7 @@ IntegratorSettings for_gathering(IntegratorSettings settings) {
 
 }  // namespace
 
-/// A vertex that a worker adds samples to.
+/// A vertex to which a worker adds samples.
 class Bake::Vertex {
  public:
   BakeTally tally;
@@ -49,7 +49,7 @@ class Bake::Vertex {
     frame = reflectance::Frame(BakePoints::normal_of(points_));
   }
 
-  /// One of the points, by their shares.
+  /// Selects one of the points with a probability equal to its fraction of the angles.
   const Scattering& scattering(float xi) const {
     const auto chosen = std::find_if(points_.begin(), points_.end() - 1,
                                      [&](const BakePoints::Point& at) { return xi < at.share_end; });
@@ -115,8 +115,8 @@ void Bake::run() {
   end_ = end;
 }
 
-/// The samples a vertex after which the error is looked at: those of the pilots, and then ever more, so that
-/// a bake that is ended by time or by a signal is about as good everywhere.
+/// Samples per vertex at which the error is checked: at the end of the pilots, then at growing intervals, so
+/// that a bake that time or a signal ends is about equally good everywhere.
 int Bake::samples_of_stage(int stage) const {
   std::int64_t samples = 2 * PilotSamples;
   for (int i = 0; i < stage && samples < settings_.samples; ++i) samples = next_check(samples);
@@ -124,7 +124,7 @@ int Bake::samples_of_stage(int stage) const {
 }
 
 RenderEnd Bake::run_stages() {
-  // A checkpoint may have been written while the pilots came to their end.
+  // The checkpoint may have been written while the pilots were finishing.
   if (stage_ > 0 && !run_stage(samples_of_stage(0))) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
   while (true) {
     const int samples = samples_of_stage(stage_);
@@ -153,7 +153,7 @@ bool Bake::reaches_target() {
   return error && *error <= *settings_.target_error;
 }
 
-/// Of the radiance about a vertex, over what Film::estimated_error divides by.
+/// The standard deviation of a vertex's radiance, relative to the divisor of Film::estimated_error.
 double Bake::deviation(const BakeTally& tally, int half) const {
   const BakeTally::Pilot& pilot = tally.pilots[static_cast<std::size_t>(half)];
   const double mean = pilot.sum / PilotSamples;
@@ -161,7 +161,7 @@ double Bake::deviation(const BakeTally& tally, int half) const {
   return std::sqrt(variance / (mean * mean + 0.01));
 }
 
-// A pilot can miss what is rare: each vertex counts with a quarter of the mean deviation at least.
+// A pilot can miss rare events: each vertex counts with at least a quarter of the mean deviation.
 void Bake::weigh_vertices() {
   const auto mean_of = [&](const auto& function) {
     double sum = 0;
@@ -176,7 +176,7 @@ void Bake::weigh_vertices() {
   }
 }
 
-/// How many samples a half is to have when there are so many a vertex.
+/// Returns the number of samples of a half at this mean number of samples per vertex.
 std::uint32_t Bake::count_after(const BakeTally& tally, int half, int samples) const {
   const int mean_count = samples / 2 + (half == 0 ? samples % 2 : 0);
   if (mean_count <= PilotSamples) return static_cast<std::uint32_t>(mean_count);
@@ -188,8 +188,8 @@ std::uint32_t Bake::count_after(const BakeTally& tally, int half, int samples) c
   return static_cast<std::uint32_t>(std::min(count, Most));
 }
 
-/// Adds samples to a vertex that nobody else writes. False if that came to an early end; what there is then
-/// stays.
+/// Adds samples to a vertex that no other worker writes. False if that ended early; the samples so far are
+/// kept.
 bool Bake::advance(std::size_t index, int samples, Vertex& vertex) {
   if (ends_early()) return false;
   copy_vertex(index, vertex.tally, vertex.sums);
@@ -279,7 +279,7 @@ RenderProgress Bake::progress() const {
     return progress;
   }
   if (settings_.target_error && progress.estimated_error) {
-    // As independent samples would go on from the last look at the error.
+    // Extrapolates from the last error check with the convergence of independent samples.
     const double ratio = std::max(1.0, *progress.estimated_error / *settings_.target_error);
     needed = std::min(needed, std::max(samples, samples_of_stage(stage_) / 1.2 * ratio * ratio));
   }
@@ -312,8 +312,8 @@ Imath::V3d Bake::radiance(std::size_t vertex, int half) const {
   return sum;
 }
 
-// The mean of the halves' means, and not that of all samples: how many of them a half has follows from the
-// other half's values.
+// The mean of the halves' means, not of all samples: a half's sample count depends on the other half's
+// values.
 Rgb Bake::irradiance(std::size_t vertex, int cell) const {
   const auto index = static_cast<std::size_t>(cell);
   const double halves = tallies_[vertex].counts[1] > 0 ? 2 : 1;

@@ -17,20 +17,20 @@
 namespace transport {
 
 struct BakeSettings {
-  /// Of the path integrator. The scattering at a vertex is one of its depth, so that a render of the same
-  /// depth shows what it would without irradiance.
+  /// Path integrator settings. The scattering at a vertex counts as one bounce of the depth, so a render of
+  /// the same depth shows the same with and without irradiance.
   IntegratorSettings integrator;
-  int samples = 100;                   ///< a vertex on average, at most
-  std::optional<double> target_error;  ///< stops once Bake::estimated_error is no more than this
-  std::optional<double> max_seconds;   ///< stops after so long, with what there is
-  int directions = 0;                  ///< cells of the hemisphere with a value each; 0: one value for all
+  int samples = 100;                   ///< samples per vertex: the mean over vertices, at most
+  std::optional<double> target_error;  ///< stops once Bake::estimated_error is at most this
+  std::optional<double> max_seconds;   ///< stops after this time, with the samples so far
+  int directions = 0;                  ///< hemisphere cells, each with its own value; 0: one value for all
   std::uint32_t seed = 0;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;  ///< 0: one per core
 };
 
-/// What a vertex has so far, besides its sums.
+/// The state of a vertex, besides its sums.
 struct BakeTally {
-  /// Of the first samples of one half.
+  /// Sums over the pilot samples of one half.
   struct Pilot {
     double sum = 0;
     double squares = 0;
@@ -40,21 +40,22 @@ struct BakeTally {
   std::array<Pilot, 2> pilots = {};
 };
 
-/// The irradiance of the vertices of a scene. `run` is called once; the functions above `irradiance` may be
-/// called from any thread meanwhile.
+/// Bakes the irradiance at the vertices of a scene. `run` is called once; the functions above `irradiance`
+/// may be called from any thread meanwhile.
 ///
-/// A sample is a path that starts with the scattering at a white matte surface in the vertex's place, whose
-/// radiance times pi is the irradiance. Each vertex has two halves of samples, of independent scramblings,
-/// and its value is the mean of theirs; how far they are apart gives the error. The first samples of a half,
-/// of which all vertices have as many, say where those of the other half are to go: in proportion to the
-/// deviation over the value, which makes the error least for a number of samples. So neither half's samples
-/// decide where its own are, and no value is biased.
+/// A sample is a path that starts with a bounce off a white diffuse surface at the vertex; its radiance times
+/// pi estimates the irradiance. Each vertex has two halves of samples with independent scramblings: its value
+/// is the mean of theirs, and their difference gives the error. The first samples of a half, the same number
+/// at all vertices, are a pilot that places the samples of the other half: in proportion to relative standard
+/// deviation, which minimises the error for a given number of samples. As no half decides its own sample
+/// counts, no value is biased.
 class Bake {
  public:
-  /// The scene must be compiled `without_instances`; the points and what they are of outlive the bake.
+  /// The scene must be compiled `without_instances`. The scene and the points must outlive the bake.
   Bake(const CompiledScene& scene, const BakePoints& points, const BakeSettings& settings);
 
-  /// Ends as a render does. The result depends on the settings alone, unless time or `stop` ended it.
+  /// Runs to the same end conditions as a render. The result depends only on the settings, unless time or
+  /// `stop` ended it.
   void run();
   /// Safe to call from any thread.
   void stop() { stopped_ = true; }
@@ -63,31 +64,31 @@ class Bake {
   RenderProgress progress() const;
   RenderTotals totals() const;
 
-  /// What a checkpoint holds: of a vertex, as some moment left it.
+  /// Copies what a checkpoint stores of a vertex: a consistent state from some moment of the run.
   void copy_vertex(std::size_t vertex, BakeTally& tally, std::vector<Imath::V3d>& sums) const;
   std::size_t sums_per_vertex() const { return 2 * cell_count(); }
   int stage() const { return stage_; }
   const BakeSettings& settings() const { return settings_; }
   std::size_t vertex_count() const { return points_.count(); }
-  /// Of vertices with faces around them, 1 at least: what means are over.
+  /// The number of vertices that means are over: those with faces around them, at least 1.
   double baked_vertex_count() const { return static_cast<double>(std::max<std::size_t>(1, baked_vertices_)); }
 
-  /// Takes up what another bake of the same scene had; to be called before `run`.
+  /// Resumes from the state of another bake of the same scene; to be called before `run`.
   void restore(int stage, const RenderTotals& totals);
   void restore_vertex(std::size_t vertex, const BakeTally& tally, const std::vector<Imath::V3d>& sums);
 
   // Once `run` has returned:
 
-  /// Whether there is a value for a vertex: not without faces around it, nor before its first sample.
+  /// Whether a vertex has a value: false if it has no faces around it, or no sample yet.
   bool has_value(std::size_t vertex) const { return tallies_[vertex].counts[0] > 0; }
   std::size_t value_count() const;
-  /// W/m2, of all directions or of one cell.
+  /// Irradiance in W/m2, over all directions or over one cell.
   Rgb irradiance(std::size_t vertex) const;
   Rgb irradiance(std::size_t vertex, int cell) const;
-  /// Where the middle of each cell is, unit, in the world.
+  /// The unit directions of the cells' centres, in world space.
   std::vector<Vec3f> directions(std::size_t vertex) const;
-  /// sqrt(relMSE) over vertices and channels, of the radiance of a white matte surface, as
-  /// Film::estimated_error is over pixels; nothing while there are no two halves.
+  /// sqrt(relMSE) over vertices and channels, of the radiance of a white diffuse surface; compare
+  /// Film::estimated_error over pixels. Empty while there are no two halves.
   std::optional<double> estimated_error() const;
   double samples_per_vertex() const;
 
@@ -119,10 +120,10 @@ class Bake {
   GatherKernel kernel_;
   const reflectance::Reflector white_;
   HemisphereCells cells_;
-  std::size_t baked_vertices_ = 0;  ///< those that have faces
+  std::size_t baked_vertices_ = 0;  ///< vertices that have faces
   std::vector<BakeTally> tallies_;
-  std::vector<Imath::V3d> sums_;  ///< of vertex, half and cell, the last changing fastest
-  /// Of the deviation that the pilot of a half shows: what counts at least, and the mean of what counts.
+  std::vector<Imath::V3d> sums_;  ///< per vertex, half and cell; the cell varies fastest
+  /// Pilot statistics of a half: the smallest deviation that counts, and the mean of the deviations.
   struct Weighing {
     double least = 0;
     double mean = 0;
@@ -135,7 +136,7 @@ class Bake {
   std::atomic<bool> out_of_time_ = false;
   std::atomic<RenderEnd> end_ = RenderEnd::NotYet;
 
-  mutable std::mutex totals_lock_;  ///< of what follows
+  mutable std::mutex totals_lock_;  ///< guards the members below
   RenderTotals totals_;             ///< seconds are those of earlier runs
   std::uint64_t restored_paths_ = 0;
   std::optional<double> last_error_;

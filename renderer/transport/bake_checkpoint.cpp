@@ -10,14 +10,14 @@ namespace {
 
 constexpr CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '1'}, "bake"};
 
-/// The contents of the file start with this; each vertex's tally and sums follow, and an `End`.
+/// The file's contents start with this header; each vertex's tally and sums follow, then an `End`.
 struct BakeHeader {
   std::uint64_t vertices = 0;
   std::uint64_t sums_per_vertex = 0;
 };
 
-/// Read off the bake after all vertices: none of them is then beyond this stage, and what some lack of
-/// earlier ones is made up for.
+/// Read from the bake after all vertices: so no vertex is beyond this stage, and samples that some lack of
+/// earlier stages are made up for.
 struct End {
   std::int64_t stage = 0;
   RenderTotals totals;
@@ -35,7 +35,7 @@ std::size_t bytes_per_vertex(const Bake& bake) {
   return sizeof(BakeTally) + bake.sums_per_vertex() * sizeof(Imath::V3d);
 }
 
-/// How many samples all vertices together have.
+/// Returns the number of samples of all vertices together.
 std::uint64_t count_samples(std::string_view bytes, const Bake& bake) {
   std::uint64_t samples = 0;
   for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
@@ -84,22 +84,22 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
     return false;
   };
   std::string_view rest = contents->bytes;
-  if (rest.size() < sizeof(BakeHeader)) return refuse("it is broken (it ends early)");
+  if (rest.size() < sizeof(BakeHeader)) return refuse("it is damaged (unexpected end of file)");
   BakeHeader header;
   take(rest, &header, 1);
   if (header.vertices != bake.vertex_count() || header.sums_per_vertex != bake.sums_per_vertex()) {
     return refuse(belongs_elsewhere(BakeKind, "with other options"));
   }
   const std::size_t vertex_bytes = bake.vertex_count() * bytes_per_vertex(bake);
-  if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is broken (its size is wrong)");
+  if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is damaged (wrong file size)");
   End end;
   std::string_view last = rest.substr(vertex_bytes);
   take(last, &end, 1);
   end.totals.paths = count_samples(rest, bake);
   const double samples = static_cast<double>(end.totals.paths) / bake.baked_vertex_count();
-  // Counts of vertices are rounded, each by half a sample in each half.
+  // Counts of vertices are rounded, by half a sample in each half.
   if (samples > bake.settings().samples + 1.0) {
-    return refuse(fmt::format("it has {:.0f} samples a vertex, more than the {} that are asked for", samples,
+    return refuse(fmt::format("it has {:.0f} samples per vertex, more than the {} requested", samples,
                               bake.settings().samples));
   }
   restore_vertices(rest, bake);

@@ -1,4 +1,4 @@
-// What an interrupted bake resumes from.
+// Checkpoints from which an interrupted bake resumes.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace transport {
 
-/// Replaces the file by the state of a bake, or leaves it as it was and says why. Workers may go on
-/// meanwhile: each vertex is as some moment left it. A vertex takes 40 bytes and 48 for each direction.
+/// Replaces the file with the state of a bake, or leaves it unchanged and reports why. Workers may continue
+/// meanwhile: each vertex is stored in a consistent state. A vertex takes 40 bytes, and 48 per direction.
 bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, const Bake& bake,
                       grf::Diagnostics& diagnostics);
 
-/// Gives a bake that has not run yet what the file holds, if there is such a file. One that is broken, that
-/// belongs to something else, or that has more samples than were asked for is an error; it is left as it is,
-/// and so is the bake.
+/// Restores a bake that has not run yet from a checkpoint, if the file exists. A damaged file, one of another
+/// bake, and one with more samples than were asked for are errors, which leave both the file and the bake
+/// unchanged.
 bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerprint, Bake& bake,
                             grf::Diagnostics& diagnostics);
 

@@ -15,7 +15,7 @@
 namespace transport {
 namespace {
 
-/// The angle at the first of three corners; 0 where they span no area.
+/// Returns the angle at the first of three corners; 0 for a degenerate triangle.
 float angle_at(const grf::Vec3d& corner, const grf::Vec3d& next, const grf::Vec3d& last) {
   const grf::Vec3d a = next - corner;
   const grf::Vec3d b = last - corner;
@@ -23,14 +23,14 @@ float angle_at(const grf::Vec3d& corner, const grf::Vec3d& next, const grf::Vec3
   return area > 0 ? static_cast<float>(std::atan2(area, a.dot(b))) : 0;
 }
 
-/// The weights of the second and the third corner, so much of the way from a corner to the middle.
+/// Barycentric weights of the second and third corner, a fraction of the way from a corner to the centroid.
 Vec2f weights_near(std::uint32_t corner, float way) {
   std::array<float, 3> weights = {way / 3, way / 3, way / 3};
   weights[corner] = 1 - 2 * way / 3;
   return {weights[1], weights[2]};
 }
 
-/// Steeply up, and at a low angle to all sides: from below a sheet that is in the air one looks out.
+/// Steep and grazing rays to all sides: the grazing ones escape from below a sheet that hangs in the air.
 constexpr float LowSine = 0.02F;
 constexpr float D = std::numbers::sqrt2_v<float> / 2;
 constexpr std::array WaysUp = {Vec3f(0, 0, 1),        Vec3f(1, 0, LowSine),  Vec3f(-1, 0, LowSine),
@@ -52,8 +52,8 @@ BakePoints::BakePoints(const grf::Scene& scene, const CompiledScene& compiled, i
       threads, [&] { parallel::for_each_index(vertices_.size(), [&](std::size_t i) { uncover(i); }); });
 }
 
-// In the order in which the compiled scene has them. Vertices that no face uses are not there: the one of the
-// compiled mesh that has no faces either stands for them.
+// In the compiled scene's order. Vertices that no face uses are not compiled: the compiled mesh's one vertex
+// without faces stands for all of them.
 void BakePoints::list_vertices(const grf::Scene& scene) {
   const auto unused = static_cast<std::uint32_t>(compiled_.geometry().meshes.front().positions.size() - 1);
   std::unordered_map<const grf::Mesh*, UsedVertices> known;
@@ -144,7 +144,7 @@ void BakePoints::uncover(std::size_t vertex) {
   }
 }
 
-/// How far a covered point has to move; 0 if it finds no way out.
+/// Returns the fraction at which a covered point is unoccluded; 0 if there is none.
 float BakePoints::way_out(Corner corner) const {
   constexpr int Steps = 24;
   constexpr float OppositeEdge = 1.5F;

@@ -43,7 +43,7 @@ grf::Irradiance value_of(const Bake& bake, std::size_t vertex, const Matrix44d& 
   return list;
 }
 
-/// Walks through the blocks in the order of `grf::visit`.
+/// Visits the blocks in the order of `grf::visit`.
 class IrradianceWriter {
  public:
   IrradianceWriter(BakedScene& baked, const ArrivingIrradiance& arriving)
@@ -52,7 +52,7 @@ class IrradianceWriter {
   void write() { write(baked_.scene.contents, Matrix44d()); }
 
  private:
-  /// What became of a definition in the places where it was used.
+  /// The baked copies of a definition, over the placements that use it.
   struct Used {
     Definition* definition;
     Definition::Body before = definition->body;
@@ -77,7 +77,7 @@ class IrradianceWriter {
   void write(grf::Include& include, const Matrix44d& to_world) {
     const Shared<BlockList> before = include.contents;
     write(include.contents.edit(), to_world);
-    if (include.contents == before) include.contents = before;  // and is shared as it was
+    if (include.contents == before) include.contents = before;  // and stays shared
   }
   void write(grf::AreaLight&, const Matrix44d&) {}
   void write(grf::Params&, const Matrix44d&) {}
@@ -88,7 +88,7 @@ class IrradianceWriter {
   BakedScene& baked_;
   const ArrivingIrradiance& arriving_;
   grf::UniqueNames names_;
-  /// What each name means, the innermost last.
+  /// The meaning of each name, the innermost last.
   std::map<std::string, std::vector<Used>> in_scope_;
 };
 
@@ -139,7 +139,7 @@ BakedScene with_irradiance(grf::Scene scene, const ArrivingIrradiance& arriving)
 }
 
 BakedScene with_irradiance(grf::Scene scene, const Bake& bake) {
-  std::size_t next = 0;  // vertex of the bake, whose order is that of the visit
+  std::size_t next = 0;  // vertex of the bake, in the order of the visit
   BakedScene baked = with_irradiance(std::move(scene), [&](const Mesh& mesh, const Matrix44d& to_world) {
     const Matrix44d to_mesh = to_world.inverse();
     grf::VertexIrradiance irradiance;
@@ -169,9 +169,10 @@ bool has_few_copies(const grf::Scene& scene, grf::Diagnostics& diagnostics, std:
   if (vertices <= most_vertices) return true;
   diagnostics.error(
       largest->location,
-      fmt::format("each place of a mesh has irradiance of its own, so copies with {} vertices would "
-                  "be written out, more than {}: 'use' '{}', which is placed {} times, less often",
-                  vertices, most_vertices, largest->name, places[largest]));
+      fmt::format(
+          "each placement of a mesh has its own irradiance, so copies with {} vertices would be written, "
+          "more than {}: 'use' '{}', which is placed {} times, less often",
+          vertices, most_vertices, largest->name, places[largest]));
   return false;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr CheckpointKind RenderKind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '3'}, "render"};
 
-/// The contents of the file start with this; each tile's counts, spreads and sums follow, in the order of the
-/// film.
+/// The file's contents start with this header; each tile's counts, spreads and sums follow, in the film's
+/// order.
 struct RenderHeader {
   std::uint32_t tile_size = Film::TileSize;
   std::uint32_t width = 0;
@@ -28,10 +28,10 @@ std::string_view bytes_of(const std::vector<FilmTile::PixelSums>& sums) {
 
 constexpr std::size_t PixelBytes = sizeof(FilmTile::PixelSums);
 static_assert(PixelBytes == 48);
-/// Besides its pixels.
+/// The bytes of a tile, apart from its pixels.
 constexpr std::size_t TileBytes = sizeof(FilmTile::Counts) + sizeof(FilmTile::spreads);
 
-/// As a checkpoint of this render starts.
+/// Returns the header of a checkpoint of this render.
 RenderHeader header_of(const Render& render) {
   RenderHeader header;
   header.width = static_cast<std::uint32_t>(render.settings().width);
@@ -45,7 +45,7 @@ std::size_t size_of_contents(const Film& film) {
   return sizeof(RenderHeader) + static_cast<std::size_t>(film.tile_count()) * TileBytes + pixels * PixelBytes;
 }
 
-/// The most samples that a pixel has; the mean, if the render is adaptive.
+/// Returns the largest number of samples of a pixel; the mean, if the render is adaptive.
 std::uint32_t samples_of(std::string_view tiles, const Render& render) {
   const Film& film = render.film();
   std::uint32_t most = 0;
@@ -62,7 +62,7 @@ std::uint32_t samples_of(std::string_view tiles, const Render& render) {
   return render.settings().adaptive ? static_cast<std::uint32_t>(mean) : most;
 }
 
-/// Gives back how many paths that was.
+/// Restores the tiles, and returns the number of their paths.
 std::uint64_t restore_tiles(std::string_view tiles, Render& render) {
   std::uint64_t paths = 0;
   FilmTile tile;
@@ -105,7 +105,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
     return false;
   };
   std::string_view rest = contents->bytes;
-  if (rest.size() < sizeof(RenderHeader)) return refuse("it is broken (it ends early)");
+  if (rest.size() < sizeof(RenderHeader)) return refuse("it is damaged (unexpected end of file)");
   RenderHeader header;
   take(rest, &header, 1);
   const RenderHeader expected = header_of(render);
@@ -114,14 +114,14 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
     return refuse(belongs_elsewhere(RenderKind, "with other options"));
   }
   if (contents->bytes.size() != size_of_contents(render.film())) {
-    return refuse("it is broken (its size is wrong)");
+    return refuse("it is damaged (wrong file size)");
   }
   const std::uint32_t samples = samples_of(rest, render);
   if (samples > static_cast<std::uint32_t>(render.settings().samples)) {
-    return refuse(fmt::format("it has {} samples a pixel, more than the {} that are asked for", samples,
+    return refuse(fmt::format("it has {} samples per pixel, more than the {} requested", samples,
                               render.settings().samples));
   }
-  header.totals.paths = restore_tiles(rest, render);  // workers may have gone on since the header was written
+  header.totals.paths = restore_tiles(rest, render);  // workers may have continued after the header
   render.restore(header.totals);
   return true;
 }

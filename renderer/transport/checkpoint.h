@@ -1,4 +1,4 @@
-// What an interrupted render resumes from.
+// Checkpoints from which an interrupted render resumes.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace transport {
 
-/// Replaces the file by the state of a render, or leaves it as it was and says why. Workers may go on
-/// meanwhile: each tile is as some moment left it. A pixel takes 48 bytes.
+/// Replaces the file with the state of a render, or leaves it unchanged and reports why. Workers may continue
+/// meanwhile: each tile is stored in a consistent state. A pixel takes 48 bytes.
 bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, const Render& render,
                       grf::Diagnostics& diagnostics);
 
-/// Gives a render that has not run yet what the file holds, if there is such a file. One that is broken, that
-/// belongs to another image, or that has more samples than were asked for is an error; it is left as it is,
-/// and so is the render.
+/// Restores a render that has not run yet from a checkpoint, if the file exists. A damaged file, one of
+/// another image, and one with more samples than were asked for are errors, which leave both the file and the
+/// render unchanged.
 bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerprint, Render& render,
                             grf::Diagnostics& diagnostics);
 

@@ -9,8 +9,8 @@
 namespace transport {
 namespace {
 
-// The file: this start, the contents, and the check sum of both. Numbers are little-endian, as those of the
-// machines that we build for.
+// The file consists of this start, the contents, and a check sum of both. Numbers are little-endian, as on
+// the machines that we build for.
 static_assert(std::endian::native == std::endian::little);
 
 struct Start {
@@ -20,22 +20,22 @@ struct Start {
 static_assert(std::is_trivially_copyable_v<Start> && sizeof(Start) == 8 + 3 * 4,
               "the file has no gaps of unknown content");
 
-/// What is wrong with a file as such, or nothing.
+/// Returns why a file is not a valid checkpoint; empty if it is one.
 std::string defect_of(std::string_view bytes, const CheckpointKind& kind) {
   const auto& magic = kind.magic;
   if (bytes.size() < magic.size() || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) {
-    return "it is no checkpoint of this version of bpt";
+    return "it is not a checkpoint of this version of bpt";
   }
-  if (bytes.size() < sizeof(Start) + sizeof(std::uint32_t)) return "it is broken (it ends early)";
+  if (bytes.size() < sizeof(Start) + sizeof(std::uint32_t)) return "it is damaged (unexpected end of file)";
   const std::size_t content = bytes.size() - sizeof(std::uint32_t);
   std::uint32_t expected = 0;
   std::memcpy(&expected, bytes.data() + content, sizeof(expected));
   return check_sum(0, bytes.substr(0, content)) == expected
              ? ""
-             : "it is broken (it ends early, or its bytes were changed)";
+             : "it is damaged (truncated, or bytes were changed)";
 }
 
-/// What makes it that of something else, or nothing.
+/// Returns why a checkpoint belongs to another result; empty if it does not.
 std::string difference_between(const Fingerprint& found, const Fingerprint& expected,
                                const CheckpointKind& kind) {
   if (found.files != expected.files) return belongs_elsewhere(kind, "of a scene with other contents");
@@ -89,7 +89,7 @@ void refuse_checkpoint(const std::string& path, const std::string& why, grf::Dia
 }
 
 std::string belongs_elsewhere(const CheckpointKind& kind, std::string_view what) {
-  return fmt::format("it belongs to a {} {}; remove it, or name another file, to start anew", kind.name,
+  return fmt::format("it belongs to a {} {}; remove it, or name another file, to start over", kind.name,
                      what);
 }
 

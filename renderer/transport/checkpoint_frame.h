@@ -1,4 +1,5 @@
-// What all checkpoints have in common: a file that says what it belongs to, and that shows if it was changed.
+// The file format that all checkpoints share: a fingerprint of what the file belongs to, and a check sum of
+// its contents.
 #pragma once
 
 #include <array>
@@ -15,26 +16,26 @@
 
 namespace transport {
 
-/// What a result depends on besides its samples: check sums that whoever asks for it makes. Two runs of which
-/// all three agree are parts of one.
+/// Check sums of all that a result depends on besides its samples. Two runs are parts of one if all three
+/// agree.
 struct Fingerprint {
   std::uint32_t options = 0;
-  std::uint32_t files = 0;    ///< what the scene's files hold
+  std::uint32_t files = 0;    ///< contents of the scene's files
   std::uint32_t program = 0;  ///< another build may round differently
 
   bool operator==(const Fingerprint&) const = default;
 };
 
-/// Adds bytes to a check sum that started as 0.
+/// Extends a check sum by bytes; the first call takes 0.
 std::uint32_t check_sum(std::uint32_t before, std::string_view bytes);
 
-/// What a checkpoint is of.
+/// A kind of checkpoint, such as that of a render or a bake.
 struct CheckpointKind {
-  std::array<char, 8> magic;  ///< its first bytes
-  std::string_view name;      ///< as messages say it, `render`
+  std::array<char, 8> magic;  ///< first bytes of the file
+  std::string_view name;      ///< as messages call it, such as `render`
 };
 
-/// Replaces the file by a checkpoint whose contents `fill` writes, or leaves it as it was and says why.
+/// Replaces the file with a checkpoint whose contents `fill` writes, or leaves it unchanged and reports why.
 bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                             const Fingerprint& fingerprint,
                             const std::function<bool(const grf::FileWriter&)>& fill,
@@ -42,18 +43,18 @@ bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
 
 struct CheckpointContents {
   std::shared_ptr<const std::string> file;  ///< holds the bytes
-  std::string_view bytes;                   ///< what `fill` wrote
+  std::string_view bytes;                   ///< the bytes that `fill` wrote
 };
 
-/// What an existing checkpoint holds. One that is broken or belongs to something else is an error.
+/// Reads an existing checkpoint. A damaged one, or one of something else, is an error.
 std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                                                         const Fingerprint& fingerprint,
                                                         grf::Diagnostics& diagnostics);
 
-/// Reports why a checkpoint is of no use.
+/// Reports why a checkpoint cannot be used.
 void refuse_checkpoint(const std::string& path, const std::string& why, grf::Diagnostics& diagnostics);
 
-/// Why one of the same scene, but with other options, is refused.
+/// Returns why a checkpoint of the same scene, but with other options, cannot be used.
 std::string belongs_elsewhere(const CheckpointKind& kind, std::string_view what);
 
 template <class T>
@@ -61,7 +62,7 @@ std::string_view bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof(T)};
 }
 
-/// Takes values off the front of bytes that are known to be long enough.
+/// Moves values from the front of bytes that are known to be long enough.
 template <class T>
 void take(std::string_view& bytes, T* values, std::size_t count) {
   std::memcpy(static_cast<void*>(values), bytes.data(), count * sizeof(T));

@@ -6,7 +6,7 @@
 
 namespace transport {
 
-/// Where a viewer of renders listens; by default where tev does.
+/// The network address of an image viewer; the default is tev's.
 struct DisplayAddress {
   std::string host = "127.0.0.1";
   std::string port = "14158";
@@ -14,13 +14,13 @@ struct DisplayAddress {
   std::string text() const { return host + ":" + port; }
 };
 
-/// `HOST:PORT`, `HOST`, `:PORT`, or `[HOST]:PORT` for one with colons in it; what is left out is tev's own
-/// address on this machine. Nothing if that is no address.
+/// Parses `HOST:PORT`, `HOST`, `:PORT`, or `[HOST]:PORT` for a host with colons; parts left out default to
+/// tev's address on this machine. Empty if the text is no address.
 std::optional<DisplayAddress> display_address_of(std::string_view text);
 
-/// Where renders look for a viewer, and viewers listen, if nobody says another place: tev's own address on
-/// this machine, with the port of the environment's GRANADA_DISPLAY_PORT, if that is one. People who share a
-/// machine need a port each.
+/// Returns the address where renders look for a viewer and viewers listen unless told otherwise: tev's on
+/// this machine, with the port from the environment variable GRANADA_DISPLAY_PORT, if it is a valid one.
+/// Users who share a machine need different ports.
 DisplayAddress usual_display_address();
 
 }  // namespace transport

@@ -19,20 +19,20 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Between two looks at the render.
+/// Interval between two looks at the render.
 constexpr milliseconds Pause(50);
-/// After which a wait looks whether it has become pointless.
+/// Interval at which a wait checks whether it has become pointless.
 constexpr milliseconds Step(20);
-/// Of tiles that are sent as one rectangle: 100 KB.
+/// The most tiles that are sent as one rectangle: 100 KB.
 constexpr int LongestRun = 32;
-/// For a viewer to answer at all.
+/// Timeout for a viewer's answer.
 constexpr milliseconds ConnectTime(3000);
-/// For a viewer that was started to listen.
+/// Timeout for a viewer that was just started to listen.
 constexpr milliseconds StartTime(10000);
 
 std::string reason() { return std::generic_category().message(errno); }
 
-/// Whether the socket can be written within a step.
+/// Whether the socket becomes writable within a step.
 bool is_writable(int socket) {
   pollfd wait = {socket, POLLOUT, 0};
   return ::poll(&wait, 1, static_cast<int>(Step.count())) > 0;
@@ -81,7 +81,7 @@ void DisplayClient::run() {
   const bool is_connected = connect_to_any();
   is_connecting_ = false;
   if (!is_connected) return;
-  // A viewer that still has an image of that name, from an earlier render, would go on showing that one.
+  // A viewer that still has an image of that name from an earlier render would keep showing it.
   bool goes_on = send(close_image_packet(name_)) &&
                  send(create_image_packet(name_, render_.settings().width, render_.settings().height));
   while (goes_on) {
@@ -93,7 +93,7 @@ void DisplayClient::run() {
   }
 }
 
-/// What is in the way of a connection, or nothing if there is one.
+/// Connects to the viewer; returns what prevents it, or nothing on success.
 std::optional<std::string> DisplayClient::connect() {
   addrinfo hints = {};
   hints.ai_socktype = SOCK_STREAM;
@@ -121,14 +121,14 @@ std::optional<std::string> DisplayClient::connect() {
   return why;
 }
 
-/// To a viewer that listens, or else to one that is started.
+/// Connects to a listening viewer, or else starts one.
 bool DisplayClient::connect_to_any() {
   const std::optional<std::string> why = connect();
   if (!why) return true;
   if (!viewer_care_) {
     fail(fmt::format(
-        "no viewer listens at {} ({}): start `wannabe --tool image`, or another one that speaks tev's "
-        "protocol, to see the image as it forms",
+        "no viewer listens at {} ({}): to watch the render, start `wannabe --tool image` or another viewer "
+        "that supports tev's protocol",
         address_.text(), *why));
     return false;
   }
@@ -137,10 +137,10 @@ bool DisplayClient::connect_to_any() {
   while (!problem && !is_out_of_time()) {
     std::this_thread::sleep_for(Pause);
     if (!connect()) return true;
-    problem = Clock::now() < latest ? viewer_care_() : "the one that was started does not answer";
+    problem = Clock::now() < latest ? viewer_care_() : "the viewer that was started does not answer";
   }
   if (problem) {
-    fail(fmt::format("no viewer listens at {}, and none can be started ({}): the render goes on without one",
+    fail(fmt::format("no viewer listens at {}, and none can be started ({}): rendering continues without one",
                      address_.text(), *problem));
   }
   return false;
@@ -155,8 +155,8 @@ bool DisplayClient::send(std::string_view bytes) {
       if (is_out_of_time()) return false;
       is_writable(socket_);
     } else if (errno != EINTR) {
-      fail(fmt::format("the viewer at {} is gone ({}): the render goes on without it", address_.text(),
-                       reason()));
+      fail(fmt::format("connection to the viewer at {} lost ({}): rendering continues without it",
+                       address_.text(), reason()));
       return false;
     }
   }
@@ -170,7 +170,7 @@ bool DisplayClient::send_changes() {
   return true;
 }
 
-/// Sends each run of neighbouring tiles that have changed as one rectangle.
+/// Sends each run of adjacent changed tiles as one rectangle.
 bool DisplayClient::send_row(int row) {
   const int across = render_.film().tiles_across();
   FilmTile tile;

@@ -15,32 +15,32 @@
 
 namespace transport {
 
-/// Starts a viewer when it is called first, and looks after it at each further call: says what is in its way,
+/// Starts a viewer on the first call and watches it on the later ones: returns what prevents it from running,
 /// or nothing if all is well.
 using ViewerCare = std::function<std::optional<std::string>()>;
 
-/// Shows a render as it forms in a viewer that speaks tev's protocol. It looks at the render from a thread of
-/// its own, and sends the tiles that have changed: a slow viewer gets fewer of the states between, and the
-/// render waits for nothing. When the viewer is gone, that is the end of it.
+/// Shows a running render in a viewer that speaks tev's protocol. A thread of its own watches the render and
+/// sends changed tiles: a slow viewer receives fewer intermediate states, and the render never waits. The
+/// client ends when the viewer disconnects.
 class DisplayClient {
  public:
-  /// The render must outlive the client. Where nobody listens, a viewer can be started: `viewer_care` is
-  /// called in the client's thread, from time to time, until the viewer listens.
+  /// The render must outlive the client. If nobody listens, `viewer_care` can start a viewer: the client's
+  /// thread calls it periodically until the viewer listens.
   DisplayClient(const Render& render, DisplayAddress address, std::string image_name,
                 ViewerCare viewer_care = {});
   DisplayClient(const DisplayClient&) = delete;
   DisplayClient& operator=(const DisplayClient&) = delete;
-  /// Leaves what was not sent.
+  /// Discards what was not sent.
   ~DisplayClient();
 
-  /// To be called once the render has ended: sends what is left, for at most as long.
+  /// Sends what is left, within the given time; to be called once the render has ended.
   void finish(std::chrono::milliseconds time = std::chrono::seconds(2));
 
-  /// Whether it has not turned out yet if there is a viewer: one that is started takes some seconds, and that
-  /// is not waited for at the end.
+  /// Whether it is still unknown if a viewer listens: one that was just started takes some seconds, which the
+  /// end of a render does not wait for.
   bool is_connecting() const { return is_connecting_; }
 
-  /// What went wrong, once: no viewer there, or gone.
+  /// Returns what went wrong, once: there is no viewer, or the connection was lost.
   std::optional<std::string> take_problem();
 
  private:
@@ -57,15 +57,15 @@ class DisplayClient {
   const DisplayAddress address_;
   const std::string name_;
   const ViewerCare viewer_care_;
-  std::vector<std::uint32_t> sent_;  ///< how many samples each tile had when it was sent
+  std::vector<std::uint32_t> sent_;  ///< per tile: the number of samples when it was last sent
   int socket_ = -1;
   std::atomic<bool> is_connecting_ = true;
   std::atomic<bool> finishes_ = false;
-  /// Since the clock's epoch; when to give up.
+  /// The time at which to give up, since the clock's epoch.
   std::atomic<std::chrono::steady_clock::duration> deadline_ = std::chrono::steady_clock::duration::max();
   std::mutex problem_lock_;
   std::optional<std::string> problem_;
-  std::thread thread_;  ///< the last member: it uses the others
+  std::thread thread_;  ///< last member, because it uses the others
 };
 
 }  // namespace transport

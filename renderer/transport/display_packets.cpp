@@ -69,7 +69,7 @@ std::string update_image_packet(std::string_view name, const TileBounds& bounds,
   packet.add_text(name);
   packet.add_channels();
   for (const int side : {bounds.x, bounds.y, bounds.width, bounds.height}) packet.add(std::int32_t(side));
-  // Where a channel starts and how far apart its values are, in floats: as they lie in memory here.
+  // The offset and stride of each channel, in floats: as they are in memory here.
   static_assert(sizeof(Rgb) == Channels.size() * sizeof(float));
   for (std::size_t i = 0; i < Channels.size(); ++i) packet.add(static_cast<std::int64_t>(i));
   for (std::size_t i = 0; i < Channels.size(); ++i) packet.add(static_cast<std::int64_t>(Channels.size()));

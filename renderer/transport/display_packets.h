@@ -1,6 +1,6 @@
 // Packets of the network protocol of the image viewer tev (https://github.com/Tom94/tev), which other viewers
-// speak too. A packet is its whole length (uint32), its type (a byte) and its fields, all little-endian;
-// texts end with a zero.
+// speak too. A packet holds its total length (uint32), its type (a byte) and its fields, all little-endian;
+// strings are zero-terminated.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace transport {
 
-/// The type of a packet says what it asks the viewer for.
+/// The operation that a packet requests from the viewer.
 enum class PacketType : std::uint8_t {
   CloseImage = 2,
   UpdateImage = 3,
@@ -20,10 +20,10 @@ enum class PacketType : std::uint8_t {
   UpdateImageWithStrides = 6
 };
 
-/// Has the viewer forget an image of that name, if it has one.
+/// Closes the image of that name in the viewer, if it is open.
 std::string close_image_packet(std::string_view name);
 
-/// Makes a black image with the channels R, G, B, and shows it.
+/// Creates a black image with the channels R, G and B, and shows it.
 std::string create_image_packet(std::string_view name, int width, int height);
 
 /// Replaces a rectangle of the image.

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t MostPixels = std::int64_t(1) << 27;
 constexpr std::int32_t MostChannels = 256;
 
-/// Takes the fields of a packet one by one. Past the end all are 0, and `is_good` is false.
+/// Reads the fields of a packet one by one. Past the end all are 0, and `is_good` is false.
 class Fields {
  public:
   explicit Fields(std::string_view bytes) : rest_(bytes) {}
@@ -51,7 +51,7 @@ bool is_size(std::int64_t width, std::int64_t height) {
   return width > 0 && height > 0 && width <= MostPixels / height;
 }
 
-/// The values of one channel in the data of an update: where they start and how far apart they are.
+/// Where the values of a channel are in the data of an update: offset and stride.
 struct Channel {
   std::string name;
   std::int64_t offset = 0;
@@ -59,7 +59,7 @@ struct Channel {
 };
 
 std::optional<DisplayPacket> read_create(Fields fields) {
-  fields.number<std::uint8_t>();  // whether it grabs the focus
+  fields.number<std::uint8_t>();  // whether the image grabs the focus
   CreateImagePacket packet;
   packet.name = fields.text();
   packet.width = fields.number<std::int32_t>();
@@ -77,14 +77,14 @@ std::vector<Channel> read_channel_names(Fields& fields, PacketType type) {
   return channels;
 }
 
-/// Whether all values of the channel lie in the data.
+/// Whether all values of the channel are within the data.
 bool fits(const Channel& channel, std::int64_t pixels, std::size_t bytes) {
   const auto floats = static_cast<std::int64_t>(bytes / sizeof(float));
   return channel.offset >= 0 && channel.stride >= 1 && channel.offset < floats &&
          (pixels == 1 || channel.stride <= (floats - 1 - channel.offset) / (pixels - 1));
 }
 
-/// Which of R, G and B a channel is, or -1. That of a grey image is all of them.
+/// Returns which of R, G and B a channel is, or -1. The channel of a grey image counts as all of them.
 int component_of(const Channel& channel) {
   constexpr std::array<std::string_view, 3> Names = {"R", "G", "B"};
   const auto found = std::find(Names.begin(), Names.end(), channel.name);

@@ -1,4 +1,4 @@
-// The viewer's side of `display_packets.h`: what a packet of tev's network protocol asks for.
+// The viewer's side of `display_packets.h`: decodes packets of tev's network protocol.
 #pragma once
 
 #include <array>
@@ -26,24 +26,26 @@ struct CreateImagePacket {
 struct UpdateImagePacket {
   std::string name;
   TileBounds bounds;
-  /// Linear radiance, rows from the top. What has no channels called R, G and B shows its first one in grey.
+  /// Linear radiance, rows from the top. Without channels called R, G and B, the first channel is shown in
+  /// grey.
   std::vector<Rgb> pixels;
-  /// Which of R, G and B are in the packet: the others stay as they are in the image.
+  /// Which of R, G and B are in the packet; the others keep their values in the image.
   std::array<bool, 3> has_channel = {true, true, true};
 };
 
-/// A packet that asks for what a viewer of renders does not do, such as opening a file.
+/// A packet with an operation that Granada's viewer does not support, such as opening a file.
 struct OtherPacket {};
 
 using DisplayPacket = std::variant<CloseImagePacket, CreateImagePacket, UpdateImagePacket, OtherPacket>;
 
-/// Bytes of a packet's length, with which it starts.
+/// The number of bytes of the length with which a packet starts.
 inline constexpr std::size_t DisplayLengthBytes = 4;
 
-/// How many bytes the packet has with which these bytes start; they must be `DisplayLengthBytes` or more.
+/// Returns the size of the packet that starts with these bytes, of which there must be at least
+/// `DisplayLengthBytes`.
 std::size_t display_packet_size(std::string_view bytes);
 
-/// What a whole packet says, or nothing if it is damaged.
+/// Decodes a complete packet; empty if it is malformed.
 std::optional<DisplayPacket> read_display_packet(std::string_view bytes);
 
 }  // namespace transport

@@ -9,59 +9,59 @@ namespace transport {
 namespace {
 
 constexpr int PixelChannels = 3;
-/// What relMSE adds to the squared radiance.
+/// The regularisation term in the denominator of relMSE.
 constexpr double RelmseFloor = 0.01;
 
-/// Of the standard normal distribution: 95 % are within so many standard deviations.
+/// The 97.5 % quantile of the standard normal distribution.
 constexpr double NormalQuantile = 1.96;
 
-/// Of the square of a pixel's estimated squared error, the square of the expected one: 1/3 if the halves'
-/// means are normally distributed, and less than that with heavy tails; but then the few pixels whose
-/// variance is not known at all count in full, and images that lack their rare bright samples state too small
-/// an error. Measured, with error_statistics_test.
+/// The squared expected error as a fraction of the square of a pixel's estimated squared error: 1/3 if the
+/// halves' means are normally distributed, and less with heavy tails; but then the few pixels of unknown
+/// variance count in full, and images that lack their rare bright samples understate the error. Measured with
+/// error_statistics_test.
 constexpr double UncertainPart = 0.5;
-/// How many degrees of freedom the few pixels that an error is spread over have less than they seem to: those
-/// that are noisy by chance are taken for the noisy ones. Measured.
+/// The degrees of freedom that an error spread over few pixels loses: pixels that are noisy by chance are
+/// mistaken for noisy ones. Measured.
 constexpr double LostFreedom = 4.2;
-/// The part of the deviation that counts downwards: the error is seldom stated too great by noise. Measured.
+/// The fraction of the deviation that counts downwards: noise seldom overstates the error. Measured.
 constexpr double LowerDeviation = 0.81;
 
-/// How much more the pixels must differ than the halves, so that it is no noise.
+/// How much larger the pixels' contrast must be than the difference of the halves not to be noise.
 constexpr double ContrastOverNoise = 1.5;
-/// Above this visible part, what is taken for a pixel's radiance is nearly its own mean.
+/// The visible part above which a pixel's likely radiance is nearly its own mean.
 constexpr double NearlyAllVisible = 0.95;
-/// How many pixels to each side are looked at along a row or column.
+/// The number of pixels to each side that are compared along a row or column.
 constexpr int LinePixels = 2;
-/// Above this ratio of deviation and mean, only one half of a pixel is bright.
+/// The ratio of deviation and mean above which only one half of a pixel is bright.
 constexpr double OneHalfBright = 0.7;
-/// How many times as bright as all neighbours but one, and as the floor, lone pixels are.
+/// How many times brighter an outlier is than all neighbours but one, and than the floor.
 constexpr double LoneContrast = 2;
-/// What is assumed of lone pixels before they are seen is as if so many had been, whose halves agreed so much
-/// on black: where nothing else shines, no path finds light by chance.
+/// The prior for outliers: as if this many had been observed, whose halves agreed this much on black: where
+/// nothing else shines, no path finds light by chance.
 constexpr double LonePixelsBefore = 5;
 constexpr double LoneAgreementBefore = 0.12;
-/// How many standard deviations the lone pixels' agreement may be off.
+/// The number of standard deviations by which the outliers' agreement may be off.
 constexpr double LoneQuantile = 1.1;
-/// Above this agreement, a lone value may be a thing that every sample hits.
+/// The agreement above which an outlier may be an object that every sample hits.
 constexpr double SteadyAgreement = 0.9;
 
-/// The part of the brightest neighbour that the bright side of an edge has at least.
+/// The least radiance on the bright side of an edge, as a fraction of the brightest neighbour's.
 constexpr double BrightSide = 0.7;
-/// The part of the brighter side along an edge that the darker one has at least.
+/// The least radiance of the darker side along an edge, as a fraction of the brighter one's.
 constexpr double Balance = 0.5;
 
-/// How large the part of a binomial variance is that pixels at edges may have, with samples well spread.
+/// The least variance of edge pixels with well-distributed samples, as a fraction of the binomial variance.
 constexpr double BinomialPart = 0.4;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.45;      ///< of second-order errors that the denominators' bias makes
-constexpr double LoneDoubtPart = 0.45;  ///< the same, of lone pixels' errors
+constexpr double DoubtPart = 0.45;      ///< of second-order errors, from the bias of the denominators
+constexpr double LoneDoubtPart = 0.45;  ///< the same, of the outliers' errors
 constexpr double TailGrowth = 0.65;     ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 1600;      ///< of the squared relative error of the one that is touched least
-constexpr double UnseenPart = 0.4;      ///< of the error of pixels that were not hit, in most images
-constexpr double TouchedPart = 0.88;    ///< of touched pixels' errors, that may as well not be there
+constexpr double TailBound = 1600;      ///< of the squared relative error of the least touched pixel
+constexpr double UnseenPart = 0.4;      ///< of the error of pixels without hits, in most images
+constexpr double TouchedPart = 0.88;    ///< of the touched pixels' errors, which may be missing
 
-/// Values around a pixel, and what they say of its radiance.
+/// Statistics of values around a pixel.
 struct Neighbours {
   int count = 0;
   double sum = 0;
@@ -75,23 +75,23 @@ struct Neighbours {
     noise += variance;
   }
   double mean() const { return sum / count; }
-  /// The sum of squared differences from their mean, and of the pixel's difference.
+  /// The sum of the squared differences from their mean, with that of the pixel.
   double contrast(double value) const {
     const double difference = value - mean();
     return std::max(0.0, squares - sum * mean()) + difference * difference;
   }
-  /// The part of the contrast that noise makes in the mean.
+  /// The expected contrast of noise.
   double noise_with(double variance) const { return noise * (count - 1) / count + variance; }
 };
 
-/// The eight pixels around a value.
+/// Statistics of the eight pixels around a value.
 struct Surroundings : Neighbours {
   double darkest = std::numeric_limits<double>::max();
   double brightest = 0;
   double second_brightest = 0;
 };
 
-/// One channel of a pixel, of which the error is looked at.
+/// A channel of the pixel whose error is estimated.
 struct PixelValue {
   Imath::V2i pixel;
   int channel = 0;
@@ -117,7 +117,7 @@ Surroundings surroundings_of(const PixelMoments& pixels, const PixelValue& value
   return around;
 }
 
-/// The pixels before and behind a value in its row or column.
+/// Collects the pixels before and after a value in its row or column.
 Neighbours line_through(const PixelMoments& pixels, const PixelValue& value, const Imath::V2i& step) {
   Neighbours line;
   for (int i = 1; i <= LinePixels; ++i) {
@@ -133,14 +133,15 @@ Neighbours line_through(const PixelMoments& pixels, const PixelValue& value, con
   return line;
 }
 
-/// From 0 where the neighbours and the value differ by noise, to 1 where they do by what is seen.
+/// Returns 0 where the neighbours and the value differ only by noise, up to 1 where they differ by visible
+/// contrast.
 double visible_part(const Neighbours& around, const PixelValue& value) {
   const double contrast = around.contrast(value.mean);
   const double noise = around.noise_with(value.variance);
   return contrast > 0 ? std::max(0.0, 1 - ContrastOverNoise * noise / contrast) : 0;
 }
 
-/// The radiance that a value and its neighbours make likely, see `error_sums_of`.
+/// Estimates the radiance of a pixel from its value and its neighbours, see `error_sums_of`.
 double likely_radiance(const PixelMoments& pixels, const PixelValue& value, const Surroundings& around) {
   const auto shrunk = [&](const Neighbours& neighbours, double visible) {
     return neighbours.mean() + visible * (value.mean - neighbours.mean());
@@ -161,9 +162,9 @@ double likely_radiance(const PixelMoments& pixels, const PixelValue& value, cons
   return radiance;
 }
 
-/// What is expected of pixels that the same edge has barely touched, and that no sample has hit, for each
-/// value that it covers in part: all shares are as likely, so there is one such pixel for each `samples` that
-/// are covered by more than one sample. A hit adds so much to the dark side, and half of that is missing.
+/// The expected error of pixels that the same edge barely touches, and that no sample has hit, per value that
+/// it partly covers: all coverages are equally likely, so there is one such pixel per `samples` pixels that
+/// more than one sample hits. A hit adds this much to the dark side, and half of that is missing.
 double unseen_error(const Surroundings& around, double mean, double samples) {
   const double hit = around.brightest / samples;
   const bool is_seen = 2 * hit > around.darkest + std::sqrt(RelmseFloor);
@@ -172,9 +173,9 @@ double unseen_error(const Surroundings& around, double mean, double samples) {
   return hit * hit / 4 / (radiance * radiance + RelmseFloor) / samples;
 }
 
-/// The squared relative error that a pixel may have if its samples fall on two things, one as bright as its
-/// darkest and one as bright as its brightest neighbour: a binomial distribution. Of halves with as many hits
-/// each, the difference tells nothing of it.
+/// The squared relative error that a pixel may have if its samples hit two objects, one as bright as its
+/// darkest and one as bright as its brightest neighbour: a binomial distribution. The difference of halves
+/// with equally many hits does not show it.
 double possible_error(const Surroundings& around, double mean, double samples) {
   const double high = std::max(mean, around.brightest);
   if (around.count == 0 || !(mean > around.darkest)) return 0;
@@ -182,7 +183,7 @@ double possible_error(const Surroundings& around, double mean, double samples) {
   return BinomialPart * variance / (mean * mean + RelmseFloor);
 }
 
-/// The value of a pixel, if it is in the rectangle and its neighbour at the bright side is bright.
+/// The value of a pixel, if it is in the rectangle and its neighbour on the bright side is bright.
 class EdgeSide {
  public:
   EdgeSide(const PixelMoments& pixels, int channel, const Imath::V2i& to_bright, double bright)
@@ -206,10 +207,10 @@ class EdgeSide {
   double bright_;
 };
 
-/// The mean of a pixel and of those to both sides of it along an edge that is nearly parallel to the rows or
-/// columns; empty if there is no such edge. As many are taken at both sides: along an edge that is not quite
-/// parallel, what it covers changes by as much from each pixel to the next. Where it ends, one side is dark,
-/// and the mean would hide how little of the last pixels is covered.
+/// The mean of a pixel and its neighbours on both sides along an edge that is nearly parallel to the rows or
+/// columns; empty if there is no such edge. Both sides contribute equally many pixels: along an edge that is
+/// not quite parallel, the coverage changes by the same amount from pixel to pixel. Where the edge ends, one
+/// side is dark, and the mean would hide how little of the last pixels is covered.
 std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelValue& value, double bright) {
   double sum = 0;
   int most = 1;
@@ -237,7 +238,7 @@ std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelVal
   return most > 1 ? std::optional(sum / most) : std::nullopt;
 }
 
-/// The squared relative error of a value, unless it is counted as lone or touched.
+/// Adds the squared relative error of a value, unless it counts as an outlier or touched pixel.
 double add_value(const PixelMoments& pixels, const PixelValue& value, const Surroundings& around,
                  ErrorSums& sums) {
   const double mean = value.mean;
@@ -275,18 +276,18 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   return 0;
 }
 
-/// What some pixels that are not counted alone add to the sums.
+/// What separately counted pixels add to the sums.
 struct Supplement {
   double errors = 0;
   double squares = 0;
 };
 
-/// If all are alike, and the channels of a pixel alike, too.
+/// Spreads an error equally over values, and over the channels of a pixel.
 Supplement spread_over(double errors, double values) {
   return {errors, errors * errors * PixelChannels / values};
 }
 
-/// How much brighter touched pixels are than the dark side: of squares, the geometric mean.
+/// The squared contrast of touched pixels to the dark side: its geometric mean.
 double contrast_of(const ErrorSums::Touched& touched) {
   return std::exp(touched.logarithms / touched.errors);
 }
@@ -298,8 +299,8 @@ Supplement errors_of(const ErrorSums::Touched& touched) {
   return spread_over(touched.errors * (1 + tail), touched.errors);
 }
 
-/// By how much the squared errors of touched pixels, and of those that were not hit, may be greater: one
-/// pixel in all may be touched far less than the others.
+/// How much larger the squared errors of touched pixels, and of those that were not hit, may be: a single
+/// pixel may be touched far less than the others.
 double bound_of(const ErrorSums::Touched& touched) {
   const double unseen = std::max(0.0, touched.unseen);
   const double of_unseen = UnseenPart * (unseen + std::sqrt(unseen));
@@ -307,27 +308,27 @@ double bound_of(const ErrorSums::Touched& touched) {
   return PixelChannels * touched.bounds / std::max<double>(PixelChannels, touched.errors) + of_unseen;
 }
 
-/// The squared error of all lone values, and between what it may well be.
+/// The squared error of all outliers, and its bounds.
 struct LoneErrors {
   double errors = 0;
   double low = 0;
   double high = 0;
 };
 
-/// If the halves of lone pixels agree so much.
+/// The error if the halves of outliers agree this much.
 double errors_at(const ErrorSums::Lone& lone, double agreement) {
   const double hits = std::min(1.0, 4 * agreement / (1 + agreement));
   const double own = hits > 0 ? lone.own / (hits * hits) : std::numeric_limits<double>::max();
   return std::min(std::max(lone.own, lone.neighbours), own);
 }
 
-/// What lone values say of how well their halves agree, together with what is assumed before.
+/// The agreement of the outliers' halves, combined with the prior.
 struct Agreement {
   double pixels = 0;
   double mean = 0;
 
-  /// The bounds of Wilson's interval for a share, which holds for a few pixels that all say the same, too
-  /// (Wilson 1927, "Probable inference, the law of succession, and statistical inference").
+  /// Bounds of Wilson's interval for a proportion, which also holds for a few pixels that all agree (Wilson
+  /// 1927, "Probable inference, the law of succession, and statistical inference").
   double bound(double sign) const {
     constexpr double Squared = LoneQuantile * LoneQuantile;
     const double spread = std::sqrt(Squared * (mean * (1 - mean) + Squared / (4 * pixels)) / pixels);
@@ -348,7 +349,7 @@ LoneErrors errors_of(const ErrorSums::Lone& lone) {
           errors_at(lone, agreement_of(lone, lone.steady).bound(-1))};
 }
 
-/// Of Student's t distribution: 95 % are within so many (Cornish and Fisher 1938).
+/// The 97.5 % quantile of Student's t distribution (Cornish and Fisher 1938).
 double student_quantile(double freedom) {
   constexpr double Z = NormalQuantile;
   constexpr double Z2 = Z * Z;
@@ -357,19 +358,18 @@ double student_quantile(double freedom) {
                                            v * (((3 * Z2 + 19) * Z2 + 17) * Z2 - 15) / 384)));
 }
 
-/// How far the logarithms of two estimates of one error lie apart, at most in 95 % of cases, if each is the
-/// root of a mean square with so many degrees of freedom: the root of F's quantile is exp of this, since
-/// 2 t / sqrt(v) = sqrt(F) - 1/sqrt(F) (Cacoullos 1965, "A relation between t and F-distributions").
+/// The largest difference, in 95 % of cases, of the logarithms of two estimates of one error, each the root
+/// of a mean square with this many degrees of freedom: the root of F's quantile is exp of this, since 2 t /
+/// sqrt(v) = sqrt(F) - 1/sqrt(F) (Cacoullos 1965, "A relation between t and F-distributions").
 double logarithm_of_ratio(double freedom) {
   return std::asinh(student_quantile(freedom) / std::sqrt(freedom));
 }
 
-/// What comes to a logarithm when so much is added to an error of 1.
+/// The increase of the logarithm when this much is added to a squared error of 1, halved for its root.
 double half_logarithm(double added) { return std::log1p(added) / 2; }
 
-/// How many degrees of freedom the sum of squared errors has. An edge pixel whose halves happen to agree
-/// hides that much of the error may be in that one pixel, so that as few are taken as its binomial one
-/// leaves.
+/// The degrees of freedom of the sum of squared errors. An edge pixel whose halves happen to agree hides that
+/// much of the error may be in that pixel, so the result is at most that of its binomial error.
 double freedom_of(const ErrorSums& sums, const Supplement& touched, double lone_errors) {
   const double lone_squares = lone_errors > 0 ? spread_over(lone_errors, sums.lone.own).squares : 0;
   const auto effective = [&](double errors, double squares) {
@@ -435,12 +435,12 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const double errors = sums.errors + touched.errors + lone.errors;
   if (!(errors > 0)) return ErrorEstimate();
   const double freedom = freedom_of(sums, touched, lone.errors);
-  // All of these are of the logarithm of the error.
+  // All of these refer to the logarithm of the error.
   const double deviation = logarithm_of_ratio(freedom);
   const double doubt =
       (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors / 2;
   const double tail_above = half_logarithm(bound_of(sums.touched) / errors);
-  // There may as well be no tail.
+  // There may also be no tail.
   const double tail_below = -half_logarithm(-TouchedPart * touched.errors / errors);
   const double lone_above = half_logarithm((lone.high - lone.errors) / errors);
   const double lone_below = -half_logarithm(-(lone.errors - lone.low) / errors);

@@ -9,40 +9,40 @@
 
 namespace transport {
 
-/// The error sums collect what the pixels of an image say about its error, to be added up over parts of the
-/// image. Errors are squared and relative, as in relMSE; pixels and channels count alone.
+/// Error statistics of an image's pixels, to be summed over parts of the image. Errors are squared and
+/// relative, as in relMSE, and taken per pixel and channel.
 struct ErrorSums {
   double values = 0;  ///< pixels times channels
-  /// Estimates of the squared error where it is known what to divide by.
+  /// Sum of the unbiased estimates of squared error, where the denominator is known.
   double errors = 0;
-  /// Squares of what the channels of a pixel add to `errors`: how unevenly the error is spread.
+  /// Squares of what a pixel's channels add to `errors`: they measure how unevenly the error is spread.
   double squares = 0;
-  /// The part of the error that is of second order, e^2 / (1 + e): what is divided by is itself uncertain.
+  /// Second-order error e^2 / (1 + e), which comes from the uncertainty of the denominator.
   double doubt = 0;
 
-  /// The possible errors are what `errors` and `squares` would be if no pixel at an edge had less than a part
-  /// of the variance of a binomial distribution.
+  /// Possible sums: `errors` and `squares` if no pixel at an edge had less than a given fraction of the
+  /// variance of a binomial distribution.
   struct Possible {
     double errors = 0;
     double squares = 0;
   } possible;
 
-  /// Pixels at an edge that few samples have hit, so that their radiance is hardly known.
+  /// Edge pixels that few samples have hit, so that their radiance is hardly known.
   struct Touched {
-    double errors = 0;      ///< as if a pixel's own mean were its radiance
-    double logarithms = 0;  ///< of how much brighter they are than the dark side, times that error
-    double bounds = 0;      ///< what the squared error of one such pixel may be, times that error
-    double unseen = 0;      ///< expected errors of pixels at such edges that no sample has hit
+    double errors = 0;      ///< as if a pixel's own mean were its true radiance
+    double logarithms = 0;  ///< log of their brightness relative to the dark side, times that error
+    double bounds = 0;      ///< upper bound of one such pixel's squared error, times that error
+    double unseen = 0;      ///< expected error of pixels at such edges that no sample has hit
   } touched;
 
-  /// Values that stand out from all neighbours but one.
+  /// Outliers: values that stand out from all neighbours but one.
   struct Lone {
     double count = 0;
-    double agreement = 0;   ///< from 0, only one half is bright, to 1 for each value
-    double steady = 0;      ///< how many agree so well that they may be hit by every sample
+    double agreement = 0;   ///< from 0, only one half is bright, to 1; summed over values
+    double steady = 0;      ///< how many agree so well that every sample may hit them
     double on_black = 0;    ///< how many have a neighbour darker than the floor
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
-    double neighbours = 0;  ///< the same, if they are as their neighbours
+    double neighbours = 0;  ///< the same, if they are as bright as their neighbours
   } lone;
 
   ErrorSums& operator+=(const ErrorSums& other) { return add(other, 1); }
@@ -52,80 +52,77 @@ struct ErrorSums {
   ErrorSums& add(const ErrorSums& other, double sign);
 };
 
-/// An error estimate says how far an image is from the truth, as far as its own samples tell: sqrt(relMSE)
-/// with relMSE = mean((image - truth)^2 / (truth^2 + 0.01)) over pixels and channels.
+/// An estimate of an image's error from its own samples: sqrt(relMSE) with relMSE = mean((image - truth)^2 /
+/// (truth^2 + 0.01)) over pixels and channels.
 struct ErrorEstimate {
   double error = 0;
-  double low = 0;  ///< 95 % of images are between these
+  double low = 0;  ///< bounds of the 95 % confidence interval
   double high = 0;
 };
 
-/// Pixels of a rectangle of an image, row by row: the mean of each, and the variance of that mean.
+/// The mean of each pixel of a rectangle of an image, and the variance of that mean; row by row.
 struct PixelMoments {
   TileBounds bounds;
-  double samples = 0;  ///< of each pixel
+  double samples = 0;  ///< per pixel
   std::vector<Imath::V3d> means;
   std::vector<Imath::V3d> variances;
 
-  /// Returns the index of a pixel by its place in the image.
+  /// Returns the index of a pixel from its position in the image.
   std::size_t index_of(int x, int y) const { return bounds.index_of(x - bounds.x, y - bounds.y); }
   bool contains(int x, int y) const {
     return x >= bounds.x && x < bounds.x + bounds.width && y >= bounds.y && y < bounds.y + bounds.height;
   }
 };
 
-/// How many pixels to each side of a pixel tell of its error.
+/// The radius, in pixels, of the neighbourhood that is used for a pixel's error.
 constexpr int ErrorNeighbours = 3;
 
-/// Adds up the estimated errors of the pixels of `counted`, a rectangle within the given one; the pixels
-/// around it, up to `ErrorNeighbours` to each side, tell what is an edge.
+/// Sums the estimated errors of the pixels of `counted`, a rectangle within the given one; the pixels around
+/// it, up to `ErrorNeighbours` to each side, serve to detect edges.
 ///
 /// With a and b the means of a pixel's halves, x = (a + b) / 2 its value and t the truth, d = (a - b) / 2 has
-/// the distribution of x - t. More than that, d^2 differs from (x - t)^2 by -(a - t)(b - t) alone. That has
-/// mean 0 because the halves are independent, and variance 4 var(x)^2, however heavy the tails of a and b
-/// are. So the numerator is unbiased. The denominator t^2 is the difficulty: a rare bright sample makes d and
-/// x large together, and would excuse itself if d^2 were divided by x^2; but next to a lamp, the neighbours
-/// are no measure of a pixel. So t is taken to be
+/// the distribution of x - t. Moreover, d^2 differs from (x - t)^2 only by -(a - t)(b - t), which has mean 0
+/// because the halves are independent, and variance 4 var(x)^2, however heavy the tails of a and b are. So
+/// the numerator is unbiased. The denominator t^2 is the difficulty: a rare bright sample makes d and x large
+/// together, and would excuse itself if d^2 were divided by x^2; but next to a lamp, the neighbours do not
+/// represent a pixel. So t is estimated as
 ///
 ///     m + g (x - m),   g = 1 - 1.5 (sum of d^2) / (sum of (x - m)^2), at least 0,
 ///
-/// with the neighbours' mean m and sums over the pixel and its neighbours: an empirical Bayes estimate, that
-/// goes from the neighbours' mean, where all that differs is noise, to the pixel's own where the contrast is
-/// more than that (Efron and Morris 1973, "Stein's estimation rule and its competitors"). Where the row or
-/// the column differs less beyond its noise than all eight neighbours do, and is brighter, it takes their
-/// place: the pixels of a thin line are like each other, and not like what is beside it.
+/// with the neighbours' mean m and sums over the pixel and its neighbours: an empirical Bayes estimate, which
+/// shrinks from the pixel's own value, where the contrast exceeds the noise, to the neighbours' mean, where
+/// all differences are noise (Efron and Morris 1973, "Stein's estimation rule and its competitors"). Where
+/// the row or the column exceeds its noise by less than all eight neighbours do, and is brighter, it replaces
+/// them: the pixels of a thin line resemble each other, and not those beside it.
 ///
-/// Of a pixel at an edge of which one half alone is bright, t is not known so: the samples that hit the
-/// bright side are few. If the edge is nearly parallel to the rows or columns of pixels, it covers as much of
-/// the pixels beside, and the mean of those is t. Else, and if the pixel stands out alone, it is kept apart,
-/// see `error_estimate_of`.
+/// This fails for a pixel at an edge of which only one half is bright: few samples hit the bright side. If
+/// the edge is nearly parallel to the rows or columns of pixels, it covers as much of the adjacent pixels,
+/// and their mean is t. Other such pixels, and outliers, are summed separately; see `error_estimate_of`.
 ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted);
 
-/// The error of an image, and an interval that holds it in 95 % of images; nothing without values.
+/// Returns the error of an image and its 95 % confidence interval; empty if no value was counted.
 ///
-/// The interval. The stated and the true error are both roots of sums of squares with about N degrees of
-/// freedom, where N grows with (sum of var)^2 / sum of var^2, which is how many pixels the error is spread
-/// over: so the square of their ratio has the distribution F(N, N). An error that is a handful of pixels is
-/// hardly known. To that comes the doubt about what is divided by, which does not become less with more
-/// pixels; it is of the upper bound only, since what noise does to the denominators makes the error seem
-/// smaller.
+/// The interval. The estimated and the true error are both roots of sums of squares with about N degrees of
+/// freedom, where N grows with (sum of var)^2 / sum of var^2, the number of pixels that the error is spread
+/// over: so the square of their ratio has the distribution F(N, N). If a handful of pixels make up the error,
+/// it is hardly known. The uncertainty of the denominators, which does not shrink with more pixels, is added
+/// to the upper bound only, since noise in the denominators makes the error seem smaller.
 ///
-/// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean; all h are as likely. Of
-/// pixels with one hit, h has the density h exp(-h) and the squared relative error (1 - h)^2 / h^2 has the
+/// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean, with all h equally likely.
+/// For pixels with one hit, h has the pdf h exp(-h), and the squared relative error (1 - h)^2 / h^2 has the
 /// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
-/// pixels is about M times ln(M) plus a constant, and seldom above M times 20. Where the hit and the dark
-/// side differ by the factor B in square, no error is above B. Along an edge that is parallel to the pixels'
-/// rows all h are the same, and if h is small the one pixel that is hit has the whole error: so the sum may
-/// be greater by B once, but no more than where a row of some 40 pixels has one hit. As many pixels are not
-/// hit.
+/// pixels is about M times ln(M) plus a constant, and seldom above M times 20. If the squared ratio of the
+/// hit to the dark side is B, no error is above B. Along an edge that is parallel to the pixels' rows all h
+/// are equal, and if h is small the one pixel that is hit has the whole error: so the sum may be greater by B
+/// once, but no more than where a row of some 40 pixels has one hit. As many pixels are not hit.
 ///
-/// Lone pixels. A value that stands out from all neighbours but one belongs to a small bright thing, or the
-/// end of a thin one, or is a rare bright sample of a dark one. If such things are hit h times in the mean,
-/// the halves of those that were hit agree with about h / 4: so all lone pixels of an image together tell h,
-/// and h times what was found is their radiance. Few pixels tell little of h, so that on black a small h is
-/// assumed to begin with, and else none; and the interval has what greater and smaller ones would give.
-/// Things that every sample hits, such as the ends of lamps, say nothing of rare bright samples beside them:
-/// the upper bound leaves out the values that agree well.
+/// Outliers. A value that stands out from all neighbours but one is a small bright object, or the end of a
+/// thin one, or a rare bright sample of a dark object. If such objects are hit h times in the mean, the
+/// halves of those that were hit agree with about h / 4: so all outliers of an image together estimate h, and
+/// h times the observed value is their radiance. A few pixels say little about h, so the prior is a small h
+/// on black and none elsewhere, and the interval covers what greater and smaller h would give. Objects that
+/// every sample hits, such as the ends of lamps, say nothing about rare bright samples beside them: the upper
+/// bound leaves out values that agree well.
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
 
 }  // namespace transport

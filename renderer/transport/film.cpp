@@ -10,7 +10,7 @@ namespace {
 
 bool has_both_halves(const FilmTile::Counts& counts) { return counts[0] > 0 && counts[1] > 0; }
 
-/// Whether all samples weigh the same.
+/// Whether all samples have the same weight.
 bool is_even(const FilmTile::Counts& counts) {
   return std::max(counts[0], counts[1]) - std::min(counts[0], counts[1]) <= 1 || !has_both_halves(counts);
 }
@@ -22,7 +22,7 @@ Imath::V3d mean_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& coun
 }
 
 // The halves are independent estimates of the same value. With weights p and 1 - p, the variance of their
-// mean is p (1 - p) of the mean squared difference: a quarter, if they weigh the same.
+// mean is p (1 - p) of the mean squared difference: a quarter for equal weights.
 Imath::V3d variance_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts) {
   if (!has_both_halves(counts)) return Imath::V3d(0);
   const double n = counts[0];
@@ -32,7 +32,7 @@ Imath::V3d variance_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& 
   return difference * difference * (weight * (1 - weight));
 }
 
-/// Makes room for the pixels of a rectangle of which most have so many samples.
+/// Allocates the pixels of a rectangle, most of which have this many samples.
 PixelMoments moments_for(const TileBounds& bounds, const FilmTile::Counts& counts) {
   PixelMoments moments{bounds, static_cast<double>(counts[0] + counts[1]), {}, {}};
   moments.means.reserve(bounds.pixel_count());
@@ -66,7 +66,7 @@ ErrorSums FilmTile::error_sums() const {
   return error_sums_of(moments, moments.bounds);
 }
 
-// Of n and m samples, the difference of the two means has 1/n + 1/m of the variance of one.
+// The difference of the means of n and m samples has 1/n + 1/m of the variance of one sample.
 double FilmTile::spread_since(const FilmTile& before, int scrambling) const {
   const auto half = static_cast<std::size_t>(scrambling);
   const double n = before.counts[half];
@@ -135,13 +135,13 @@ Image Film::variance() const {
   return image_of([](const FilmTile& tile, std::size_t i) { return tile.variance(i); });
 }
 
-/// Whether there are samples of both halves of a tile; a tile outside of the image has none.
+/// Whether a tile has samples of both halves; false outside the image.
 bool Film::has_both_halves(int column, int row) const {
   const bool is_inside = column >= 0 && column < tiles_across() && row >= 0 && row < tiles_down();
   return is_inside && transport::has_both_halves(counts_of(row * tiles_across() + column));
 }
 
-/// Widens a tile at each side by the neighbours that the error estimate looks at, where all tiles there have
+/// Extends a tile on each side by the neighbours that the error estimate needs, where all tiles there have
 /// both halves.
 TileBounds Film::with_neighbours(const TileBounds& bounds) const {
   const int column = bounds.x / TileSize;
@@ -177,7 +177,7 @@ ErrorSums Film::sums_with_neighbours(int tile) const {
   return transport::error_sums_of(moments, bounds);
 }
 
-// The sums are added up in the order of the tiles, so that they are the same for any number of threads.
+// Sums in the order of the tiles, so that the result does not depend on the number of threads.
 std::optional<ErrorEstimate> Film::error_estimate() const {
   std::vector<ErrorSums> parts(tiles_.size());
   parallel::for_each_index(tile_count(), [&](int tile) { parts[index(tile)] = sums_with_neighbours(tile); });

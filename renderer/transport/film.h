@@ -14,8 +14,8 @@ namespace transport {
 
 using reflectance::Rgb;
 
-/// The sums of one tile, which a worker takes out of the film, adds samples to, and puts back. All pixels of
-/// a tile have as many samples.
+/// The sums of one tile, which a worker copies out of the film, adds samples to, and puts back. All pixels of
+/// a tile have the same number of samples.
 struct FilmTile {
   static constexpr int Scramblings = 2;
 
@@ -26,35 +26,35 @@ struct FilmTile {
   TileBounds bounds;
   Counts counts = {};
   std::vector<PixelSums> pixels;  ///< rows from the top
-  /// Of each half, how noisy it is: `spread_since` of its pilot; see SamplePlacement.
+  /// The noisiness of each half: `spread_since` over its pilot; see SamplePlacement.
   std::array<double, Scramblings> spreads = {};
 
   std::uint32_t sample_count() const { return counts[0] + counts[1]; }
 
-  /// Adds to the sums of a pixel, by its place within the tile. A sample that is not finite counts as black
-  /// and is reported: returns false. The counts are not touched, because they are of all pixels.
+  /// Adds to the sums of a pixel, given its position within the tile. A sample that is not finite counts as
+  /// black, and false is returned. The counts stay, because they are those of all pixels.
   bool add(int x, int y, int scrambling, const Rgb& radiance);
 
-  /// The mean of all samples; black without any. If the halves' counts differ by more than one sample, each
-  /// half weighs the same: a weight that followed from counts which samples decided would favour some values.
+  /// The mean of all samples; black if there are none. If the halves' counts differ by more than one sample,
+  /// both halves weigh the same: a weight that depends on adaptive sample counts would bias the mean.
   Rgb mean(std::size_t pixel) const;
-  /// The variance of that mean, from the two halves; 0 while there is but one.
+  /// The variance of that mean, estimated from the two halves; 0 while there is only one.
   Rgb variance(std::size_t pixel) const;
-  /// Returns what the tile by itself says of the error, without the pixels around it: enough to show how a
-  /// render goes. Zeros while there is only one half.
+  /// Returns the tile's own contribution to the error, without the pixels around it: good enough to show
+  /// progress. Zeros while there is only one half.
   ErrorSums error_sums() const;
-  /// The sum over pixels and channels of the relative variance of one sample of a half, as far as the samples
-  /// before and after a moment tell: `before` is the tile as it was then. Both must be of at least one
+  /// The sum over pixels and channels of the relative variance of one sample of a half, estimated from the
+  /// samples before and after a moment: `before` is the tile at that time. Both parts need at least one
   /// sample.
   double spread_since(const FilmTile& before, int scrambling) const;
 };
 
-/// Where the samples of an image are added up. Each pixel keeps two sums, of samples from two independent
-/// scramblings of the point sequence: samples of one sequence are not independent, so the error of a pixel
-/// comes from how far the two means are apart.
+/// The film accumulates an image's samples. Each pixel keeps two sums, of samples with two independent
+/// scramblings of the sequence: samples of one sequence are not independent, so the error of a pixel is
+/// estimated from the difference of the two means.
 ///
-/// A tile's pixels lie together, so that workers on different tiles share no cache line; a pixel takes 48
-/// bytes, so an image of 16384 x 16384 pixels 13 GB.
+/// The pixels of a tile are contiguous, so that workers on different tiles share no cache line. A pixel takes
+/// 48 bytes, an image of 16384 x 16384 pixels 13 GB.
 class Film {
  public:
   static constexpr int Scramblings = FilmTile::Scramblings;
@@ -69,7 +69,7 @@ class Film {
   int tiles_across() const { return (width_ + TileSize - 1) / TileSize; }
   int tiles_down() const { return (height_ + TileSize - 1) / TileSize; }
   int tile_count() const { return static_cast<int>(tiles_.size()); }
-  /// That of a pixel.
+  /// The tile that contains a pixel.
   int tile_of(int x, int y) const { return y / TileSize * tiles_across() + x / TileSize; }
   TileBounds bounds_of(int tile) const;
   const FilmTile::Counts& counts_of(int tile) const { return tiles_[index(tile)].counts; }
@@ -77,24 +77,24 @@ class Film {
   const std::array<double, Scramblings>& spreads_of(int tile) const { return tiles_[index(tile)].spreads; }
   const ErrorSums& error_sums_of(int tile) const { return tiles_[index(tile)].error_sums; }
 
-  /// Copies a tile; what the copy held is overwritten.
+  /// Copies a tile, overwriting `copy`.
   void copy_tile(int tile, FilmTile& copy) const;
   void put_back(int tile, const FilmTile& copy) { put_back(tile, copy, copy.error_sums()); }
-  /// Puts a tile back with its `error_sums()`, computed before the caller takes a lock: they take the
-  /// longest.
+  /// Puts a tile back with its `error_sums()`, which the caller computes before it takes a lock because they
+  /// take the longest.
   void put_back(int tile, const FilmTile& copy, const ErrorSums& error_sums);
 
-  /// How many samples a pixel has.
+  /// The number of samples of a pixel.
   std::uint32_t sample_count(int x, int y) const;
 
-  /// The mean of all samples; a pixel without any is black.
+  /// The mean of each pixel's samples; black without samples.
   Image mean() const;
 
-  /// The variance of each pixel's mean, from its two halves; 0 for a pixel that has but one.
+  /// The variance of each pixel's mean, from its two halves; 0 for a pixel with only one.
   Image variance() const;
 
-  /// Estimates the error of the image, on the threads of the loop that it is called in; empty while no pixel
-  /// has both halves. A tile that has only one does not count.
+  /// Estimates the error of the image, on the threads of the enclosing loop; empty while no pixel has both
+  /// halves. Tiles with only one half are left out.
   std::optional<ErrorEstimate> error_estimate() const;
   std::optional<double> estimated_error() const;
 
@@ -119,7 +119,7 @@ class Film {
   std::vector<FilmTile::PixelSums> pixels_;  ///< tile after tile
 };
 
-/// Writes a tile's values, of which `function` gives one for each pixel's index, to their place in an image.
+/// Writes a tile into an image; `function` returns the value for a pixel's index in the tile.
 template <class Function>
 void write_tile(const TileBounds& bounds, Function function, Image& image) {
   std::size_t from = 0;

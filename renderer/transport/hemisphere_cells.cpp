@@ -7,7 +7,7 @@
 namespace transport {
 namespace {
 
-/// How many cells are to lie inside of the outermost ring of so many, for cells about as long as wide.
+/// Returns the number of cells inside the outermost ring of this many, for cells about as long as wide.
 int cells_inside(int count) {
   const double radius = std::sqrt(static_cast<double>(count)) - std::sqrt(std::numbers::pi);
   return radius <= 0 ? 0 : static_cast<int>(std::lround(radius * radius));

@@ -8,17 +8,17 @@ namespace transport {
 
 using grf::Vec3f;
 
-/// The hemisphere about z in cells of equal cosine-weighted solid angle: cells of equal area of the disc
-/// below it, in rings (Beckers and Beckers 2012, "A general rule for disk and hemisphere partition into
-/// equal-area cells"). There may be any number of them.
+/// A partition of the hemisphere about z into any number of cells of equal cosine-weighted solid angle: rings
+/// of equal-area cells of the disc below it (Beckers and Beckers 2012, "A general rule for disk and
+/// hemisphere partition into equal-area cells").
 class HemisphereCells {
  public:
   explicit HemisphereCells(int count);
 
   int count() const { return count_; }
-  /// The cell that a direction is in; for one below the horizon, the cell at the rim next to it.
+  /// The cell that contains a direction; below the horizon, the nearest cell at the rim.
   int cell_of(const Vec3f& direction) const;
-  /// The unit direction in the middle of a cell, by area.
+  /// The unit direction of a cell's centre, by area.
   Vec3f centre(int cell) const;
 
  private:

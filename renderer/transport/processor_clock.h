@@ -6,8 +6,9 @@
 
 namespace transport {
 
-/// The processor's time stamp: ticks of one length on all cores of the machines that we build for, at a third
-/// of the cost of asking a clock. What a tick lasts is measured: see Render::sampling_seconds.
+/// Reads the processor's time stamp counter, whose ticks have the same length on all cores of the machines
+/// that we build for, at a third of the cost of a clock. The tick length is measured: see
+/// Render::sampling_seconds.
 inline std::uint64_t processor_ticks() { return __rdtsc(); }
 
 }  // namespace transport

@@ -14,14 +14,14 @@ static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called fr
 
 constexpr int Pilot = SamplePlacement::PilotSamples;
 
-/// The first number of samples that is not less, at which the error is looked at.
+/// Returns the first sample count, not less than this, at which the error is checked.
 int check_from(int samples) {
   std::int64_t check = 16;
   while (check < samples) check += std::max<std::int64_t>(4, (check / 5 + 1) / 2 * 2);
   return static_cast<int>(std::min<std::int64_t>(check, RenderSettings::Unlimited));
 }
 
-/// What is to be no more than the target: the error, and its upper bound less the margin.
+/// The value that the target limits: the error, or its upper bound less the margin.
 double error_against_target(const ErrorEstimate& estimate) {
   return std::max(estimate.error, estimate.high / RenderSettings::ErrorMargin);
 }
@@ -43,7 +43,7 @@ void Render::restore(const RenderTotals& totals) {
 }
 
 void Render::restore_tile(int tile, const FilmTile& sums) {
-  // Where a pilot is half done, nobody knows its first half any more.
+  // If a pilot is incomplete, the state of its first half is lost.
   const auto samples = static_cast<int>(sums.sample_count());
   const bool is_half_done = samples > Pilot / 2 && samples < Pilot && settings_.samples >= Pilot;
   if (is_adaptive() && is_half_done) return;
@@ -64,14 +64,14 @@ RenderEnd Render::run_stages() {
   for (int samples = 0;; ++samples) {
     if (is_adaptive() && !placement_ && has_pilot()) placement_.emplace(film_);
     samples = stage_from(samples);
-    if (samples < settings_.samples && exceeds(samples)) continue;  // an earlier run was there
+    if (samples < settings_.samples && exceeds(samples)) continue;  // an earlier run got beyond this
     if (!run_stage(samples)) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
     if (settings_.target_error && reaches_target(samples)) return RenderEnd::TargetError;
     if (samples == settings_.samples) return RenderEnd::Samples;
   }
 }
 
-/// Where the next stage ends, that is not before so many samples.
+/// Returns where the next stage ends, at no fewer than this many samples.
 int Render::stage_from(int samples) const {
   int end = settings_.samples;
   if (is_adaptive() && samples <= Pilot) {
@@ -89,13 +89,13 @@ bool Render::has_pilot() const {
   return true;
 }
 
-/// Of each tile, for a mean of so many samples a pixel.
+/// Sample counts of each tile for this mean number of samples per pixel.
 std::vector<FilmTile::Counts> Render::counts_at(int samples) const {
   if (placement_ && samples > Pilot) return placement_->counts(samples);
   return std::vector<FilmTile::Counts>(static_cast<std::size_t>(film_.tile_count()), uniform_counts(samples));
 }
 
-/// Whether some tile has more than it is to have at so many samples a pixel.
+/// Whether some tile already has more samples than it would have at this many per pixel.
 bool Render::exceeds(int samples) const {
   const std::vector<FilmTile::Counts> wanted = counts_at(samples);
   for (int tile = 0; tile < film_.tile_count(); ++tile) {
@@ -106,7 +106,7 @@ bool Render::exceeds(int samples) const {
   return false;
 }
 
-/// Gives pixels the samples of so many in the mean; false if that came to an early end.
+/// Renders until pixels have this mean number of samples; false if that ended early.
 bool Render::run_stage(int samples) {
   const auto pieces = is_adaptive() && samples == Pilot ? TileQueue::Pieces::Whole : TileQueue::Pieces::Short;
   TileQueue queue(film_, counts_at(samples), parallel::thread_count(), pieces);
@@ -137,12 +137,12 @@ void Render::work(TileQueue& queue) try {
     queue.done(*piece);
   }
 } catch (...) {
-  stop();  // the others need not go on
+  stop();  // the other threads need not continue
   throw;
 }
 
-/// Adds samples to a tile that nobody else writes. False if that came to an early end: the tile then stays as
-/// it was, so that its pixels always have as many samples.
+/// Adds samples to a tile that no other worker writes. False if that ended early: the tile then stays as it
+/// was, so that all of its pixels have equally many samples.
 bool Render::render_tile(const TileWork& work, FilmTile& tile) {
   film_.copy_tile(work.tile, tile);
   const bool ends_pilot = is_adaptive() && tile.sample_count() == Pilot / 2 &&
@@ -166,7 +166,7 @@ bool Render::render_tile(const TileWork& work, FilmTile& tile) {
   return true;
 }
 
-/// By its place within the tile.
+/// Adds samples to a pixel, given its position within the tile.
 void Render::render_pixel(const TileWork& work, int x, int y, FilmTile& tile, RenderTotals& done,
                           RayCounter& counter) const {
   const int image_x = tile.bounds.x + x;
@@ -201,7 +201,7 @@ void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderT
   error_sums_ += now - before;
 }
 
-// Each scrambling takes the points of its own sequence in order.
+// Each scrambling uses the samples of its own sequence in order.
 Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number,
                    RayCounter& counter) const {
   const std::uint32_t pixel_seed =
@@ -285,7 +285,7 @@ RenderTotals Render::totals() const {
 
 double Render::samples_per_pixel() const { return static_cast<double>(totals().paths) / pixel_count(); }
 
-/// The exponent with which the error falls: that which the checks show, else that of independent samples.
+/// The convergence exponent of the error: measured by the checks, else that of independent samples.
 double Render::convergence() const {
   const std::lock_guard lock(totals_lock_);
   if (checks_.empty()) return 0.5;
@@ -296,7 +296,7 @@ double Render::convergence() const {
   return std::clamp(std::log(early->error / last.error) / std::log(last.samples / early->samples), 0.5, 1.0);
 }
 
-/// To the target or the last sample, whichever comes first.
+/// The samples needed to reach the target or the last sample, whichever comes first.
 double Render::samples_needed(double samples, const std::optional<ErrorEstimate>& estimate) const {
   if (!settings_.target_error || !estimate) return settings_.samples;
   const double ratio = std::max(1.0, error_against_target(*estimate) / *settings_.target_error);

@@ -17,66 +17,65 @@
 
 namespace transport {
 
-/// Where in a pixel its samples lie.
+/// How samples are placed within a pixel.
 enum class PixelPlacing {
-  Sobol,    ///< evenly spread, and each anywhere
-  Regular,  ///< in the middles of the cells of a grid
-  Centre,   ///< all in the middle
+  Sobol,    ///< low-discrepancy, anywhere in the pixel
+  Regular,  ///< at the centres of a regular grid's cells
+  Centre,   ///< all at the centre
 };
 
 struct RenderSettings {
-  /// Of samples a pixel, where time or error say when to stop.
+  /// No sample limit: rendering stops on time or error.
   static constexpr int Unlimited = std::numeric_limits<int>::max();
-  /// That the true error may be above the target, in no more than 1 of 40 renders.
+  /// How far the 97.5 % bound may exceed the target error.
   static constexpr double ErrorMargin = 1.15;
 
   int width = 500;
   int height = 400;
   View view;
   IntegratorSettings integrator;
-  std::shared_ptr<const Image> backplate;  ///< seen behind the scene, fitted to the image; null: none
-  int samples = 100;                       ///< a pixel, at most; the mean over pixels if adaptive
-  /// More samples where the error is; see SamplePlacement. Has no effect unless placing is Sobol.
+  std::shared_ptr<const Image> backplate;  ///< image behind the scene, fitted to the image plane; null: none
+  int samples = 100;                       ///< per pixel, at most; the mean over pixels if adaptive
+  /// Adaptive sampling, see SamplePlacement. Has no effect unless placing is Sobol.
   bool adaptive = false;
-  /// Stops once the estimated error is no more than this, and its upper bound no more than `ErrorMargin`
-  /// times this.
+  /// Stops once the estimated error is at most this, and its upper bound at most `ErrorMargin` times this.
   std::optional<double> target_error;
-  std::optional<double> max_seconds;  ///< stops after so long, with what there is
+  std::optional<double> max_seconds;  ///< stops after this time, with the samples so far
   PixelPlacing placing = PixelPlacing::Sobol;
-  int grid_columns = 1;  ///< of a regular placing; its rows follow from the samples
+  int grid_columns = 1;  ///< for a regular placing; the rows follow from the samples
   Points points = Points::Sobol;
   std::uint32_t seed = 0;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;  ///< 0: one per core
 };
 
-/// What was done for an image so far, in all runs together if it was resumed.
+/// Totals of an image so far, over all runs if it was resumed.
 struct RenderTotals {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;
-  /// Samples that were not finite, and count as black.
+  /// Samples that were not finite; they count as black.
   std::uint64_t rejected = 0;
-  /// The first pixel, row by row from the top, that has such a sample: its index.
+  /// The index of the first pixel, row by row from the top, with such a sample.
   std::uint64_t first_rejected = std::numeric_limits<std::uint64_t>::max();
   double seconds = 0;
-  /// Spent in sampling schemes to draw directions, by all threads together, if PathSettings asks to measure
-  /// it; else 0.
+  /// Time spent in sampling schemes to draw directions, summed over threads; 0 unless IntegratorSettings ask
+  /// to measure it.
   double sampling_seconds = 0;
 };
 
 struct RenderProgress {
-  double done = 0;  ///< 0..1, towards whichever of samples, error and time is there first
+  double done = 0;  ///< 0..1, towards whichever of samples, error and time comes first
   double seconds = 0;
-  std::optional<double> seconds_left;     ///< nothing while that cannot be known
-  std::optional<double> estimated_error;  ///< nothing while there are no two halves
+  std::optional<double> seconds_left;     ///< empty while unknown
+  std::optional<double> estimated_error;  ///< empty while there are no two halves
 };
 
-/// An image as it is at the moment.
+/// An image at some moment of its render.
 struct Snapshot {
   Image mean;
   Image variance;  ///< of the mean; empty unless asked for
 };
 
-/// Why a render came to its end.
+/// Why a render ended.
 enum class RenderEnd { NotYet, Samples, TargetError, Time, Stopped };
 
 /// A running render: one image of one scene. `run` is called once; the other functions may be called from any
@@ -86,23 +85,22 @@ class Render {
   /// The scene must outlive the render.
   Render(const CompiledScene& scene, const RenderSettings& settings);
 
-  /// Takes up what another render of the same image had; to be called before `run`.
+  /// Resumes from the state of another render of the same image; to be called before `run`.
   void restore(const RenderTotals& totals);
   void restore_tile(int tile, const FilmTile& sums);
 
-  /// Renders to the last sample, or to the target error, until time is up, or until `stop`. The image depends
-  /// on the settings alone, whatever the number of threads, and whether or not it was resumed; unless time or
-  /// `stop` ended it, when tiles may differ by some samples.
+  /// Renders until the last sample, the target error, the time limit or `stop`. The image depends only on the
+  /// settings, not on the number of threads or on resuming; unless time or `stop` ended it, when tiles may
+  /// differ by some samples.
   ///
-  /// The error is looked at when pixels have as many samples as are meant for them at some mean number, and
-  /// these numbers grow by a fifth each time: looking at an uncertain number often would find it low too
-  /// early.
+  /// The error is tested when pixels have the sample counts planned for certain means, which grow by a fifth
+  /// each time: testing an uncertain estimate often would stop too early.
   void run();
 
-  /// Makes `run` return soon, with the image as it is. Safe to call from a signal handler.
+  /// Makes `run` return soon, with the image so far. Safe to call from a signal handler.
   void stop() { stopped_ = true; }
   bool is_stopped() const { return stopped_; }
-  /// NotYet while it runs.
+  /// NotYet while rendering.
   RenderEnd end() const { return end_; }
 
   RenderProgress progress() const;
@@ -112,14 +110,14 @@ class Render {
   std::uint64_t path_count() const { return totals().paths; }
   double sampling_seconds() const { return totals().sampling_seconds; }
   std::uint64_t rejected_samples() const { return totals().rejected; }
-  /// Why the first pixel that has samples which were not finite has them: its samples are drawn once more, up
-  /// to the first such one. A term without a name: each was finite, and their product was not. Once `run` has
-  /// returned; nothing if there are no such samples.
+  /// Finds why the first pixel with non-finite samples has them, by drawing its samples again up to the first
+  /// such one. An empty term: each term was finite, but their product was not. To be called once `run` has
+  /// returned; empty if there are no such samples.
   std::optional<NotFinite> cause_of_rejection() const;
   /// The mean over pixels.
   double samples_per_pixel() const;
 
-  /// The image so far. Workers go on; each tile is as some moment left it.
+  /// The image so far. Workers continue; each tile is in a consistent state.
   Snapshot snapshot(bool with_variance = false) const;
   /// The same for one tile.
   void copy_tile(int tile, FilmTile& copy) const;
@@ -127,9 +125,9 @@ class Render {
 
   const RenderSettings& settings() const { return settings_; }
 
-  /// Once `run` has returned; before that, only sizes and bounds.
+  /// To be called once `run` has returned; before that, only sizes and bounds are valid.
   const Film& film() const { return film_; }
-  /// Returns the film's error estimate, made on as many threads as the settings allow. Once `run` has
+  /// Returns the film's error estimate, computed on the threads of the settings. To be called once `run` has
   /// returned.
   std::optional<ErrorEstimate> error_estimate() const;
 
@@ -157,7 +155,7 @@ class Render {
   double convergence() const;
   double samples_needed(double samples, const std::optional<ErrorEstimate>& estimate) const;
 
-  /// What a check of the error found.
+  /// The result of an error check.
   struct Check {
     double samples = 0;
     double error = 0;
@@ -172,8 +170,8 @@ class Render {
   Kernel kernel_;
   Camera camera_;
   Film film_;
-  std::optional<SamplePlacement> placement_;  ///< once the pilot is done
-  /// Held while a tile of the film is copied or put back: for about a microsecond, each some milliseconds.
+  std::optional<SamplePlacement> placement_;  ///< set once the pilot is done
+  /// Held while a tile of the film is copied or put back: for about a microsecond every few milliseconds.
   mutable std::array<std::mutex, 64> tile_locks_;
   const std::chrono::steady_clock::time_point start_;
   const std::uint64_t start_ticks_;
@@ -181,11 +179,11 @@ class Render {
   std::atomic<bool> out_of_time_ = false;
   std::atomic<RenderEnd> end_ = RenderEnd::NotYet;
 
-  mutable std::mutex totals_lock_;  ///< of what follows
+  mutable std::mutex totals_lock_;  ///< guards the members below
   RenderTotals totals_;             ///< seconds are those of earlier runs
   std::uint64_t restored_paths_ = 0;
   std::uint64_t sampling_ticks_ = 0;
-  ErrorSums error_sums_;  ///< about Film's, in the order in which tiles were done
+  ErrorSums error_sums_;  ///< approximately the film's, in the order in which tiles were done
   std::vector<Check> checks_;
 };
 

@@ -7,8 +7,8 @@
 namespace transport {
 namespace {
 
-/// The spread of a tile's pixels, of which an eighth is that of the tiles around: light that few samples find
-/// is likely to reach them too.
+/// The spread of a tile's pixels, an eighth of which comes from the adjacent tiles: rare light paths there
+/// are likely to reach this tile too.
 double smooth_spread(const Film& film, int tile, std::size_t half) {
   const int across = film.tiles_across();
   const int x = tile % across;
@@ -25,7 +25,7 @@ double smooth_spread(const Film& film, int tile, std::size_t half) {
   return (7 * own + sum / pixels) / 8;
 }
 
-/// In proportion to the weights but never below `least`; `mean` over the pixels.
+/// Scales the weights, but to no less than `least`, so that their mean over the pixels is `mean`.
 std::vector<double> in_proportion(const std::vector<double>& weights, const std::vector<double>& pixels,
                                   double mean, double least) {
   const auto numbers_with = [&](double scale) {
@@ -73,7 +73,7 @@ std::vector<FilmTile::Counts> SamplePlacement::counts(int samples) const {
   for (std::size_t half = 0; half < weights_.size(); ++half) {
     const std::vector<double> wanted = in_proportion(weights_[half], pixels_, mean, least);
     for (std::size_t tile = 0; tile < counts.size(); ++tile) {
-      // Even, so that counts that differ do so by more than one sample; see FilmTile::mean.
+      // Even numbers, so that unequal counts differ by more than one sample; see FilmTile::mean.
       counts[tile][half] = static_cast<std::uint32_t>(std::min(Most, wanted[tile])) / 2 * 2;
     }
   }

@@ -6,36 +6,36 @@
 
 namespace transport {
 
-/// How many samples each half has if all pixels have as many; the first half has the odd one.
+/// Returns the sample counts of the halves for uniform sampling; the first half has the odd one.
 FilmTile::Counts uniform_counts(int samples);
 
-/// Adaptive sampling: how many samples the pixels of each tile get, for the least relMSE of the image at so
-/// many samples a pixel in the mean. That is in proportion to the standard deviation of a sample, relative to
-/// the pixel's radiance, of which a pilot of samples tells; at least `LeastShare` of the mean, because what
-/// is rare may have missed the pilot.
+/// Adaptive sampling: distributes samples over the tiles to minimise the relMSE of an image with a given mean
+/// number of samples per pixel. Counts are proportional to the relative standard deviation of a sample, which
+/// pilot samples estimate; at least `LeastShare` of the mean, because the pilot may miss rare events.
 ///
-/// Nothing of this is biased. A mean of samples whose number follows from these samples is biased, as a few
-/// dark ones would be thought enough (Kirk and Arvo 1991, "Unbiased sampling techniques for image
-/// synthesis"). Here the counts of one half follow from the pilot of the other half, and from nothing else:
-/// given that, a half's count is a fixed number and its mean unbiased. The image is (a + b) / 2 of the
-/// halves' means, whatever their counts. The pilot has the same number of samples everywhere, and proportions
-/// are never decided anew: a second decision would see samples whose number the half itself had a part in.
+/// The result is unbiased. A mean of samples whose number depends on these samples is biased, as a few dark
+/// ones would be thought enough (Kirk and Arvo 1991, "Unbiased sampling techniques for image synthesis").
+/// Here the counts of one half depend only on the pilot of the other half: given that, a half's count is a
+/// fixed number and its mean unbiased. The image is (a + b) / 2 of the halves' means, whatever their counts.
+/// The pilot has the same number of samples everywhere, and proportions are decided once: a second decision
+/// would see samples whose number the half itself had influenced.
 class SamplePlacement {
  public:
-  /// A pixel's, of both halves together. The first half of them are set against the second one.
+  /// Pilot samples per pixel, of both halves together. Within a half, the first ones are compared with the
+  /// others.
   static constexpr int PilotSamples = 32;
   static constexpr double LeastShare = 0.25;
 
   /// The film must hold the pilot's spreads.
   explicit SamplePlacement(const Film& film);
 
-  /// Of each tile, for a mean of no more than `samples` a pixel, which are at least PilotSamples. For more
-  /// samples, no tile has less.
+  /// Sample counts per tile for a mean of at most `samples` per pixel, which must be at least PilotSamples.
+  /// The counts of each tile grow monotonically with `samples`.
   std::vector<FilmTile::Counts> counts(int samples) const;
 
  private:
-  std::vector<double> pixels_;                                  ///< of each tile
-  std::array<std::vector<double>, Film::Scramblings> weights_;  ///< of each half's tiles
+  std::vector<double> pixels_;                                  ///< per tile
+  std::array<std::vector<double>, Film::Scramblings> weights_;  ///< per half and tile
 };
 
 }  // namespace transport

@@ -45,8 +45,8 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555U) << 1U) | ((x >> 1U) & 0x55555555U);
 }
 
-/// For each byte of an index whose bits are reversed, and each dimension, the sum of the directions of its
-/// bits, reversed too: four look-ups instead of 32 steps, and scrambling wants reversed bits.
+/// For each dimension and each byte of a bit-reversed index, the XOR of the direction numbers of its bits,
+/// also reversed: four look-ups replace 32 steps, and scrambling needs reversed bits.
 using ByteTable = std::array<std::array<std::array<std::uint32_t, Dimensions>, 256>, 4>;
 
 constexpr ByteTable byte_table() {
@@ -69,13 +69,13 @@ constexpr ByteTable byte_table() {
 
 alignas(16) constexpr ByteTable Table = byte_table();
 
-// All dimensions at once, one a lane: of one point, or of two.
+// All dimensions at once, one per SIMD lane: of one sample, or of two.
 using Lanes4 = std::uint32_t __attribute__((vector_size(16)));
 using Lanes8 = std::uint32_t __attribute__((vector_size(32)));
 using Floats4 = float __attribute__((vector_size(16)));
 using Floats8 = float __attribute__((vector_size(32)));
 
-// By way of signed integers, which the processor converts in one instruction.
+// Converts via signed integers, for which the processor has an instruction.
 Floats4 converted(Lanes4 x) {
   using Signed = std::int32_t __attribute__((vector_size(16)));
   return __builtin_convertvector((Signed)x, Floats4);
@@ -85,7 +85,7 @@ Floats8 converted(Lanes8 x) {
   return __builtin_convertvector((Signed)x, Floats8);
 }
 
-/// Owen's nested uniform scrambling flips each bit by a hash of the more significant ones: a permutation on
+/// Owen's nested uniform scrambling flips each bit by a hash of the more significant ones: a permutation of
 /// the reversed bits (Laine and Karras 2011) with the constants of Burley 2020.
 template <class Lanes>
 Lanes scramble_reversed(Lanes x, Lanes seed) {
@@ -97,7 +97,7 @@ Lanes scramble_reversed(Lanes x, Lanes seed) {
   return x;
 }
 
-/// Seeds of the dimensions: a mixing of 32 bits (Wellons 2018, "Prospecting for hash functions", lowbias32).
+/// The seeds of the dimensions, by a 32-bit hash (Wellons 2018, "Prospecting for hash functions", lowbias32).
 template <class Lanes>
 Lanes mixed(Lanes x) {
   x ^= x >> 16U;
@@ -107,7 +107,7 @@ Lanes mixed(Lanes x) {
   return x ^ (x >> 16U);
 }
 
-/// Reverses bits, and keeps the 24 that a float in [0,1) holds; the rest is cut, since rounding could give 1.
+/// Reverses bits, and keeps the 24 that a float in [0,1) holds; truncates, since rounding could give 1.
 template <class Lanes>
 auto to_unit(Lanes x) {
   x = (x << 24U) | ((x & 0xff00U) << 8U) | ((x >> 8U) & 0xff00U) | (x >> 24U);
@@ -129,7 +129,7 @@ Lanes4 reversed_point(std::uint32_t reversed_index, std::uint32_t seed) {
   return sum;
 }
 
-constexpr std::uint32_t Step = 0x9e3779b9U;  // of a dimension's seed
+constexpr std::uint32_t Step = 0x9e3779b9U;  // of the dimensions' seeds
 constexpr Lanes4 Steps = {Step, 2 * Step, 3 * Step, 4 * Step};
 
 Uniform4 point_of(std::uint32_t reversed_index, std::uint32_t seed) {
@@ -152,8 +152,8 @@ std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
 
 Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed) { return point_of(reverse_bits(index), seed); }
 
-// The first points of sequences that are scrambled by seeds of their own are independent: paths take the same
-// steps with either kind of points.
+// The first samples of independently scrambled sequences are independent: so paths do the same work with
+// either pattern.
 PathNumbers::PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample, Points points)
     : seed_(points == Points::Sobol ? sequence_seed : hash(sequence_seed, sample)),
       sample_(points == Points::Sobol ? sample : 0),

@@ -1,4 +1,4 @@
-// Owen-scrambled Sobol points for path dimensions.
+// Owen-scrambled Sobol' sequences for the dimensions of paths.
 #pragma once
 
 #include <array>
@@ -8,28 +8,28 @@
 
 namespace transport {
 
-/// Well-mixed 32 bits from two.
+/// Hashes two 32-bit values to one.
 std::uint32_t hash(std::uint32_t a, std::uint32_t b);
 
-/// Four numbers in [0,1). The first two are the best spread, and any two are a good pair.
+/// A 4D sample in [0,1). The first two dimensions are the best distributed, and any two are well distributed.
 struct Uniform4 {
   float x = 0, y = 0, z = 0, w = 0;
 
   grf::Vec2f xy() const { return {x, y}; }
 };
 
-/// Point `index` of an Owen-scrambled and shuffled four-dimensional Sobol sequence. Sequences of different
-/// seeds are independent, so each group of dimensions of a path takes a seed of its own
-/// (Burley 2020, "Practical hash-based Owen scrambling", section 5).
+/// Returns sample `index` of an Owen-scrambled and shuffled 4D Sobol' sequence. Sequences with different
+/// seeds are independent, so each four dimensions of a path use a seed of their own (Burley 2020, "Practical
+/// hash-based Owen scrambling", section 5).
 Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed);
 
-/// How the random numbers of different samples have to do with each other.
+/// The pattern of the random numbers of different samples.
 enum class Points {
-  Sobol,        ///< they are points of one sequence, well spread together
-  Independent,  ///< not at all
+  Sobol,        ///< low-discrepancy: samples of one Owen-scrambled sequence
+  Independent,  ///< independent random numbers
 };
 
-/// Some points for one purpose, that are well spread together, or independent.
+/// A set of samples for one purpose: low-discrepancy, or independent.
 class PointSet {
  public:
   PointSet(std::uint32_t first, std::uint32_t seed, Points points)
@@ -50,27 +50,27 @@ struct TwoPoints {
   Uniform4 first, second;
 };
 
-/// The random numbers of one path, a function of what was counted alone: image seed, pixel, scrambling,
-/// sample, and how many points of it were taken.
+/// The sampler of one path. Its values depend only on the image's seed, the pixel, the scrambling, the sample
+/// index and the number of earlier calls.
 class PathNumbers {
  public:
   PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample, Points points = Points::Sobol);
 
   Uniform4 next();
 
-  /// The same as two calls of `next`, in less time.
+  /// Returns the same as two calls of `next`, in less time.
   TwoPoints next_two();
 
-  /// Those of one of `count` ways on from here, `index` from 0. The points of all ways of all samples
-  /// together are the points of the same sequences.
+  /// Returns the sampler of path `index` of `count` into which this one splits. Over all samples, the split
+  /// paths share one sequence per dimension.
   PathNumbers branch(int index, int count) const {
-    constexpr std::uint32_t Apart = 0x80000000U;  // from the seeds of points
+    constexpr std::uint32_t Apart = 0x80000000U;  // apart from the seeds of dimensions
     return {hash(seed_, Apart + group_),
             sample_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(index), points_};
   }
 
-  /// As many points for one purpose. Those of all samples together are the points of one sequence, if each
-  /// sample asks for as many; or independent, as the points of paths are.
+  /// Returns `count` samples for one purpose. Over all samples of the pixel they form one sequence, if each
+  /// asks for the same number; independent if the pattern is.
   PointSet next_set(int count) {
     return {sample_ * static_cast<std::uint32_t>(count), hash(seed_, group_++), points_};
   }

@@ -8,20 +8,20 @@
 namespace transport {
 namespace {
 
-/// About 4,000 paths a tile: milliseconds, against which taking work costs nothing.
+/// About 4,000 paths per tile: milliseconds, compared with which taking work costs nothing.
 constexpr int LongestPass = 16;
-/// Work left when pieces start to get shorter, for each thread, in pieces.
+/// The remaining work, in items per thread, at which items start to get shorter.
 constexpr int PiecesAtTheEnd = 4;
 
 std::int64_t sum(const FilmTile::Counts& counts) { return std::int64_t{counts[0]} + counts[1]; }
 
-/// What a tile has once it has what is wanted: never less than there is.
+/// The counts of a tile once it has what is wanted: never fewer than it has.
 FilmTile::Counts after(const FilmTile::Counts& present, const FilmTile::Counts& wanted) {
   return {std::max(present[0], wanted[0]), std::max(present[1], wanted[1])};
 }
 
-/// So many samples between two states of a tile, in both halves about as far; of halves that are even at the
-/// end, the first has the odd sample.
+/// Counts between two states of a tile, for this many samples, with both halves about equally far; if the
+/// halves end even, the first has the odd sample.
 FilmTile::Counts part_of_the_way(const FilmTile::Counts& from, const FilmTile::Counts& to,
                                  std::int64_t samples) {
   const std::int64_t all = sum(to);
@@ -68,7 +68,7 @@ TileQueue::TileQueue(const Film& film, std::vector<FilmTile::Counts> wanted, int
   }
 }
 
-/// Puts a tile in its place, unless it has all its samples.
+/// Queues a tile, unless it has all its samples.
 bool TileQueue::push(const FilmTile::Counts& present, int tile) {
   const auto index = static_cast<std::size_t>(tile);
   const std::int64_t missing = sum(after(present, wanted_[index])) - sum(present);
@@ -84,7 +84,7 @@ bool TileQueue::is_finished() {
   return unfinished_ == 0;
 }
 
-// Even lengths keep the two scramblings of a pixel even.
+// Even lengths keep the two scramblings of a pixel balanced.
 std::int64_t TileQueue::length_of_next(std::int64_t present, std::int64_t wanted) const {
   if (pieces_ == Pieces::Whole) return wanted - present;
   const std::int64_t growing = present < 2 ? 2 : std::min<std::int64_t>(present, LongestPass);

@@ -1,5 +1,5 @@
-// How fast GRF text is read and written, bytes per second of one core, beside Assimp reading the same mesh as
-// OBJ; the memory that reading takes at its peak, over that of the scene alone; and what instances cost.
+// Throughput of reading and writing GRF text, bytes per second on one core, compared with Assimp reading the
+// same mesh as OBJ; peak memory of reading, relative to the scene's; and the cost of instances.
 #include <cstdint>
 #include <iterator>
 #include <optional>
@@ -18,8 +18,8 @@
 namespace grf {
 namespace {
 
-/// Of the side of a height field whose text is about 20 MB, and of one whose text is about 200 MB: two
-/// million vertices, four million triangles.
+/// The side of a height field whose text is about 20 MB, and of one whose text is about 200 MB: two million
+/// vertices, four million triangles.
 constexpr std::int64_t SmallSide = 440;
 constexpr std::int64_t LargeSide = 1414;
 
@@ -88,7 +88,7 @@ void read_obj_by_assimp(benchmark::State& state) {
   report_bytes(state, text.size());
 }
 
-/// A defined mesh of 100,000 triangles, used so many times, each under a transform of its own.
+/// A mesh of 100,000 triangles, defined once and placed this many times, each under its own transform.
 std::string text_of_instances(std::int64_t count) {
   Scene scene;
   DefinitionScope scope;

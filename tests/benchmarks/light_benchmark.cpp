@@ -1,6 +1,6 @@
-// What sampling lights takes: nanoseconds for a direction on a shape with its density, against a point on its
-// area; for the choice among many emitters; and for an environment map. Counter "deviation": the standard
-// deviation of a sample's estimate of irradiance over its mean, which says what the time is worth.
+// The cost of light sampling in nanoseconds: a direction on a shape with its pdf, compared with a point on
+// its area; the choice among many emitters; and an environment map. Counter "deviation": the relative
+// standard deviation of a sample's irradiance estimate, which the time has to be weighed against.
 #include <cmath>
 #include <random>
 
@@ -21,7 +21,7 @@ const Emitter Rectangle{Vec3f(-0.5F, -0.5F, 1), Vec3f(0, 1, 0), Vec3f(1, 0, 0), 
 const Emitter Parallelogram{Vec3f(-0.5F, -0.5F, 1), Vec3f(0.2F, 1, 0), Vec3f(1, 0, 0), false, Rgb(1)};
 const Emitter Triangle{Vec3f(-0.5F, -0.5F, 1), Vec3f(0, 1, 0), Vec3f(1, 0, 0), true, Rgb(1)};
 
-/// Points under lights at a height of 1, and numbers to sample with.
+/// Points under lights at a height of 1, and random numbers to sample with.
 struct Inputs {
   struct Input {
     Vec3f from;
@@ -49,7 +49,7 @@ struct Inputs {
 
 const Vec3f Up(0, 0, 1);
 
-/// The standard deviation of estimates over their mean, at one point.
+/// The relative standard deviation of estimates at one point.
 template <class Estimate>
 double deviation(const Estimate& estimate) {
   Inputs inputs(0);
@@ -116,7 +116,7 @@ BENCHMARK_CAPTURE(density, rectangle, Rectangle);
 BENCHMARK_CAPTURE(density, parallelogram, Parallelogram);
 BENCHMARK_CAPTURE(density, triangle, Triangle);
 
-/// Lights of many sizes and attitudes over a floor of 10 x 10, up to a height of 5.
+/// Lights of many sizes and orientations over a floor of 10 x 10, up to a height of 5.
 std::vector<Emitter> many(std::size_t count) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> number(-1, 1);
@@ -160,7 +160,7 @@ BENCHMARK(tree_sample)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
 BENCHMARK(tree_density)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
 BENCHMARK(tree_build)->Arg(1000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// A sky of noise with a sun.
+/// A noisy sky with a sun.
 transport::EnvironmentMap sky(int height) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> number(0, 1);

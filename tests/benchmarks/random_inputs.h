@@ -8,8 +8,8 @@
 
 namespace test {
 
-/// Directions and numbers to call a BRDF or a scheme with: few enough for the second-level cache, and no
-/// pattern that a branch predictor learns.
+/// Random directions and numbers for BRDFs and sampling schemes: few enough for the L2 cache, in no pattern
+/// that a branch predictor learns.
 struct RandomInputs {
   std::vector<reflectance::Vec3f> u, v;
   std::vector<reflectance::Uniforms> xi;

@@ -1,5 +1,5 @@
-// Millions of rays a second, on one thread: camera rays, and rays that leave the first hits by cosine. On the
-// Cornell box and on a bumpy mesh of 130,000 triangles.
+// Ray throughput in millions per second on one thread: camera rays, and cosine-weighted bounce rays from the
+// first hits, in the Cornell box and on a bumpy mesh of 130,000 triangles.
 #include <array>
 #include <cmath>
 #include <random>

@@ -1,4 +1,4 @@
-// Nanoseconds that each BRDF model takes to be evaluated and sampled, with its default parameters.
+// The time in nanoseconds of evaluating and sampling each BRDF model with its default parameters.
 #include <benchmark/benchmark.h>
 
 #include "renderer/reflectance/reflector.h"
@@ -10,7 +10,7 @@ namespace {
 using reflectance::Reflector;
 using reflectance::Rgb;
 
-/// A model with its default parameters; what is made of data or of others, of an example.
+/// A model with its default parameters, or an example if it is made from data or other models.
 std::string instance_of(const grf::ModelInfo& model) {
   switch (model.takes) {
     case grf::ModelInfo::Takes::DataFile:

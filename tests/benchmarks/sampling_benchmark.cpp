@@ -1,6 +1,6 @@
-// What sampling schemes take: seconds to build the tables of a BRDF, nanoseconds to draw a sample with its
-// density and weight (so with the BRDF's value, which reflectance_benchmark times alone), and to know a
-// density. Each scheme, as it is and without a cosine part, on each BRDF.
+// The cost of sampling schemes: seconds to build a BRDF's tables, nanoseconds to draw a sample with its pdf
+// and weight (so with the BRDF's value, which reflectance_benchmark times separately), and to compute a pdf.
+// Each scheme, with and without its cosine part, on each BRDF.
 #include <benchmark/benchmark.h>
 
 #include "renderer/reflectance/scheme.h"
@@ -60,7 +60,7 @@ void sample(benchmark::State& state, const std::string& scheme_text, const std::
     squares += weight * weight;
     ++i;
   }
-  // The weights' standard deviation over their mean: what a sample is worth.
+  // The relative standard deviation of the weights, which measures the quality of a sample.
   state.counters["deviation"] = std::sqrt(std::max(0.0, squares * static_cast<double>(i) / (sum * sum) - 1));
 }
 
@@ -76,7 +76,7 @@ void density(benchmark::State& state, const std::string& scheme_text, const std:
   }
 }
 
-// Direction and density alone, without the BRDF's value.
+// Only direction and pdf, without the BRDF's value.
 void draw_by_warp(benchmark::State& state, const std::string& brdf_text) {
   const reflectance::WarpTrees trees(test::brdf_of(brdf_text), reflectance::WarpTreesSettings());
   const test::RandomInputs inputs;

@@ -124,7 +124,7 @@ TEST_F(BptBake, RefusesToWriteHugeCopies) {
   for (int i = 0; i < 100; ++i) text += "use tile\n";
   const Outcome outcome = bpt({"bake", write("scene.grf", text + "end\n"), "-o", path("a.igrf")});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("copies with 5940000 vertices would be written out, more than 5000000: 'use' "
+  EXPECT_NE(outcome.err.find("copies with 5940000 vertices would be written, more than 5000000: 'use' "
                              "'tile', which is placed 100 times, less often"),
             std::string::npos)
       << outcome.err;

@@ -50,7 +50,7 @@ class BptDisplay : public test::Bpt {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "warning: no viewer listens at 127.0.0.1:" + port_ +
                                ", and none can be started (" + reason +
-                               "): the render goes on without one\n");
+                               "): rendering continues without one\n");
     EXPECT_EQ(fs::file_size(path("image.pfm")), std::string("PF\n64 48\n-1.0\n").size() + 64 * 48 * 12);
   }
 

@@ -150,7 +150,7 @@ TEST_F(BptOutput, IsRefusedBeforeTheRenderWhereItCannotBe) {
 
 /// Where a message says that the image was kept.
 std::string kept_in(const std::string& message) {
-  const std::string start = "the image was kept as '";
+  const std::string start = "the image was saved as '";
   const std::size_t at = message.find(start);
   if (at == std::string::npos) return "";
   return message.substr(at + start.size(), message.find('\'', at + start.size()) - at - start.size());
@@ -210,7 +210,7 @@ TEST_F(BptOutput, IsNotTheEndOfTheProgramOverAFileSizeLimit) {
                                      "ulimit -f 4; exec '" GRANADA_BIN_DIR "/bpt' render '" + scene_ +
                                          "' --output '" + output + "' --size 64x64 --samples 1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("error: the image could not be kept in "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("error: the image could not be saved in "), std::string::npos) << outcome.err;
   EXPECT_EQ(test::bytes_of(output), "the older one");
 }
 

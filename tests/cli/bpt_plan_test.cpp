@@ -47,9 +47,8 @@ TEST_F(BptPlan, SaysWhatIsLeftOutAndWhatThatSaves) {
   EXPECT_EQ(report["depth"], 1);
   EXPECT_TRUE(effect(report, "area_lights")["needed"].get<bool>());
   EXPECT_FALSE(effect(report, "textures")["needed"].get<bool>());
-  EXPECT_EQ(
-      effect(report, "textures")["why"],
-      "only on 1 face that no path meets: outside the view, and the depth of 1 makes no path go further");
+  EXPECT_EQ(effect(report, "textures")["why"],
+            "only on 1 face that no path hits: outside the view, and the depth of 1 allows no second bounce");
   ASSERT_EQ(report["tables"].size(), 2U);
   for (const json& table : report["tables"]) {
     EXPECT_EQ(table["pdf"], "cascadecdf");

@@ -157,7 +157,7 @@ TEST_F(Bpt, ReportsEnvironmentMapsThatAreNone) {
   write("cut.pfm", SmallMap.substr(0, 15));
   expect_bad_input(write("a.op", "BPT_Scene scene.grf\nBPT_EM_Background cut.pfm\n"),
                    path("a.op") + ":2:19: error: cannot read the image '" + path("cut.pfm") +
-                       "': it is broken (it ends early)");
+                       "': it is damaged (unexpected end of file)");
   expect_bad_input(write("b.op", "BPT_Scene scene.grf\nBPT_EM_Background none.exr\n"),
                    path("b.op") + ":2:19: error: cannot read '" + path("none.exr") + "': No such file");
 }
@@ -215,7 +215,7 @@ TEST_F(Bpt, SaysWhatItsTablesHoldAndWhatASchemeMisses) {
   EXPECT_GT(std::stoi(line.substr(line.rfind('\t'))), 10000) << line;
   const Outcome narrow = bpt({"render", op, "--pdf", "Sphere"});
   EXPECT_EQ(narrow.exit_code, 0);
-  EXPECT_NE(narrow.err.find("the scheme 'sphere' hardly draws part of what 'diffuse' reflects"),
+  EXPECT_NE(narrow.err.find("the scheme 'sphere' hardly samples part of the BRDF 'diffuse'"),
             std::string::npos)
       << narrow.err;
 }

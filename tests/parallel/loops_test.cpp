@@ -13,8 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// The threads that have come to a place, at which each waits until there are as many as are expected, but
-/// not for ever.
+/// A barrier at which threads wait until the expected number has arrived, with a timeout.
 class MeetingPlace {
  public:
   explicit MeetingPlace(std::size_t expected, std::chrono::milliseconds patience)
@@ -39,7 +38,7 @@ class MeetingPlace {
   std::set<std::thread::id> present_;
 };
 
-/// Counts the threads that take part in the loops of a job; waits for `expected` ones.
+/// Counts the threads that take part in a job's loops; waits for `expected` ones.
 std::size_t threads_of_job(int threads, std::size_t expected, std::chrono::milliseconds patience) {
   MeetingPlace place(expected, patience);
   parallel::run_with_threads(threads, [&] { parallel::for_each_index(100, [&](int) { place.come(); }); });
@@ -65,7 +64,7 @@ TEST(RunWithThreads, SaysHowManyThereAre) {
   }
 }
 
-// As an editor does that previews with few threads while it renders with more.
+// An editor previews with few threads while it renders with more.
 TEST(RunWithThreads, IsNotLimitedByJobsThatRunBesides) {
   for (const std::size_t others : {1, 3}) {
     MeetingPlace other_place(others, 10s);

@@ -11,7 +11,7 @@
 
 namespace test {
 
-/// A scene from GRF text, ready to be baked.
+/// A scene from GRF text, compiled for baking.
 struct BakeScene {
   explicit BakeScene(const std::string& text)
       : scene(grf::flatten(parsed(text), "test.grf")),
@@ -46,7 +46,7 @@ inline transport::BakeSettings bake_settings(int samples, int depth = 5) {
   return settings;
 }
 
-/// All values of a bake, in order.
+/// Returns all values of a bake, in order.
 inline std::vector<transport::Rgb> values_of(const transport::Bake& bake) {
   std::vector<transport::Rgb> values;
   for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
@@ -57,8 +57,8 @@ inline std::vector<transport::Rgb> values_of(const transport::Bake& bake) {
   return values;
 }
 
-/// Lambert 1760: half the sum over the polygon's edges of the angle that each subtends, times the cosine of
-/// the normal to the plane through it.
+/// The irradiance of a polygon (Lambert 1760): half the sum over its edges of the angle that each subtends,
+/// times the cosine between the normal and the edge's plane.
 inline double irradiance_of_polygon(const Imath::V3d& place, const Imath::V3d& normal,
                                     const std::array<Imath::V3d, 4>& corners) {
   double sum = 0;
@@ -71,7 +71,7 @@ inline double irradiance_of_polygon(const Imath::V3d& place, const Imath::V3d& n
   return std::abs(sum) / 2;
 }
 
-/// A box from (0,0,0) to (size,size,size) whose fronts are inside, each wall of cells x cells squares with
+/// A box from (0,0,0) to (size,size,size) with inward fronts; each wall has cells x cells squares with
 /// vertices of its own.
 inline std::string room(const std::string& attributes, int cells, float size = 1) {
   std::string vertices;

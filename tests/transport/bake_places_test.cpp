@@ -1,4 +1,4 @@
-// Irradiance where faces meet at an angle, and under transforms in transforms.
+// Irradiance where faces meet at an angle, and under nested transforms.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ using transport::Bake;
 using transport::Rgb;
 using transport::Vec3f;
 
-// A vertex on the edge of a roof, of which one side has a third of the angle of the other there. Each side
-// gets what Lambert's formula says; the vertex has their mean, weighted by the angles.
+// A vertex on the ridge of a roof, with a third of the other side's angle on one side. Each side has the
+// irradiance of Lambert's formula; the vertex has their angle-weighted mean.
 TEST(Bake, WeighsFacesAtACreaseByTheirAngles) {
   const BakeScene scene(
       "begin mesh brdf diffuse kd=0 begin vertexs (0,0,0) (0,2,0) (-2,2,0) (0,-2,-2) end vertexs\n"
@@ -40,8 +40,8 @@ TEST(Bake, WeighsFacesAtACreaseByTheirAngles) {
   EXPECT_LT((transport::BakePoints::normal_of(points) - normal).length(), 1e-6F);
 }
 
-// A square that one transform turns upright and moves away, and another one about it turns to +x: the order
-// matters. The square then is at x = -5, from (0,0) to (1,1) in y and z.
+// One transform turns a square upright and translates it, and an outer one turns it to +x, so the order
+// matters. The square ends up at x = -5, from (0,0) to (1,1) in y and z.
 TEST(BakedScene, HoldsTheLightOfMeshesUnderTransformsInTransforms) {
   const std::string square = test::quad("brdf diffuse", "(0,0,0) (1,0,0) (1,1,0) (0,1,0)");
   const BakeScene scene(

@@ -1,4 +1,4 @@
-// Irradiance at vertices against what is known of it.
+// Irradiance at vertices against known values.
 #include "renderer/transport/bake.h"
 
 #include <array>
@@ -44,7 +44,7 @@ TEST(Bake, IsPiUnderAWhiteSky) {
   EXPECT_LT(*bake.estimated_error(), 1e-6);
 }
 
-// A path of many events adds up what the walls send from event to event: pi L (1 + kd + kd^2 + ...).
+// With many bounces, a path sums the geometric series of the walls: pi L (1 + kd + kd^2 + ...).
 TEST(Bake, IsPiTimesTheRadianceInAClosedBox) {
   const BakeScene scene(test::room("brdf diffuse kd=0.5 light rgb (0.5,0.5,0.5)", 1));
   Bake bake(scene.compiled, scene.points, bake_settings(2048, 40));
@@ -74,7 +74,7 @@ TEST(Bake, IsThatOfAParallelogramByLambertsFormula) {
   }
 }
 
-// The side that the floor turns away from the light, and a floor under a lid, are dark.
+// The back of the floor, and a floor under a lid, are dark.
 TEST(Bake, IsOfTheFrontAlone) {
   const BakeScene back(test::quad("brdf diffuse", "(0,0,0) (0,1,0) (1,1,0) (1,0,0)") +
                        "light begin (0,0,1) (0,1,0) (1,0,0) end\n");
@@ -90,7 +90,7 @@ TEST(Bake, IsOfTheFrontAlone) {
   for (const Rgb& value : test::values_of(inside)) EXPECT_EQ(value, Rgb(0));
 }
 
-// On a smooth sphere the corners' normals count: without a terminator, a sky of one side is seen in full.
+// On a smooth sphere vertex normals count: without a terminator, the whole sky on one side is visible.
 TEST(Bake, SeesAllOfTheSkyFromASmoothSphere) {
   const BakeScene scene(test::sphere("brdf diffuse", 8, true));
   BakeSettings settings = bake_settings(512, 1);
@@ -103,7 +103,7 @@ TEST(Bake, SeesAllOfTheSkyFromASmoothSphere) {
   }
 }
 
-/// A closed block of which the bottom is at a height.
+/// A closed block whose bottom is at this height.
 std::string block(double bottom, double half_width, double height) {
   std::string vertices;
   for (const double z : {bottom, bottom + height}) {
@@ -129,7 +129,7 @@ std::string floor_of_squares() {
   return text + "end faces end mesh\n";
 }
 
-/// What arrives at the floor's middle, under a white sky.
+/// The irradiance at the floor's centre under a white sky.
 double in_the_middle(const std::string& above) {
   const BakeScene scene(floor_of_squares() + above);
   BakeSettings settings = bake_settings(256, 1);
@@ -139,8 +139,8 @@ double in_the_middle(const std::string& above) {
   return bake.irradiance(12).x;
 }
 
-// The faces about the floor's middle reach out from under the block: what they show there is to be as bright
-// as the floor beside it, where half of the sky is seen and more.
+// The faces around the floor's centre extend beyond the block: there they must be as bright as the floor
+// beside it, where more than half of the sky is visible.
 TEST(Bake, IsNotDarkInAFloorUnderWhatStandsOnIt) {
   for (const double bottom : {0.0, -0.1, 1e-5}) {
     const double shown = in_the_middle(block(bottom, 0.4, 2));
@@ -150,7 +150,7 @@ TEST(Bake, IsNotDarkInAFloorUnderWhatStandsOnIt) {
   EXPECT_NEAR(in_the_middle(""), pi, 1e-4);
 }
 
-// What is in the air has a shadow, and a floor that is covered in whole is dark.
+// An object in the air casts a shadow, and a fully covered floor is dark.
 TEST(Bake, IsDarkUnderWhatHangsOrCoversAll) {
   EXPECT_LT(in_the_middle(block(0.1, 0.9, 1)), 0.1 * pi);
   const std::string sheet =
@@ -179,7 +179,7 @@ TEST(Bake, ListsAddUpToTheSingleValue) {
   }
 }
 
-// What a list says of a small bright light: nearly all of it is in the cell about it.
+// With directions, nearly all irradiance of a small bright light is in the cell around it.
 TEST(Bake, ListsSayWhereLightComesFrom) {
   const BakeScene scene(test::quad("brdf diffuse", "(0,0,0) (0,0,-1) (1,0,-1) (1,0,0)") +
                         "light begin rgb (9e6,9e6,9e6) (600,800,0) (0,0,-1) (1,0,0) end\n");
@@ -261,7 +261,7 @@ double error_against(const Bake& bake, const Bake& reference) {
   return sum / static_cast<double>(bake.vertex_count());
 }
 
-// Over many seeds, no bias of the mean, and an estimate of the error that is true on average.
+// Over many seeds, the mean is unbiased and the error estimate is right on average.
 TEST(Bake, PlacesSamplesWithoutBiasAndKnowsItsError) {
   const BakeScene scene(LitRoom);
   BakeSettings settings = bake_settings(1 << 14);
@@ -292,7 +292,7 @@ TEST(Bake, PlacesSamplesWithoutBiasAndKnowsItsError) {
   EXPECT_NEAR(estimated / measured, 1, 0.15);
 }
 
-// A hole in a black ceiling, found by few samples: how many more a half takes must not follow from whether it
+// A hole in a black ceiling, which few samples find: the sample count of a half must not depend on whether it
 // has found the hole, or the mean would be too small.
 TEST(Bake, LetsNoHalfDecideOverItself) {
   const std::string black = "brdf diffuse kd=0";
@@ -349,7 +349,7 @@ class BakeCheckpoint : public testing::Test {
   }
 };
 
-// Written while workers go on, and stopped at any moment.
+// The checkpoint is written while workers continue, and stopped at any moment.
 TEST_F(BakeCheckpoint, ResumesToTheSameValues) {
   for (const bool has_target : {false, true}) {
     BakeSettings settings = bake_settings(1500);
@@ -392,7 +392,7 @@ TEST_F(BakeCheckpoint, RefusesWhatBelongsToSomethingElse) {
             std::string::npos);
   EXPECT_NE(refusal({9, 2, 3}, same).find("a bake with other options"), std::string::npos);
   EXPECT_NE(refusal({1, 2, 9}, same).find("by another build of bpt"), std::string::npos);
-  EXPECT_NE(refusal(ours_, bake_settings(50)).find("it has 100 samples a vertex, more than the 50"),
+  EXPECT_NE(refusal(ours_, bake_settings(50)).find("it has 100 samples per vertex, more than the 50"),
             std::string::npos);
   BakeSettings list = same;
   list.directions = 2;
@@ -400,10 +400,10 @@ TEST_F(BakeCheckpoint, RefusesWhatBelongsToSomethingElse) {
   std::string bytes = test::bytes_of(path_);
   ++bytes[bytes.size() / 2];
   folder_.add("state", bytes);
-  EXPECT_NE(refusal(ours_, same).find("it is broken"), std::string::npos);
+  EXPECT_NE(refusal(ours_, same).find("it is damaged"), std::string::npos);
 }
 
-/// Baked, written as text and read again.
+/// Writes a baked scene as text, and reads it back.
 grf::Scene read_back(const transport::BakedScene& baked) {
   grf::Diagnostics diagnostics;
   auto scene = grf::read_text(grf::to_text(baked.scene), "test.igrf", diagnostics);
@@ -426,7 +426,7 @@ TEST(BakedScene, SurvivesItsFile) {
   }
 }
 
-// Each place has its own light, and directions turn with the mesh.
+// Each placement has its own irradiance, and directions rotate with the mesh.
 TEST(BakedScene, KeepsPlacesOfAUsedMeshApart) {
   const std::string text =
       "def tile = begin mesh brdf diffuse begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs\n"

@@ -8,7 +8,7 @@
 namespace test {
 namespace {
 
-/// The means of the blocks, level after level.
+/// Returns the means of the blocks, level by level.
 std::vector<double> means_of(const transport::Image& image) {
   std::vector<double> means;
   for (int across = 1; across <= 8; across *= 2) {
@@ -33,7 +33,7 @@ std::vector<double> means_of(const transport::Image& image) {
 
 double p_value(double difference, double variance_a, double variance_b, int count_a, int count_b) {
   const double variance = variance_a + variance_b;
-  // What is the same in all renders may yet be rounded in other ways.
+  // Values that are equal in all renders may still be rounded differently.
   if (difference < 1e-5) return 1;
   if (!(variance > 0)) return 0;
   const double freedom = variance * variance /

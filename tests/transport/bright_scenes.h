@@ -1,4 +1,4 @@
-// Scenes of high contrast, with lamps in view: what an error estimate finds difficult.
+// High-contrast scenes with visible lamps, which are difficult for an error estimate.
 #pragma once
 
 #include <array>
@@ -17,18 +17,18 @@
 
 namespace test {
 
-/// A scene with the number of samples a pixel at which its error is looked at.
+/// A scene with the number of samples per pixel at which its error is checked.
 struct ErrorCase {
   SampleScene scene;
   int samples = 0;
 };
 
-/// Writes scenes in pixels of a square image: things stand upright in front of the camera.
+/// Builds scenes in pixel units of a square image: objects stand upright in front of the camera.
 class BrightScene {
  public:
   explicit BrightScene(int width) : width_(width) {}
 
-  /// A lamp of so many pixels about a place, turned anticlockwise; its green is 0.8 of its red, its blue 0.5.
+  /// Adds a lamp of this size in pixels, turned anticlockwise; its green is 0.8 of its red, its blue 0.5.
   BrightScene& lamp(double x, double y, double wide, double high, double turn, double radiance) {
     const double c = std::cos(turn);
     const double s = std::sin(turn);
@@ -40,7 +40,7 @@ class BrightScene {
     return *this;
   }
 
-  /// Lamps in rows, all the same but that each is a little wider than the one before it.
+  /// Adds rows of equal lamps, each a little wider than the one before.
   BrightScene& lamps(int count, double first, double apart, double wide, double growth, double radiance) {
     for (int i = 0; i < count; ++i) {
       for (int k = 0; k < count; ++k) {
@@ -50,7 +50,7 @@ class BrightScene {
     return *this;
   }
 
-  /// Lines across most of the image, the first so thick, and each thicker by a quarter of a pixel.
+  /// Adds lines across most of the image, each thicker by a quarter of a pixel than the one before.
   BrightScene& strips(int count, double thickness, double turn, double radiance) {
     for (int i = 0; i < count; ++i) {
       lamp(width_ / 2.0, width_ * (i + 0.6) / count, 0.75 * width_, thickness + 0.25 * i, turn * i, radiance);
@@ -58,7 +58,7 @@ class BrightScene {
     return *this;
   }
 
-  /// A wall behind all, under a lamp out of view.
+  /// Adds a wall behind everything, under a lamp out of view.
   BrightScene& wall(const std::string& attributes, double radiance = 6) {
     text_ += quad(attributes,
                   "uv (0,0) (-3,-3,-0.5) uv (1,0) (3,-3,-0.5) uv (1,1) (3,3,-0.5) uv (0,1) (-3,3,-0.5)");
@@ -67,7 +67,7 @@ class BrightScene {
     return *this;
   }
 
-  /// Such a sphere as a BRDF makes it, of so many pixels.
+  /// Adds a sphere with this BRDF, sized in pixels.
   BrightScene& ball(double x, double y, double radius, const std::string& attributes) {
     const auto size = static_cast<float>(step() * radius);
     text_ += placed(sphere(attributes, 12, true), transport::Vec3f(size), transport::Vec3f(0),
@@ -86,7 +86,7 @@ class BrightScene {
   }
 
  private:
-  /// How large a pixel is there.
+  /// The size of a pixel at that distance.
   double step() const { return 2 * std::tan(std::numbers::pi / 8) * 4 / width_; }
 
   int width_;
@@ -118,7 +118,7 @@ inline ErrorCase checker_case(int width, int texels, int samples) {
       .with(fmt::format("checker {}", texels), samples);
 }
 
-/// A scene of random lamps, balls and surroundings.
+/// A random scene of lamps, spheres and surroundings.
 inline ErrorCase random_case(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](double low, double high) {

@@ -40,7 +40,7 @@ class Checkpoint : public testing::Test {
     return render.film().mean();
   }
 
-  /// Renders until so many paths are there, in the middle of a pass, and keeps the state.
+  /// Renders this many paths, which ends within a pass, and writes a checkpoint.
   void render_part(const transport::CompiledScene& scene, const RenderSettings& settings,
                    std::uint64_t paths) const {
     Render render(scene, settings);
@@ -68,7 +68,7 @@ class Checkpoint : public testing::Test {
     return render.film().mean();
   }
 
-  /// Until a target error, whether or not it is interrupted after so many paths, it is the same.
+  /// Rendering until a target error gives the same image, interrupted after this many paths or not.
   void expect_same_end(const RenderSettings& until, std::uint64_t paths) const {
     Render uninterrupted(scene_, until);
     uninterrupted.run();
@@ -81,7 +81,7 @@ class Checkpoint : public testing::Test {
     EXPECT_EQ(render.path_count(), uninterrupted.path_count());
   }
 
-  /// What is said of the file, which stays as it is.
+  /// Returns the message that refuses the file, which stays unchanged.
   std::string refusal(const Fingerprint& fingerprint, const RenderSettings& settings) const {
     const std::string before = test::bytes_of(path_);
     Render render(scene_, settings);
@@ -135,10 +135,10 @@ TEST_F(Checkpoint, OfAFinishedRenderGoesOnWithMoreSamples) {
 TEST_F(Checkpoint, LeadsToTheSameSampleAtATargetError) {
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 0.03;
-  expect_same_end(until, 45 * 33 * 18);  // between two looks at the error
+  expect_same_end(until, 45 * 33 * 18);  // between two error checks
 }
 
-// In the middle of the pilot's halves and of what follows, and with more samples afterwards.
+// Interrupted within the pilot's halves and later, and resumed with more samples.
 TEST_F(Checkpoint, OfAnAdaptiveRenderGoesOn) {
   RenderSettings adaptive = settings(100);
   adaptive.adaptive = true;
@@ -196,7 +196,7 @@ TEST_F(Checkpoint, OfAnotherImageIsRefused) {
   RenderSettings other = settings(10);
   std::swap(other.width, other.height);
   EXPECT_NE(refusal(Ours, other).find("with other options"), std::string::npos);
-  EXPECT_NE(refusal(Ours, settings(1)).find("more than the 1 that are asked for"), std::string::npos);
+  EXPECT_NE(refusal(Ours, settings(1)).find("more than the 1 requested"), std::string::npos);
 }
 
 TEST_F(Checkpoint, ThatIsBrokenIsRefused) {
@@ -213,9 +213,9 @@ TEST_F(Checkpoint, ThatIsBrokenIsRefused) {
     EXPECT_NE(refusal(Ours, settings(10)).find("cannot resume from the checkpoint: "), std::string::npos);
   }
   folder_.add("state", bytes + "more");
-  EXPECT_NE(refusal(Ours, settings(10)).find("it is broken"), std::string::npos);
+  EXPECT_NE(refusal(Ours, settings(10)).find("it is damaged"), std::string::npos);
   folder_.add("state", "BPT_Scene a.grf\n");
-  EXPECT_NE(refusal(Ours, settings(10)).find("it is no checkpoint"), std::string::npos);
+  EXPECT_NE(refusal(Ours, settings(10)).find("it is not a checkpoint"), std::string::npos);
 }
 
 TEST_F(Checkpoint, ThatCannotBeWrittenIsAnError) {

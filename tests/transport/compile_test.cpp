@@ -32,7 +32,7 @@ TEST(Compile, PutsGeometryIntoTheWorld) {
   EXPECT_FALSE(down_at(scene, 9, 1));
 }
 
-// A mirror image keeps its front where it was relative to its vertices' normals.
+// A reflected mesh keeps its front relative to its vertex normals.
 TEST(Compile, KeepsFrontsUnderMirroringTransforms) {
   const CompiledScene scene = test::scene_of("transform scale (-1,1,1) begin " + UnitQuad + " end");
   EXPECT_EQ(down_at(scene, -0.5F, 0.5F)->geometric_normal, Vec3f(0, 0, 1));
@@ -232,7 +232,7 @@ class HelpersOutsideJobs : public tbb::task_scheduler_observer {
   std::atomic<int> count_ = 0;
 };
 
-/// A floor of so many tiles a side, all of which shine.
+/// A floor of this many tiles per side, all of which emit.
 std::string shining_tiles(int side) {
   std::string text = "begin mesh light rgb (1,1,1) begin vertexs\n";
   for (int i = 0; i <= side * (side + 2); ++i) {
@@ -248,7 +248,7 @@ std::string shining_tiles(int side) {
   return text + "end faces end mesh\n";
 }
 
-// Building what casts rays and the tree of lights takes long here, and could use all threads that there are.
+// Building the acceleration structure and the light tree takes long here, and could use all threads.
 TEST(Compile, UsesNoOtherThreadsThanItsSettingsSay) {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read_text(shining_tiles(100), "test.grf", diagnostics);
@@ -258,7 +258,7 @@ TEST(Compile, UsesNoOtherThreadsThanItsSettingsSay) {
   ASSERT_TRUE(transport::compile(scene.value(), diagnostics, settings)) << diagnostics.to_text();
   EXPECT_EQ(helpers.count(), 0);
   parallel::for_each_index(100, [](int) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
-  // On one core nobody could have helped.
+  // With one core there are no helpers.
   EXPECT_EQ(helpers.count() > 0, std::thread::hardware_concurrency() > 1) << "would have been seen";
 }
 
@@ -293,7 +293,7 @@ TEST(Camera, SeesTheWholeSceneWhenNobodyPlacesIt) {
                          (i & 4) != 0 ? 6.0F : -3.0F);
       EXPECT_LE(std::acos((corner - Vec3f(view.eye)).normalized().dot(forward)), narrow + 1e-5F);
     }
-    // No further away than where it just sees the sphere about the box, of diameter sqrt(5^2 + 7^2 + 9^2).
+    // No farther away than where the sphere around the box fits, of diameter sqrt(5^2 + 7^2 + 9^2).
     EXPECT_NEAR((view.eye - view.target).length(), std::sqrt(155.0) / 2 / std::sin(narrow), 1e-3);
   }
 }

@@ -1,4 +1,4 @@
-// What encloses a convex solid, and what only looks like it.
+// Triangles that enclose a convex solid, and near misses.
 #include "renderer/transport/plan/convex_solid.h"
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 using grf::Vec3d;
 
-/// Triangles with their planes, from corners that are given counter-clockwise seen from the front.
+/// Triangles with their planes, from corners that are counter-clockwise seen from the front.
 class Triangles {
  public:
   void add(const Vec3d& a, const Vec3d& b, const Vec3d& c) {

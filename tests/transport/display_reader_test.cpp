@@ -1,4 +1,4 @@
-// What a viewer makes of packets: those of the client, of other programs, and of damaged ones.
+// Decoding of packets: the client's, other programs', and malformed ones.
 #include "renderer/transport/display_reader.h"
 
 #include <cstring>

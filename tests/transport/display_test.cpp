@@ -1,4 +1,4 @@
-// A viewer of our own that decodes tev's protocol from its description, independently of the code that sends.
+// A test viewer that decodes tev's protocol from its specification, independently of the code that sends.
 #include <cstring>
 #include <thread>
 
@@ -49,7 +49,7 @@ struct Viewer {
   std::vector<std::string> channels;
   int width = 0;
   int height = 0;
-  std::vector<std::vector<float>> values;  ///< of each channel
+  std::vector<std::vector<float>> values;  ///< per channel
   int updates = 0;
   bool closed_first = false;
 
@@ -198,7 +198,7 @@ TEST_F(Display, SaysOnceWhyNoViewerCanBeStarted) {
     while (client.is_connecting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_EQ(calls, good_calls + 1);
     EXPECT_EQ(client.take_problem(), "no viewer listens at 127.0.0.1:" + port +
-                                         ", and none can be started (why): the render goes on without one");
+                                         ", and none can be started (why): rendering continues without one");
     EXPECT_EQ(client.take_problem(), std::nullopt);
   }
 }
@@ -225,10 +225,10 @@ TEST_F(Display, GoesOnWhenTheViewerIsGone) {
   EXPECT_EQ(render.end(), transport::RenderEnd::Samples);
   const auto problem = client.take_problem();
   ASSERT_TRUE(problem);
-  EXPECT_NE(problem->find("is gone"), std::string::npos) << *problem;
+  EXPECT_NE(problem->find("connection to the viewer"), std::string::npos) << *problem;
 }
 
-// The socket's buffers are full before the image is through.
+// The socket's buffers are full before the whole image is sent.
 TEST_F(Display, WaitsForNoViewerThatDoesNotRead) {
   const test::Listener server;
   transport::RenderSettings large = settings(1);

@@ -1,4 +1,4 @@
-// Images around a scene, as tests make them and look into them.
+// Environment images for tests.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// An image of grey texels, each what the function says of its place.
+/// Makes a grey image whose texels are given by a function of their position.
 template <class Function>
 transport::Image image_of(int width, int height, Function texel) {
   transport::Image image{width, height, {}};
@@ -18,8 +18,8 @@ transport::Image image_of(int width, int height, Function texel) {
   return image;
 }
 
-/// Towards the place (x, y) of a map, in texels from the upper left corner, by the definition: y is up, and
-/// the centre looks down -z.
+/// Returns the direction to (x, y) of a map, in texels from the upper left corner, by the definition: y is
+/// up, and the centre looks down -z.
 template <class Real>
 Imath::Vec3<Real> direction_at(const transport::Image& image, Real x, Real y) {
   const Real theta = std::numbers::pi_v<Real> * y / static_cast<Real>(image.height);

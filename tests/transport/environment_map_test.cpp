@@ -107,7 +107,7 @@ TEST(EnvironmentMap, TakesTheEndsOfTheUnitInterval) {
   }
 }
 
-/// The probability of counts at least as far off what a density says, for cells of which each texel has four.
+/// The p-value of direction counts against a pdf (chi-square), for four cells per texel.
 double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samples) {
   const Image& image = says.image();
   const int rows = 2 * image.height;
@@ -160,13 +160,13 @@ TEST(EnvironmentMap, SamplesFollowTheirDensity) {
   for (std::size_t i = 0; i < maps.size(); ++i) {
     EXPECT_GT(p_value(maps[i], maps[i], 400000), 0.01 / double(maps.size())) << i;
   }
-  // The test of the test.
+  // The test can fail.
   Image other = sky(64, 32);
   for (int x = 0; x < 64; ++x) other.pixels[std::size_t(64) * 10 + std::size_t(x)] *= 3;
   EXPECT_LT(p_value(maps.back(), EnvironmentMap(other), 400000), 1e-6);
 }
 
-// Between neighbours on a fine line of xi lies no more than the image has of it.
+// The map is continuous along a fine line of xi, up to the size of a step.
 TEST(EnvironmentMap, InvertsContinuously) {
   const EnvironmentMap map(image_of(32, 16, [](int x, int y) { return 1.0F + float(x % 5) + float(y % 3); }));
   const int steps = 4096;
@@ -174,7 +174,7 @@ TEST(EnvironmentMap, InvertsContinuously) {
     for (int i = 1; i < steps; ++i) {
       const float before = static_cast<float>(i - 1) / steps;
       const float after = static_cast<float>(i) / steps;
-      // Along a row. From row to row, columns may shift by as much as their distributions differ.
+      // Within a row. From row to row, columns may shift by as much as their distributions differ.
       const Vec3f step =
           map.sample(Vec2f(after, other))->direction - map.sample(Vec2f(before, other))->direction;
       ASSERT_LT(step.length(), 2 * std::numbers::pi / steps * 8) << i;
@@ -228,13 +228,13 @@ TEST(EnvironmentForASurface, SaysOfItsSamplesWhatItSaysOfTheirDirections) {
         const float density = map.density(normal, sample->direction);
         if (std::abs(density - sample->density) > 1e-5F * density) ++differ;
       }
-      // Those that rounding takes to the other side of a step of the density.
+      // Directions that rounding moves across a step of the pdf.
       EXPECT_LE(differ, 20) << map.image().width << " " << normal;
     }
   }
 }
 
-// The same integral as by the map alone, of less variance: light under the horizon is hardly drawn.
+// The same integral as by the map only, with less variance: directions below the horizon are hardly sampled.
 TEST(EnvironmentForASurface, DrawsWhatIsOverTheHorizon) {
   const EnvironmentMap map(sky(64, 32));
   for (const Vec3f& normal : Normals) {
@@ -257,7 +257,7 @@ TEST(EnvironmentForASurface, DrawsWhatIsOverTheHorizon) {
   }
 }
 
-// Evenly spread pairs that were drawn count each of the square's cells as often as its density says.
+// Warped uniform samples hit each of the square's cells as often as their pdf says.
 TEST(CosineWarps, WarpWithTheirDensity) {
   const EnvironmentMap map(sky(64, 32));
   const transport::CosineWarps warps([&](const Vec2f& xi) { return map.sample(xi)->direction; });
@@ -300,8 +300,8 @@ TEST(EnvironmentMap, ReportsTexelsThatCannotBe) {
   const auto map = transport::read_environment_map(path, diagnostics);
   ASSERT_TRUE(map);
   EXPECT_EQ(diagnostics.to_text(), path +
-                                       ": warning: 3 of 4 texels of the environment map are negative or no "
-                                       "finite numbers there, and count as 0\n");
+                                       ": warning: 3 of 4 texels of the environment map are negative or "
+                                       "not finite, and count as 0 there\n");
   EXPECT_EQ(map->image().pixels, (std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(0), Rgb(0)}));
   EXPECT_NEAR(map->density({-1e-3F, 0, 1}), 1 / std::numbers::pi, 1e-6);  // a quarter of the sphere
 }

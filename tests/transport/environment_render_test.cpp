@@ -1,4 +1,4 @@
-// Scenes in environments, whose image is known.
+// Scenes in environments, with known images.
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/albedo.h"
@@ -20,7 +20,7 @@ std::shared_ptr<const EnvironmentMap> constant_map() {
   return std::make_shared<EnvironmentMap>(Image{4, 2, std::vector<Rgb>(8, Rgb(1))});
 }
 
-/// A dim sky, and a sun of some degrees up on the right.
+/// A dim sky, and a sun some degrees wide, up on the right.
 std::shared_ptr<const EnvironmentMap> sun_map(float sun) {
   Image image{64, 32, std::vector<Rgb>(64 * 32, Rgb(0.3F, 0.4F, 0.5F))};
   image.pixels[8 * 64 + 42] = Rgb(sun, sun, sun / 2);
@@ -61,7 +61,8 @@ TEST(EnvironmentFurnace, WhiteSphereVanishes) {
   }
 }
 
-// What a small part of a sphere sends to the eye under light of radiance 1 from all around is its albedo.
+// Under uniform illumination of radiance 1, a small part of a sphere sends its albedo to the eye (furnace
+// test).
 TEST(EnvironmentFurnace, SphereShowsItsAlbedo) {
   for (const char* brdf : {"diffuse kd=0.7", "ward sx=0.2 sy=0.2 ks=0.5 kd=0.3", "phong n=100 ks=0.4 kd=0.6",
                            "coupled Rm=1 Ro=0.05"}) {

@@ -1,4 +1,4 @@
-// A few seeds of what error_statistics_test does with many.
+// A short version, with a few seeds, of error_statistics_test.
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -26,7 +26,7 @@ TEST(ErrorSums, AddUpAllThatPartsSay) {
   EXPECT_EQ(std::bit_cast<Numbers>(sums - std::bit_cast<transport::ErrorSums>(a)), b);
 }
 
-// Of 96 renders, whose intervals miss 5 in the mean, 12 or more miss in one case of 300.
+// Of 96 intervals, 5 miss on average, and 12 or more do with probability 1/300.
 TEST(ErrorEstimate, HoldsOnFourScenes) {
   test::ErrorStudy study;
   for (const test::SampleScene& scene : test::error_scenes()) test::study_errors(scene, 24, 32, study);
@@ -38,11 +38,11 @@ TEST(ErrorEstimate, HoldsOnFourScenes) {
 
 struct BrightCase {
   test::ErrorCase tested;
-  double width = 0;  ///< the most that the upper bound may be of the lower one, in the mean
+  double width = 0;  ///< the largest mean ratio of the upper to the lower bound
 };
 
-// Where a pixel was divided by its darker neighbours, from twice to ten times the error was stated. Of 20
-// intervals 5 or more miss in one case of 400; the seeds are always the same.
+// Dividing a pixel's error by its darker neighbours would overstate it two to ten times. Of 20 intervals 5 or
+// more miss with probability 1/400; the seeds are fixed.
 TEST(ErrorEstimate, HoldsWithLampsInView) {
   using test::BrightScene;
   const std::string diffuse = "brdf diffuse kd=0.6";
@@ -65,8 +65,8 @@ TEST(ErrorEstimate, HoldsWithLampsInView) {
   }
 }
 
-// Lamps that are thinner than a pixel, along a row and along a column. Where each pixel was taken for the
-// mean of its eight neighbours, 1.2 times the error was stated.
+// The lamps are thinner than a pixel, along a row and along a column. With all eight neighbours as the prior
+// of each pixel, 1.2 times the error was stated.
 TEST(ErrorEstimate, TakesPixelsOfAThinLineForAlike) {
   const auto wall = [] { return test::BrightScene(48).wall("brdf diffuse kd=0.6"); };
   for (const test::ErrorCase& tested : {wall().lamp(24, 24.4, 36, 0.12, 0, 20).with("a row", 32),
@@ -80,7 +80,7 @@ TEST(ErrorEstimate, TakesPixelsOfAThinLineForAlike) {
   }
 }
 
-// 72 blocks: one of them is off by 4.4 standard deviations in one case of 1,000.
+// With probability 1/1,000, one of 72 blocks is off by 4.4 standard deviations.
 TEST(AdaptiveSampling, HasTheMeanOfUniformSampling) {
   EXPECT_LT(test::largest_difference(test::sun_scene(), 64, 60), 4.4);
 }

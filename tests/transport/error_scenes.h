@@ -9,8 +9,8 @@
 
 namespace test {
 
-/// A mirror ball over a matte floor, under a small light: what it reflects to the floor, paths find by chance
-/// alone. The noise is uneven, and its tails are heavy.
+/// A specular ball over a diffuse floor, under a small light: paths find its caustic only by chance. The
+/// noise is uneven and heavy-tailed.
 inline SampleScene caustic_scene() {
   const std::string text = "light begin rgb (60,60,60) (-0.3,3,-0.3) (0.6,0,0) (0,0,0.6) end\n" +
                            quad("brdf diffuse kd=0.6", "(-4,-1,4) (4,-1,4) (4,-1,-4) (-4,-1,-4)") +
@@ -21,7 +21,7 @@ inline SampleScene caustic_scene() {
   return {"caustic", scene_of(text), settings_of(look)};
 }
 
-/// A glossy ball on a matte floor under a dim sky with a sun.
+/// A glossy ball on a diffuse floor under a dim sky with a sun.
 inline SampleScene sun_scene() {
   transport::Image image{64, 32, std::vector<transport::Rgb>(64 * 32, transport::Rgb(0.3F, 0.4F, 0.5F))};
   image.pixels[8 * 64 + 42] = transport::Rgb(300, 300, 200);
@@ -35,7 +35,7 @@ inline SampleScene sun_scene() {
   return {"sun", scene_of(text), settings};
 }
 
-/// Four that are noisy in different ways, of 48x32 pixels.
+/// Four scenes with different kinds of noise, of 48x32 pixels.
 inline std::vector<SampleScene> error_scenes() {
   const std::string samples = std::string(GRANADA_SOURCE_DIR) + "/samples/";
   std::vector<SampleScene> scenes;

@@ -1,5 +1,5 @@
-// Statistics of many minutes: what the error estimate and adaptive sampling promise, over many seeds.
-// ERROR_SEEDS=20 in the environment takes fewer, and ERROR_SCENES=7 other random scenes than the clock's.
+// Long statistical tests of the error estimate and adaptive sampling, over many seeds. In the environment,
+// ERROR_SEEDS=20 runs fewer seeds, and ERROR_SCENES=7 replaces the clock as the seed of random scenes.
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -51,9 +51,8 @@ std::vector<test::ErrorCase> chosen_cases() {
   return cases;
 }
 
-/// Renders a scene with so many seeds, and with four times as many if the share of true errors inside is near
-/// the least one that is allowed: of a scene that holds in 92 % of all renders, 100 seeds often show less
-/// than 88 %.
+/// Renders a scene with this many seeds, and with four times as many if the fraction of true errors within
+/// intervals is near the required minimum: with a coverage of 92 %, 100 seeds often show less than 88 %.
 test::ErrorStudy study_of(const test::ErrorCase& tested, int seeds) {
   test::ErrorStudy study;
   test::study_intervals(tested.scene, seeds, tested.samples, study);
@@ -101,7 +100,7 @@ TEST(TargetError, HoldsOver200SeedsOfFourScenes) {
   EXPECT_LE(all.missed_share(), 0.07);
 }
 
-// 144 blocks: one of them is off by 4.5 standard deviations in one case of 1,000.
+// With probability 1/1,000, one of 144 blocks is off by 4.5 standard deviations.
 TEST(AdaptiveSampling, HasTheMeanOfUniformSamplingOver1000Renders) {
   EXPECT_LT(test::largest_difference(test::caustic_scene(), 64, 1000), 4.5);
   EXPECT_LT(test::largest_difference(test::sun_scene(), 64, 1000), 4.5);

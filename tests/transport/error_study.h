@@ -10,15 +10,15 @@
 
 namespace test {
 
-/// How estimated and true errors of some renders compare.
+/// A comparison of estimated and true errors over some renders.
 struct ErrorStudy {
   int runs = 0;
-  int inside = 0;                 ///< true errors that were in their interval
-  double quotients = 0;           ///< sum of stated over true error
+  int inside = 0;                 ///< true errors within their interval
+  double quotients = 0;           ///< sum of estimated over true error
   double widths = 0;              ///< sum of the upper over the lower bound of intervals
-  double stated = 0, actual = 0;  ///< sums of squared errors, each as a part of its scene's mean one
-  int stopped = 0;                ///< renders with a target
-  int missed = 0;                 ///< of which the true error was above the target by more than the margin
+  double stated = 0, actual = 0;  ///< sums of squared errors, relative to their scene's mean one
+  int stopped = 0;                ///< renders with a target error
+  int missed = 0;                 ///< of which the true error exceeded the target by more than the margin
 
   ErrorStudy& operator+=(const ErrorStudy& other) {
     runs += other.runs;
@@ -38,7 +38,7 @@ struct ErrorStudy {
   double missed_share() const { return static_cast<double>(missed) / stopped; }
 };
 
-/// Images of other seeds, of which all but one are the truth for that one.
+/// Images with different seeds; the truth for one is the mean of all others.
 class SeedImages {
  public:
   explicit SeedImages(const transport::Image& first)
@@ -49,8 +49,8 @@ class SeedImages {
     ++count_;
   }
 
-  /// The squared error of an image against the mean of the others. The expected squared error of that mean,
-  /// the `share`-th part of the image's own, is taken off.
+  /// The squared error of an image against the mean of the others. The expected squared error of that mean, a
+  /// fraction `share` of the image's own, is subtracted.
   double relmse(const transport::Image& image, bool is_one_of_them, double share) const {
     transport::Image truth = size_;
     const double others = count_ - (is_one_of_them ? 1 : 0);
@@ -67,13 +67,13 @@ class SeedImages {
   int count_ = 0;
 };
 
-/// What renders of one scene with other seeds have shown.
+/// Statistics of one scene's renders with different seeds.
 struct StudiedScene {
   SeedImages images;
-  double squared_error = 0;  ///< the mean one
+  double squared_error = 0;  ///< mean over renders
 };
 
-/// Compares the stated with the true errors of renders of one scene with so many seeds.
+/// Compares the estimated with the true errors of renders of one scene with this many seeds.
 inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
   transport::RenderSettings settings = scene.settings;
   settings.samples = samples;
@@ -94,7 +94,7 @@ inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int sam
     const double squared = all.relmse(images[i], true, 1);
     const double error = std::sqrt(squared);
     study.inside += error >= estimates[i].low && error <= estimates[i].high ? 1 : 0;
-    // An image that is exact, and said to be so, is as good as can be.
+    // An image that is exact, with an estimate that says so, is perfect.
     const bool is_exact = error == 0 && estimates[i].high == 0;
     study.quotients += is_exact ? 1 : estimates[i].error / error;
     study.widths += is_exact ? 1 : estimates[i].high / estimates[i].low;
@@ -107,8 +107,8 @@ inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int sam
   return {std::move(all), mean};
 }
 
-/// One scene, with so many seeds: renders of `samples` a pixel whose error is estimated, and as many that
-/// stop at a target of two thirds of the mean error that those have.
+/// Studies one scene with this many seeds: renders of `samples` per pixel whose error is estimated, and as
+/// many that stop at a target of two thirds of their mean error.
 inline void study_errors(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
   const StudiedScene studied = study_intervals(scene, seeds, samples, study);
   transport::RenderSettings settings = scene.settings;
@@ -126,7 +126,7 @@ inline void study_errors(const SampleScene& scene, int seeds, int samples, Error
   }
 }
 
-/// Means of blocks of pixels over renders of other seeds, and their variances.
+/// Block means over renders with different seeds, and their variances.
 struct BlockMeans {
   static constexpr int Side = 8;
   std::vector<double> means;
@@ -168,8 +168,7 @@ inline BlockMeans block_means(const SampleScene& scene, const transport::RenderS
   return result;
 }
 
-/// How many standard deviations the block lies off that does so most: of adaptive renders against uniform
-/// ones.
+/// The largest deviation of a block, in standard deviations: of adaptive renders against uniform ones.
 inline double largest_difference(const SampleScene& scene, int samples, int renders) {
   transport::RenderSettings settings = scene.settings;
   settings.samples = samples;

@@ -43,7 +43,7 @@ TEST(FeatureLayersTest, AreThoseOfASphere) {
   EXPECT_EQ(layers.depth[0], std::numeric_limits<float>::infinity());
 }
 
-// Of a lobe the albedo is an estimate: its mean over pixels that see it at about the same angle.
+// The albedo of a lobe is an estimate: take its mean over pixels that see it at about the same angle.
 TEST(FeatureLayersTest, EstimateTheAlbedoOfLobes) {
   const std::string quad = "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)";
   View view = view_from({0, 0, 100});

@@ -15,7 +15,7 @@ using transport::FilmTile;
 using transport::Image;
 using transport::Rgb;
 
-/// Adds a sample to each pixel of a tile; `radiance` gives it for a place within the tile.
+/// Adds a sample to each pixel of a tile; `radiance` gives its value for a position within the tile.
 template <class Function>
 void add_to_tile(Film& film, int tile, int scrambling, Function radiance) {
   FilmTile sums;
@@ -96,7 +96,7 @@ TEST(Film, EstimatesTheTrueError) {
   EXPECT_NEAR(*film.estimated_error(), expected, 0.05 * expected);
 }
 
-/// Two samples of a pixel in each half, that are mostly dark and sometimes bright.
+/// Two samples per pixel in each half, which are mostly dark and sometimes bright.
 template <class Random>
 Film rarely_bright_film(Random& random) {
   std::bernoulli_distribution bright(0.1);
@@ -109,8 +109,8 @@ Film rarely_bright_film(Random& random) {
   return film;
 }
 
-// Heavy tails: the variance of a pixel follows from a few bright samples. Of 200 intervals, 10 miss in the
-// mean, and 20 or more in one case of 500.
+// Heavy tails: a few bright samples determine a pixel's variance. Of 200 intervals, 10 miss on average, and
+// 20 or more with probability 1/500.
 TEST(Film, StatesAnIntervalThatHolds) {
   std::mt19937 random(2);
   constexpr int Films = 200;
@@ -129,7 +129,7 @@ TEST(Film, StatesAnIntervalThatHolds) {
   EXPECT_GT(inside, Films - 20);
 }
 
-// A pixel that is bright in one sample alone says as little of its own brightness as its neighbours do.
+// A pixel that is bright in only one sample says as little of its own brightness as its neighbours do.
 TEST(Film, IsNotMisledByARareBrightSample) {
   Film film(9, 9);
   add(film, 0, 0, Rgb(1));
@@ -137,7 +137,7 @@ TEST(Film, IsNotMisledByARareBrightSample) {
   EXPECT_NEAR(*film.estimated_error(), std::sqrt(1000.0 * 1000 / 1.01 / 81), 1);
 }
 
-// On black, where the neighbours tell nothing: a lamp that covers half of a pixel, and is smaller than that.
+// On black, where neighbours do not help: a lamp that covers half a pixel or less.
 TEST(Film, DividesThePixelOfASmallLampByItself) {
   Film film(9, 9);
   for (int half = 0; half < Film::Scramblings; ++half) {
@@ -148,7 +148,7 @@ TEST(Film, DividesThePixelOfASmallLampByItself) {
   EXPECT_NEAR(*film.estimated_error(), 0.5 / 9.5 / 9, 0.01 * 0.5 / 9.5 / 9);
 }
 
-// The edge of a lamp: each pixel of a column has another part of it, which the halves know to 2 %.
+// The edge of a lamp: the coverage differs per pixel of a column, and the halves know it to 2 %.
 TEST(Film, DividesThePixelsOfAnEdgeByThemselves) {
   constexpr int Side = Film::TileSize;
   Film film(Side, Side);
@@ -162,9 +162,9 @@ TEST(Film, DividesThePixelsOfAnEdgeByThemselves) {
   EXPECT_NEAR(*film.estimated_error(), expected, 0.03 * expected);
 }
 
-// Dots that are hit once, where half of them were not seen at all: that is known from those which were hit in
-// both halves. Each of `Dots` pixels has its radiance 1 in one sample of a half with the probability 1/2, so
-// the mean is 1/2 with the variance 1/8.
+// Dots that were hit once, half of which were not seen at all: this is estimated from those hit in both
+// halves. Each of `Dots` pixels has radiance 1 in one sample of a half with probability 1/2, so the mean is
+// 1/2 and its variance 1/8.
 TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
   constexpr int Side = 160;
   constexpr int Apart = 4;
@@ -182,18 +182,18 @@ TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
   EXPECT_NEAR(*film.estimated_error(), expected, 0.3 * expected);
 }
 
-// The edges of lamps on black. Most of the error is in pixels of which so little is covered that one of 16
-// samples has hit it, or none: each is covered by another random part. Samples are spread as evenly as they
-// can be, so that a half has hit floor or ceil of what the covered part is of its samples.
+// The edges of lamps on black. Most of the error is in pixels with so little coverage that one of 16 samples
+// has hit them, or none: each has a random coverage. Samples are perfectly stratified, so that a half has
+// floor or ceil of the covered fraction of its samples.
 struct EdgeStudy {
   static constexpr int Films = 60;
   static constexpr int Side = 2 * Film::TileSize;
-  int inside = 0;        ///< true errors that were in their interval
-  double quotients = 0;  ///< mean of stated over true error
+  int inside = 0;        ///< true errors within their interval
+  double quotients = 0;  ///< mean of estimated over true error
 };
 
-/// Estimates the errors of films whose pixels are covered by something bright as `coverage` says, which is
-/// asked for each pixel of each film. Samples are spread well.
+/// Estimates the errors of films whose pixels are partly covered by a bright object; `coverage` is called per
+/// pixel and film. Samples are stratified.
 template <class Coverage>
 EdgeStudy study_edges(std::mt19937& random, const Coverage& coverage) {
   constexpr double HalfSamples = 8;
@@ -234,8 +234,8 @@ TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
   EXPECT_LT(study.quotients, 1.2);
 }
 
-// The bright side lies in other tiles than the pixels that it covers in part, all of them by as much: neither
-// a pixel nor its tile knows what is beside it.
+// The bright side is in other tiles than the pixels that it equally covers in part: neither a pixel nor its
+// tile knows what is beside it.
 TEST(Film, StatesTheErrorOfAnEdgeAtTheBorderOfTiles) {
   std::mt19937 random(7);
   const EdgeStudy study = study_edges(random, [](int, int y) { return y < 15 ? 0.0 : y == 15 ? 0.1 : 1.0; });
@@ -244,7 +244,7 @@ TEST(Film, StatesTheErrorOfAnEdgeAtTheBorderOfTiles) {
   EXPECT_LT(study.quotients, 1.3);
 }
 
-/// Normally distributed noise of one part in a hundred.
+/// Normally distributed noise of one percent.
 Film film_with_noise(std::mt19937& random, int width, int height) {
   std::normal_distribution<float> noise(1, 0.01F);
   Film film(width, height);
@@ -256,8 +256,8 @@ Film film_with_noise(std::mt19937& random, int width, int height) {
   return film;
 }
 
-// The quotient of two chi-square variables of N degrees of freedom has a logarithm with about the variance
-// 4 / N; that of the error is half of it.
+// The logarithm of the ratio of two chi-square variables of N degrees of freedom has a variance of about 4 /
+// N; that of the error is half of it.
 TEST(Film, StatesTheIntervalOfNormalNoise) {
   std::mt19937 random(4);
   const auto estimate = *film_with_noise(random, 64, 64).error_estimate();
@@ -266,7 +266,7 @@ TEST(Film, StatesTheIntervalOfNormalNoise) {
   EXPECT_NEAR(std::log(estimate.error / estimate.low), std::log(expected), 0.25 * std::log(expected));
 }
 
-// Of 400 intervals, 20 miss in the mean; fewer than 5 or more than 34 do in one case of 10,000 and 1,000.
+// Of 400 intervals, 20 miss on average; fewer than 5 with probability 1/10,000, more than 34 with 1/1,000.
 TEST(Film, StatesAnIntervalThatHoldsAndIsNotTooWide) {
   std::mt19937 random(5);
   constexpr int Films = 400;

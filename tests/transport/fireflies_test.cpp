@@ -1,5 +1,4 @@
-// The sample scenes show no pixel that is bright by chance: none that stands out against a reference of many
-// more samples.
+// The sample scenes have no fireflies: no pixel that stands out against a reference with many more samples.
 #include <gtest/gtest.h>
 
 #include "renderer/transport/image/image_error.h"
@@ -29,7 +28,7 @@ TEST_P(Fireflies, AreNotInTheSamples) {
   settings.seed = 99;
   const Image reference = image_of(sample.scene, settings);
   EXPECT_EQ(error_of(image, reference).fireflies, 0U);
-  // A pixel that is bright alone is found.
+  // A firefly is found.
   Image with_one = image;
   const std::size_t middle = with_one.pixels.size() / 2 + 55;
   for (int k = 0; k < 3; ++k) with_one.pixels[middle][k] = 1000;

@@ -1,4 +1,4 @@
-// Closed rooms stay closed, and distance and size change nothing.
+// Watertightness of closed rooms, and invariance to distance and size.
 #include <array>
 #include <cmath>
 #include <random>
@@ -16,13 +16,13 @@ using transport::CompiledScene;
 using transport::Ray;
 using transport::Vec3f;
 
-/// A place within a twentieth of the unit box's size of its centre.
+/// A point within a twentieth of the unit box's size from its centre.
 template <class Uniform>
 Vec3f near_centre(Uniform& uniform) {
   return {0.1F * uniform(), 0.1F * uniform(), 0.1F * uniform()};
 }
 
-/// A place on one of the unit box's edges, or one of its corners.
+/// A point on one of the unit box's edges, or one of its corners.
 template <class Uniform>
 Vec3f on_edge_or_corner(Uniform& uniform, int first_axis, bool is_corner) {
   Vec3f place(uniform(), uniform(), uniform());
@@ -45,7 +45,7 @@ struct Leaks {
   std::vector<Ray> through_corners;
 };
 
-/// Which of the rays to edges and corners of the unit box, and of those that they become there, get out. The
+/// Counts the rays to edges and corners of the unit box, and those that continue from there, that escape. The
 /// map takes the unit box to the room.
 Leaks leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
   auto uniform = uniform_numbers();
@@ -79,7 +79,8 @@ grf::Matrix44d map_of(const Vec3f& scale, const Vec3f& angles, const Vec3f& offs
   return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
 }
 
-/// How many of eight rays about this one, which pass its end at so many roundings of its length, get out.
+/// The number of eight rays around this one, which pass its end at this many rounding errors of its length,
+/// that escape.
 int leaks_about(const CompiledScene& scene, const Ray& ray, float roundings) {
   const Vec3f axis = ray.direction.normalized();
   const Vec3f across = axis.cross(std::abs(axis.x) < 0.5F ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)).normalized();
@@ -109,10 +110,10 @@ TEST(ClosedBox, LetsNoRayOut) {
   }
 }
 
-// Embree decides for each edge on which side of it a ray passes, the same for both of its triangles: nothing
-// gets through an edge. But at a vertex that is far away for the size of its triangles, these decisions can
-// be at odds with each other within their rounding, so that a ray passes all edges of the vertex on the side
-// on which the next triangle is not. It has to aim at the vertex for that.
+// Embree decides for each edge on which side of it a ray passes, consistently for both of its triangles:
+// nothing gets through an edge. But at a vertex that is far away for the size of its triangles, these
+// decisions can contradict each other within rounding, so that a ray passes all edges of the vertex on the
+// side where the next triangle is not. It has to aim at the vertex for that.
 TEST(ClosedBox, OfGreatLengthHasHolesInItsCornersOfTheSizeOfRoundingAlone) {
   constexpr int Rays = 200'000;
   const Vec3f scale(1, 2, 30);
@@ -153,14 +154,14 @@ double sphere_brightness(const Vec3f& centre, bool normals) {
   return test::mean_radiance(render.film()).mean;
 }
 
-// In a white world a white sphere vanishes, unless it shadows itself.
+// In a white environment a white sphere is invisible, unless it shadows itself.
 TEST(FarScene, HasNoShadowsOfItsOwn) {
   EXPECT_NEAR(sphere_brightness(Vec3f(0), false), 1, 1e-4);
   EXPECT_NEAR(sphere_brightness(Vec3f(1e6F, 0, -1e6F), false), 1, 1e-4);
   EXPECT_NEAR(sphere_brightness(Vec3f(1e9F), false), 1, 1e-4);
 }
 
-// Here the other sphere keeps the scene from being moved.
+// Here the other sphere prevents the scene from being shifted.
 TEST(FarScene, HasNoShadowsOfItsOwnWhereItCannotBeShifted) {
   const std::string sphere = test::sphere("brdf diffuse kd=1", 8, false);
   const CompiledScene scene =
@@ -177,7 +178,7 @@ TEST(FarScene, HasNoShadowsOfItsOwnWhereItCannotBeShifted) {
 TEST(FarScene, IsTheSameAsTheNearOne) {
   const std::string sphere = test::sphere("brdf diffuse", 8, false);
   const CompiledScene near = test::scene_of(sphere);
-  // A power of two, so that the shift itself rounds nothing.
+  // A power of two, so that the shift itself is exact.
   const Vec3f offset(1 << 20, 0, 1 << 21);
   const CompiledScene far = test::scene_of(placed(sphere, Vec3f(1), Vec3f(0), offset));
   EXPECT_EQ(near.origin(), grf::Vec3d(0));
@@ -193,7 +194,7 @@ TEST(FarScene, IsTheSameAsTheNearOne) {
   }
 }
 
-// Two opposite corners of a light say nothing of where the other two are.
+// Two opposite corners of a light do not determine the other two.
 TEST(FarScene, IsMovedByTheBoxAroundARotatedLight) {
   const CompiledScene scene = test::scene_of("light begin (900,0,0) (1,50,0) (1,-50,0) end\n");
   EXPECT_EQ(scene.bounds().min, grf::Vec3d(900, -50, 0));
@@ -212,7 +213,7 @@ TEST(Ray, DoesNotMeetTheTriangleThatItLeaves) {
   EXPECT_TRUE(scene.escapes({down.origin, down.direction, point->id}));
 }
 
-// Slivers and faces without area harm nobody.
+// Slivers and degenerate faces do no harm.
 TEST(Triangles, MayBeSlivers) {
   const CompiledScene scene = test::scene_of(
       "begin mesh begin vertexs (0,0,0) (1000,1000,0) (1000,1000.01,0) (5,5,5) (5,5,5) (1,1,1) end vertexs "

@@ -71,7 +71,7 @@ TEST(ImageErrorTest, CountsWhatIsNotFiniteAndLeavesItOut) {
 }
 
 TEST(ImageErrorTest, CountsFirefliesThatTheReferenceHasNot) {
-  // A lamp at the left whose edge is elsewhere by two pixels, and a bright pixel that is alone.
+  // A lamp on the left whose edge is shifted by two pixels, and a firefly.
   const Image reference = row({Rgb(8), Rgb(8), Rgb(1), Rgb(1), Rgb(1), Rgb(1), Rgb(1), Rgb(1)});
   EXPECT_EQ(
       error_of(row({Rgb(8), Rgb(8), Rgb(8), Rgb(8), Rgb(1), Rgb(1), Rgb(1), Rgb(1)}), reference).fireflies,

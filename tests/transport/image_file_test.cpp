@@ -1,4 +1,4 @@
-// Images written to files of each type, read by our readers and by others'.
+// Images written to files of each format, read by our readers and by others'.
 #include "renderer/transport/image/image_file.h"
 
 #include <cmath>
@@ -35,7 +35,7 @@
 
 namespace {
 
-/// Frees what stb_image has read.
+/// Frees the memory of stb_image.
 struct FreeStb {
   void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
@@ -47,7 +47,7 @@ using transport::ImageFile;
 constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 constexpr float QuietNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// Odd sizes, so that no row ends where another thing begins.
+/// Odd sizes, so that rows do not align with anything else.
 Image gradient() {
   Image image{23, 11, {}};
   for (int y = 0; y < 11; ++y) {
@@ -58,7 +58,7 @@ Image gradient() {
   return image;
 }
 
-/// Radiance of any size, dark and bright.
+/// Random radiance of any magnitude.
 Image random_radiance() {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> exponent(-60, 60);
@@ -75,7 +75,7 @@ Image random_radiance() {
 
 class ImageFiles : public testing::Test {
  protected:
-  /// The path of the written file.
+  /// Writes the file and returns its path.
   std::string write(const ImageFile& file, const std::string& name) {
     EXPECT_TRUE(transport::write_image(file, folder_.path(name), diagnostics_)) << diagnostics_.to_text();
     return folder_.path(name);
@@ -121,7 +121,7 @@ TEST_F(ImageFiles, RadianceIsRoundedToTheNearest) {
       bias += (again.pixels[i][k] - pixel[k]) / largest / 3000;
     }
   }
-  // Steps are at most largest / 128, errors uniform over one: 3000 of them have this deviation at most.
+  // Steps are at most largest / 128, errors uniform over one: 3000 of them have at most this deviation.
   EXPECT_LT(std::abs(bias), 4 * 1.0 / 128 / std::sqrt(12.0 * 3000));
   int width = 0;
   int height = 0;
@@ -191,7 +191,7 @@ TEST_F(ImageFiles, TgaOfTwoRowsHasThemFromTheTop) {
   EXPECT_GT(again.pixels[0].x, again.pixels[1].x);
 }
 
-// Sizes are two bytes each, the lower one first (Truevision 1991, fields 5.3 and 5.4).
+// Sizes are two bytes each, little-endian (Truevision 1991, fields 5.3 and 5.4).
 TEST_F(ImageFiles, TgaHoldsSizesOver255) {
   const std::string bytes = test::bytes_of(write({{300, 515, std::vector<Rgb>(300 * 515, Rgb(1))}}, "a.tga"));
   EXPECT_EQ(bytes.substr(12, 4), std::string("\x2c\x01\x03\x02", 4));
@@ -307,7 +307,7 @@ class LostFolders : public ImageFiles {
 TEST_F(LostFolders, LeaveTheImageInAnother) {
   EXPECT_FALSE(keep({folder_.path()}, gone_));
   ASSERT_EQ(diagnostics_.entries().size(), 2U);
-  const std::string start = "the image was kept as '" + folder_.path("granada-");
+  const std::string start = "the image was saved as '" + folder_.path("granada-");
   EXPECT_TRUE(last_message().starts_with(start)) << last_message();
   const std::size_t quote = last_message().find('\'');
   const std::string kept = last_message().substr(quote + 1, last_message().rfind('\'') - quote - 1);
@@ -325,11 +325,11 @@ TEST_F(LostFolders, TakeTheFirstThatIsThere) {
 TEST_F(LostFolders, LeaveNothingButAnErrorIfAllAreLost) {
   EXPECT_FALSE(keep({folder_.path("none"), folder_.path("neither")}, gone_));
   EXPECT_EQ(diagnostics_.error_count(), 2U);
-  EXPECT_TRUE(last_message().starts_with("the image could not be kept in ")) << last_message();
+  EXPECT_TRUE(last_message().starts_with("the image could not be saved in ")) << last_message();
   EXPECT_TRUE(folder_.names().empty());
 }
 
-/// While it lives, no file grows beyond so many bytes, as on a full disk.
+/// Limits the size of files during its lifetime, as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {

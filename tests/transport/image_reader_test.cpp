@@ -1,4 +1,4 @@
-// Images of each kind, whole and broken.
+// Images of each format, valid and damaged.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -54,14 +54,14 @@ std::string radiance_header(int width, int height) {
          std::to_string(width) + "\n";
 }
 
-/// Rows of 4 bytes a pixel, without run lengths: (0.5, 1, 2) everywhere.
+/// Rows of 4 bytes per pixel, without run lengths: (0.5, 1, 2) everywhere.
 std::string radiance_file(int width, int height) {
   std::string file = radiance_header(width, height);
   for (int i = 0; i < width * height; ++i) file += bytes(32, 64, 128, 130);
   return file;
 }
 
-/// With run lengths, as most files are.
+/// Run-length encoded, as most files are.
 std::string radiance_rle_file(int width, int height) {
   std::string file = radiance_header(width, height);
   for (int y = 0; y < height; ++y) {
@@ -71,7 +71,7 @@ std::string radiance_rle_file(int width, int height) {
   return file;
 }
 
-/// Uncompressed, rows from the top, blue first.
+/// Uncompressed, rows from the top, BGR.
 std::string tga_file(int width, int height) {
   std::string file =
       bytes(0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, width & 255, width >> 8, height & 255, height >> 8, 24, 0x20);
@@ -146,7 +146,8 @@ class ImageReader : public testing::Test {
 
 const Rgb Orange(1, 0.2158605F, 0);  // 255, 128, 0
 
-// A code up to 128 is followed by so many bytes; one above by a single one, for so many pixels less 128.
+// A code up to 128 is followed by that many bytes; a greater one by a single byte, for as many pixels less
+// 128.
 TEST_F(ImageReader, TakesRunsOfRadianceOfAnyLength) {
   std::string file = radiance_header(130, 1) + bytes(2, 2, 0, 130);
   file += bytes(128);
@@ -197,8 +198,9 @@ TEST_F(ImageReader, ReadsWhatElseRadianceFilesSay) {
   ASSERT_TRUE(image) << diagnostics_.to_text();
   const Rgb half(0.125F, 0, 0);
   EXPECT_EQ(image->pixels, (std::vector<Rgb>{half * 2, half, half, half}));
-  expect_error("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n", "it is broken (its colours");
-  expect_error("c.hdr", "#?RADIANCE\n\n+X 1 +Y 4\n", "it is broken (its size is not said as rows and");
+  expect_error("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n", "it is damaged (its pixels");
+  expect_error("c.hdr", "#?RADIANCE\n\n+X 1 +Y 4\n",
+               "it is damaged (its resolution is not given as rows and");
 }
 
 TEST_F(ImageReader, TellsFilesByWhatTheyHold) {
@@ -228,7 +230,8 @@ TEST_F(ImageReader, ReadsOpenExrByItsChannels) {
   expect_everywhere(read("a.exr", exr_with(path, {"Y"})), Rgb(0.5F));
   expect_everywhere(read("b.exr", exr_with(path, {"R", "G", "B", "A", "Z"})), Rgb(0.5F));
   expect_everywhere(read("c.exr", exr_with(path, {"G"})), Rgb(0, 0.5F, 0));
-  expect_error("d.exr", exr_with(path, {"Z"}), "it is broken (its channels are not R, G and B, nor Y alone)");
+  expect_error("d.exr", exr_with(path, {"Z"}),
+               "it is damaged (its channels are neither R, G and B nor only Y)");
 }
 
 TEST_F(ImageReader, RefusesHugeImages) {
@@ -237,24 +240,25 @@ TEST_F(ImageReader, RefusesHugeImages) {
   header.channels().insert("R", Imf::Channel(Imf::HALF));
   { const Imf::OutputFile file(path.c_str(), header); }
   expect_error("a.exr", test::bytes_of(path),
-               "it is broken (it has 100000 x 200000 pixels, expected at most 134 million)");
+               "it is damaged (it has 100000 x 200000 pixels, expected at most 134 million)");
 }
 
 TEST_F(ImageReader, SaysWhatIsWrong) {
   expect_error("a.exr", "", "the file is empty");
-  expect_error("b.bmp", "BM something", "expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
-  expect_error("c.pfm", "PF\n2 2\n", "it is broken (its first lines are not a kind, a width, a height");
-  expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is broken (it ends early)");
-  expect_error("e.pfm", "PF\n0 2\n-1\n", "it is broken (it has no pixels)");
-  expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is broken (it has no pixels)");
-  expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is broken (it ends early)");
-  expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is broken (it ends early)");
-  expect_error("j.raw", std::string("\1\0\0", 3), "it is broken (it ends early)");
-  expect_error("k.raw", std::string(8, '\0'), "it is broken (it has no pixels)");
+  expect_error("b.bmp", "BM something",
+               "unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+  expect_error("c.pfm", "PF\n2 2\n", "it is damaged (its header is not a type, a width, a height");
+  expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is damaged (unexpected end of file)");
+  expect_error("e.pfm", "PF\n0 2\n-1\n", "it is damaged (it has no pixels)");
+  expect_error("f.pfm", "PF\n-2 2\n-1\n", "it is damaged (it has no pixels)");
+  expect_error("g.pfm", "PF\n2147483647 2147483647\n-1\n", "it is damaged (unexpected end of file)");
+  expect_error("h.hdr", "#?RADIANCE\n\n-Y 100000 +X 100000\n", "it is damaged (unexpected end of file)");
+  expect_error("j.raw", std::string("\1\0\0", 3), "it is damaged (unexpected end of file)");
+  expect_error("k.raw", std::string(8, '\0'), "it is damaged (it has no pixels)");
   expect_error("l.raw", std::string("\1\0\0\0\1\0\0\0 twelve bytes and more", 30),
-               "it is broken (it is longer than its size says)");
-  expect_error("m.raw", std::string(40, '\xff'), "it is broken (it ends early)");
-  expect_error("i.tga", "some text", "it is broken (");
+               "it is damaged (it is longer than its width and height require)");
+  expect_error("m.raw", std::string(40, '\xff'), "it is damaged (unexpected end of file)");
+  expect_error("i.tga", "some text", "it is damaged (");
   EXPECT_FALSE(transport::read_image(folder_.path("none.exr"), diagnostics_ = {}));
   EXPECT_EQ(diagnostics_.error_count(), 1U);
   EXPECT_FALSE(transport::read_image(folder_.path(), diagnostics_ = {}));
@@ -267,7 +271,7 @@ TEST_F(ImageReader, SaysItAtThePlaceThatNamesTheFile) {
   file->path = "scene.op";
   EXPECT_FALSE(transport::read_image(path, diagnostics_, {file, 3, 20}));
   EXPECT_TRUE(diagnostics_.to_text().starts_with("scene.op:3:20: error: cannot read the image '" + path +
-                                                 "': it is broken ("))
+                                                 "': it is damaged ("))
       << diagnostics_.to_text();
 }
 
@@ -288,7 +292,7 @@ class BrokenImages : public ImageReader {
   }
 };
 
-// What is cut off in a file's last bytes need not matter: PNG's end mark, JPEG's.
+// A cut within a file's last bytes may be harmless: PNG's end chunk, JPEG's end marker.
 TEST_F(BrokenImages, ThatEndEarlyAreRefused) {
   for (const auto& [name, file] : files()) {
     const std::size_t last = file.size() - 16;
@@ -308,7 +312,7 @@ TEST_F(BrokenImages, ThatAreGarbledDoNoHarm) {
     for (int i = 0; i < 80; ++i) {
       std::string garbled = file;
       for (std::uint32_t k = 0; k <= random() % 8; ++k) {
-        // The first bytes say the most.
+        // The first bytes matter most.
         const std::size_t range = random() % 2 == 0 ? std::min<std::size_t>(64, file.size()) : file.size();
         garbled[random() % range] = static_cast<char>(random());
       }

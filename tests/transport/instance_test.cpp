@@ -12,7 +12,7 @@ using transport::CompiledScene;
 using transport::Ray;
 using transport::Vec3f;
 
-/// Spheres, moved, turned, stretched and mirrored, of which some faces emit.
+/// Spheres, translated, rotated, stretched and mirrored, of which some faces emit.
 std::string spheres(const std::string& attributes, bool normals) {
   const std::string floor = test::quad("brdf diffuse kd=0.5", "(-5,-2,5) (5,-2,5) (5,-2,-5) (-5,-2,-5)");
   return floor + "def ball = " + test::sphere(attributes, 8, normals) +

@@ -16,7 +16,7 @@ using transport::PathEffects;
 using transport::PathNumbers;
 using transport::Rgb;
 
-/// A room open to the viewer, with a ceiling that shines: rays hit it often.
+/// A room open to the viewer, with an emitting ceiling that rays often hit.
 std::string room(const std::string& brdf) {
   return test::quad("brdf " + brdf, "(-1,-1,1)(1,-1,1)(1,-1,-1)(-1,-1,-1)") +
          test::quad("brdf diffuse kd=(0.7,0.3,0.2)", "(-1,-1,1)(-1,-1,-1)(-1,1,-1)(-1,1,1)") +
@@ -53,7 +53,7 @@ TEST_P(Integrators, NaiveAndPathAgree) {
     naive.integrator = Integrator::Naive;
     naive.secondary_rays = 64;
     const test::Estimate other = mean_of(scene, look, naive);
-    // Four deviations, and what the deviations themselves are uncertain by.
+    // Four standard deviations, and the uncertainty of the deviations themselves.
     const double deviation = std::hypot(path.deviation, other.deviation);
     EXPECT_NEAR(path.mean, other.mean, 5 * deviation) << "depth " << depth;
     EXPECT_LT(deviation, 0.01 * path.mean);
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Brdfs, Integrators,
                                          "torrance rough=0.3 kd=0.2", "coupled", "specular ks=0.9",
                                          "lewis n=20 kd=0.4 ks=0.5"));
 
-// What a scheme misses is missing: lambert's light beside a narrow lobe.
+// What a sampling scheme misses is missing in the image: Lambertian light beside a narrow lobe.
 TEST(Naive, ShowsWhatAWrongSchemeMisses) {
   const std::string text = room("diffuse kd=0.8");
   transport::CompileSettings wrong;
@@ -95,7 +95,7 @@ TEST(Normals, AreTheComponentsOnTheViewersSide) {
   }
 }
 
-// Where rounding puts a point of its back before its front.
+// Where rounding puts a point on its back in front of its front.
 TEST(Path, LightsNoFaceByItself) {
   const CompiledScene scene =
       test::scene_of(test::quad("brdf diffuse kd=0.5 light rgb (1,2,1)",
@@ -103,7 +103,7 @@ TEST(Path, LightsNoFaceByItself) {
                                 "(0.22587675,0.43399888,-0.12987137)(0.57726663,-1.4840348,-0.4794128)"
                                 "(-0.016101182,-0.9607831,1.2359271)"));
   const transport::Image image = test::render(scene, Look()).mean();
-  // The other triangle of the quad may be seen edge-on, as rounding bends the two.
+  // The other triangle of the quad may be visible edge-on, as rounding bends the two.
   for (const Rgb& pixel : image.pixels) EXPECT_LT(pixel.length(), 1e-9F);
 }
 
@@ -113,7 +113,7 @@ struct KernelCase {
   PathEffects effects;
 };
 
-// A kernel leaves out what would do nothing: its image is that of the full one, bit for bit.
+// A kernel leaves out only what does nothing: its image is that of the full kernel, bit for bit.
 TEST(Kernels, GiveTheFullKernelsImage) {
   const std::vector<KernelCase> cases = {
       {"matte", room("diffuse kd=0.8"), {true, false, false, false}},

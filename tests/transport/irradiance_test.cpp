@@ -1,4 +1,4 @@
-// Renders that take the irradiance that a scene carries.
+// Renders with the baked irradiance of a scene.
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +19,7 @@ using transport::Vec3f;
 
 constexpr double Pi = std::numbers::pi;
 
-/// With the irradiance that the text has.
+/// Compiles the text with its irradiance.
 CompiledScene compiled_with_irradiance(const std::string& text) {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read_text(text, "test.igrf", diagnostics);
@@ -38,13 +38,13 @@ transport::Image image_of(const CompiledScene& scene, const Look& look, bool use
   return render.film().mean();
 }
 
-/// A floor at z = 0 with irradiance from 1 to 3 along x, under no light.
+/// A floor at z = 0 with irradiance from 1 to 3 along x, without lights.
 std::string floor_with_irradiance(const std::string& attributes) {
   return test::quad(
       attributes, "irad (1,1,1) (-9,-9,0) irad (3,3,3) (9,-9,0) irad (3,3,3) (9,9,0) irad (1,1,1) (-9,9,0)");
 }
 
-/// What is seen of a point of that floor, (0,0,0).
+/// The radiance from that floor's point (0,0,0) towards the eye.
 Rgb seen(const std::string& text, const Vec3f& eye, bool uses_irradiance = true, int depth = 5) {
   Look look;
   look.eye = eye;
@@ -82,7 +82,7 @@ TEST(Irradiance, IsNotForSurfacesThatMirror) {
   EXPECT_EQ(seen(sum, Vec3f(0, 0, 4)), Rgb(0));
 }
 
-// By way of a lobe, what arrives is estimated: from a wall with irradiance and under no light, nothing.
+// Radiance via a glossy lobe is estimated: from a wall with irradiance but without lights, it is 0.
 TEST(Irradiance, IsNotForPathsThatWereScattered) {
   const std::string wall = floor_with_irradiance("brdf diffuse kd=0.5");
   const std::string glossy = test::quad("brdf ward sx=0.1 ks=0.9", "(-9,-9,5) (-9,9,5) (9,9,5) (9,-9,5)");
@@ -110,8 +110,8 @@ TEST(Irradiance, IsSeenInMirrors) {
   EXPECT_LE(in_mirror.x, 1.0001F * directly.x);
 }
 
-// A finely divided room shows what it shows without: to 1 % in the mean, and 4 % in each pixel but for those
-// where light changes within a cell.
+// A finely tessellated room looks the same with irradiance: to 1 % in the mean, and 4 % per pixel except
+// where light varies within a cell.
 TEST(Irradiance, ShowsTheRoomAsItIs) {
   const std::string text = test::room("brdf diffuse kd=0.6 rgb (1,0.8,0.6)", 16) +
                            "light begin rgb (4,4,4) (0.25,0.9,0.25) (0.5,0,0) (0,0,0.5) end\n";

@@ -1,5 +1,5 @@
-// What a surface sends to the eye under light of radiance 1 from all around is its albedo, whatever draws the
-// directions: every BRDF that a scene can write, and every sampling scheme.
+// Furnace tests: under uniform illumination of radiance 1 a surface sends its albedo to the eye, however
+// directions are sampled: every BRDF that a scene can use, and every sampling scheme.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ const std::vector<std::string> Schemes = {"auto",
                                           "factored",
                                           "cascadeCDF"};
 
-/// Those of the cases that one instance in a scene is.
+/// The cases that a single instance in a scene can represent.
 std::vector<std::string> scene_cases() {
   std::vector<std::string> cases;
   for (const auto* list : {&test::plain_cases(), &test::stepped_cases()}) {
@@ -39,8 +39,8 @@ std::vector<std::string> scene_cases() {
   return cases;
 }
 
-/// A BRDF, by its index, and a scheme besides `auto` that it is sampled by. Tables take seconds to make: all
-/// of them are for a long run, and any other has one scheme for each third BRDF.
+/// A BRDF, by its index, and a scheme besides `auto` that samples it. Building tables takes seconds: only a
+/// long run tests all of them, any other one scheme for each third BRDF.
 struct SchemeCase {
   std::size_t brdf = 0;
   std::string scheme;
@@ -58,7 +58,7 @@ std::vector<SchemeCase> scheme_cases() {
   return cases;
 }
 
-/// Far from where a sphere about the origin stands, so that neither hides the sky from the other.
+/// Far from a sphere about the origin, so that neither hides the sky from the other.
 const Vec3f FloorCentre(4096, 0, 0);
 
 std::string floor_of(const std::string& attributes) {
@@ -78,7 +78,7 @@ Look look_from(const Vec3f& u) {
   return look;
 }
 
-/// The mean albedo over a sphere's disc, as it is seen from far away: the radius is the sine of the angle.
+/// The mean albedo over a sphere's disc as seen from far away: the radius is the sine of the angle.
 double albedo_over_disc(const reflectance::Reflector& reflector) {
   constexpr int Rings = 32;
   double sum = 0;
@@ -90,7 +90,7 @@ double albedo_over_disc(const reflectance::Reflector& reflector) {
   return sum;
 }
 
-/// One of the BRDFs, with what it is known to reflect.
+/// A BRDF with its known albedo.
 class KnownBrdf {
  public:
   explicit KnownBrdf(std::size_t index) : brdf_(scene_cases()[index]) {}
@@ -102,7 +102,7 @@ class KnownBrdf {
       const Vec3f u = reflectance::from_angles(std::cos(theta), std::sin(theta), 0.7F);
       const double expected = reflectance::mean(reflectance::albedo(known_, u));
       const test::Estimate shown = test::mean_radiance(test::render(scene, look_from(u)));
-      // Over a hundred comparisons of which each channel's noise is known from two halves of few pixels.
+      // Over a hundred comparisons, in which each channel's noise is estimated from two halves of few pixels.
       EXPECT_NEAR(shown.mean, expected, 6 * shown.deviation + 3e-3 * expected) << brdf_ << " by " << scheme;
       EXPECT_LT(shown.deviation, 0.05 * expected + 2e-4) << brdf_ << " by " << scheme;
       if (test::info_of(known_.brdf()).not_conserving.empty()) {
@@ -112,7 +112,8 @@ class KnownBrdf {
   }
 
   void compare_sphere(const CompiledScene& scene) const {
-    if (reflectance::is_anisotropic(known_.brdf())) return;  // what is seen depends on how its frame lies
+    if (reflectance::is_anisotropic(known_.brdf()))
+      return;  // the image depends on the orientation of the frame
     Look look;
     look.eye = Vec3f(0, 0, 1000);
     look.field_of_view = static_cast<float>(2 * std::atan(1.0 / 1000) * 180 / M_PI);
@@ -123,13 +124,13 @@ class KnownBrdf {
     const test::Estimate shown = test::mean_radiance(test::render(scene, look));
     const double disc = M_PI / 4;  // of the image
     const double expected = disc * albedo_over_disc(known_) + 1 - disc;
-    // 120 rows of facets hide what interpolated normals send under them.
+    // Even 120 rows of facets hide what interpolated normals reflect below them.
     EXPECT_NEAR(shown.mean, expected, 5 * shown.deviation + 0.01 * disc) << brdf_;
   }
 
  private:
   std::string brdf_;
-  /// Draws by the BRDF's own sampler, whatever scheme a scene has.
+  /// Uses the BRDF's own sampler, whatever scheme a scene has.
   reflectance::Reflector known_{test::brdf_of(brdf_), reflectance::OwnScheme()};
 };
 

@@ -1,4 +1,4 @@
-// A floor under a lamp and an environment map together, either of which may be sampled at any time.
+// A floor under a lamp and an environment map together, either of which may be sampled.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -20,8 +20,8 @@ using transport::Vec3f;
 
 constexpr double HalfSide = 0.5;
 
-/// A square lamp, parallel to the floor and at height 1 over its middle, its front down: of two halves, of
-/// which one is dimmer than the mean and the other one brighter by the same.
+/// A square lamp, parallel to the floor at height 1 above its centre, front down: in two halves, one dimmer
+/// than the mean and the other brighter by the same amount.
 std::string lamp_of(float radiance, float difference = 0) {
   return fmt::format(
       "light begin rgb ({0},{0},{0}) (-0.5,-0.5,1) (0,1,0) (0.5,0,0) end\n"
@@ -29,7 +29,7 @@ std::string lamp_of(float radiance, float difference = 0) {
       radiance * (1 - difference), radiance * (1 + difference));
 }
 
-/// The cosine-weighted share of the hemisphere that the lamp takes up: four times that of a square over its
+/// The cosine-weighted fraction of the hemisphere that the lamp covers: four times that of a square over its
 /// corner (Howell, "A catalog of radiation heat transfer configuration factors", B-3).
 double share_of_lamp() {
   const double s = HalfSide / std::sqrt(1 + HalfSide * HalfSide);
@@ -40,7 +40,7 @@ std::string floor_of(const std::string& brdf) {
   return test::quad("brdf " + brdf, "(-0.01,-0.01,0) (0.01,-0.01,0) (0.01,0.01,0) (-0.01,0.01,0)");
 }
 
-/// The floor's middle, from beside the lamp.
+/// The floor's centre, seen from beside the lamp.
 RenderSettings settings_under(float map, int depth) {
   test::Look look;
   look.eye = Vec3f(4, 0, 1);
@@ -63,8 +63,8 @@ test::Estimate shown(const transport::CompiledScene& scene, const RenderSettings
 
 const std::vector<std::optional<Resampling>> ResamplingOrNot = {{}, Resampling{16, 2}};
 
-// The lamp is in front of a part of the map: kd (map (1 - F) + lamp F). With a depth of 3 the path goes on in
-// two ways, which no other surface is there to meet.
+// The lamp hides part of the map: kd (map (1 - F) + lamp F). With a depth of 3 the path splits in two, but
+// there is no other surface to hit.
 TEST(LampAndMap, AddUpOnAMatteFloor) {
   const double f = share_of_lamp();
   for (const auto& [map, lamp] : {std::pair(1.0F, 20.0F), {3.0F, 0.5F}, {0.2F, 40.0F}, {1.0F, 3.0F}}) {
@@ -95,7 +95,7 @@ TEST(LampAndMap, AddUpForPathsThatMeetThemByChance) {
   EXPECT_LT(estimate.deviation, 0.01);
 }
 
-// A lamp of the map's own radiance cannot be told from it: the floor shows its albedo, whatever its lobe.
+// A lamp of the map's own radiance is indistinguishable from it: the floor shows its albedo, for any lobe.
 TEST(LampAndMap, ShowTheAlbedoWhereTheyAreAlike) {
   for (const char* brdf : {"ward sx=0.2 sy=0.2 ks=0.5 kd=0.3", "phong n=100 ks=0.4 kd=0.6"}) {
     const auto scene = test::scene_of(floor_of(brdf) + lamp_of(1));

@@ -1,4 +1,4 @@
-// The shapes of lights as a point sees them: solid angles, and that they are covered evenly.
+// Spherical shapes of lights: their solid angles, and uniform sampling.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -24,7 +24,7 @@ using transport::SphericalTriangle;
 
 enum class Kind { Triangle, Parallelogram, Rectangle };
 
-/// A shape as seen from the origin.
+/// A shape relative to the origin.
 struct Shape {
   Kind kind = Kind::Triangle;
   Vec3d corner, edge1, edge2;
@@ -42,8 +42,8 @@ struct Shape {
     return with([&](const auto& shape) { return shape.sample(xi); });
   }
 
-  /// By how much rounding grows: edge-on the distance of the plane is what is left of larger numbers, and a
-  /// thin shape that is touched shows two corners in opposite directions.
+  /// The amplification of rounding errors: edge-on the distance of the plane is a difference of larger
+  /// numbers, and the corners of a thin shape that the origin touches are in opposite directions.
   double condition() const {
     const Vec3d normal = edge1.cross(edge2).normalized();
     double condition = corner.length() / std::abs(normal.dot(corner));
@@ -57,7 +57,7 @@ struct Shape {
     return condition;
   }
 
-  /// Of the part with u and v in these ranges, which lies in the shape.
+  /// The solid angle of the part with u and v in these ranges.
   double reference(double u0 = 0, double u1 = 1, double v0 = 0, double v1 = 1) const {
     const Vec3l e1(edge1);
     const Vec3l e2(edge2);
@@ -108,7 +108,7 @@ TEST(SolidAngle, FollowsLHuilier) {
   }
 }
 
-/// Shapes of all kinds, sizes and attitudes, with their front to the origin.
+/// Shapes of all kinds, sizes and orientations that face the origin.
 rc::Gen<Shape> any_shape() {
   return rc::gen::exec([] {
     std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
@@ -159,8 +159,8 @@ RC_GTEST_PROP(LightShapes, AreSampledWithin, ()) {
   }
 }
 
-// The map itself, without statistics: up to the point's line lies the share xi.x of the solid angle, and in a
-// thin wedge along this line, up to the point, the share xi.y.
+// Tests the map itself, without statistics: a fraction xi.x of the solid angle lies on one side of the
+// point's line, and within a thin wedge along this line a fraction xi.y lies before the point.
 RC_GTEST_PROP(LightShapes, AreCoveredEvenly, ()) {
   const Shape shape = *any_shape();
   const Vec2f xi = transport::sobol_point(*rc::gen::inRange(0U, 1U << 20), 3).xy();
@@ -233,7 +233,7 @@ TEST(LightShapes, AreDrawnByTheirDensity) {
       sum += part / whole;
       expectation.push_back(Samples * part / whole);
     }
-    EXPECT_NEAR(sum, 1, 1e-5) << what << int(shape.kind);  // the density's integral
+    EXPECT_NEAR(sum, 1, 1e-5) << what << int(shape.kind);  // the integral of the pdf
     std::vector<double> counts(Cells * Cells);
     const auto cell_of = [](double place) { return std::min(static_cast<int>(place * Cells), Cells - 1); };
     for (int i = 0; i < Samples; ++i) {
@@ -247,7 +247,7 @@ TEST(LightShapes, AreDrawnByTheirDensity) {
   }
 }
 
-// What keeps the points of a Sobol sequence apart on the light.
+// Continuity, which keeps samples of a Sobol' sequence well distributed on the light.
 TEST(LightShapes, AreMappedContinuously) {
   for (const auto& [shape, what] : chi_square_cases()) {
     if (std::string(what) != "near" && std::string(what) != "tiny") continue;

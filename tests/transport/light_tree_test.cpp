@@ -1,4 +1,4 @@
-// The choice among many emitters.
+// Sampling one of many emitters by the light tree.
 #include "renderer/transport/lights/light_tree.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ class Emitters {
   }
   Vec3f vector() { return {number(-1, 1), number(-1, 1), number(-1, 1)}; }
 
-  /// Of all attitudes, in a cube of edge 2; sizes and radiances differ widely.
+  /// Emitters of all orientations in a cube of edge 2; sizes and radiances differ widely.
   std::vector<Emitter> any(std::size_t count) {
     std::vector<Emitter> emitters;
     for (std::size_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ class Emitters {
     return emitters;
   }
 
-  /// A ceiling of small lights that shine down, and nothing else.
+  /// Only a ceiling of small lights that shine down.
   std::vector<Emitter> ceiling(std::size_t count) {
     std::vector<Emitter> emitters;
     for (std::size_t i = 0; i < count; ++i) {
@@ -97,7 +97,7 @@ TEST(LightTree, ChoosesByItsProbabilities) {
       ASSERT_FLOAT_EQ(choice->probability, tree.probability(emitters, from, normal, choice->emitter));
       counts[choice->emitter] += 1;
     }
-    // One stratum a sample: counts are right to a few, as each emitter is a run of strata.
+    // One stratum per sample: counts are exact up to a few, as each emitter is a run of strata.
     for (std::size_t i = 0; i < emitters.size(); ++i) EXPECT_NEAR(counts[i], expectation[i], 3) << i;
     const double sum = sum_of_probabilities(tree, emitters, from, normal);
     EXPECT_LT(sum, 1 + 1e-5);
@@ -139,7 +139,7 @@ TEST(LightTree, PrefersWhatGivesMoreLight) {
   Emitters make(5);
   const auto emitters = make.ceiling(1000);
   const LightTree tree(emitters);
-  // Against choosing by power: how far the estimate of one sample spreads.
+  // The variance of one sample, compared with sampling by power.
   double by_tree = 0;
   double by_power = 0;
   double total_power = 0;

@@ -1,4 +1,4 @@
-// Light sampling as a whole: what an integrator asks of it.
+// Light sampling as integrators use it.
 #include "renderer/transport/lights/lights.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ std::vector<Vec3l> corners_from(const Emitter& emitter, const Vec3f& from) {
   return {corner, corner + a, corner + a + b, corner + b};
 }
 
-/// From where a light is a point, Lambert's formula has no digits left.
+/// Returns the irradiance; where a light is almost a point, Lambert's formula has no accuracy left.
 double irradiance_of(const std::vector<Vec3l>& corners, const Vec3l& normal) {
   const Vec3l diagonal = corners[2] - corners[0];
   const Vec3l middle = corners[0] + diagonal / 2;
@@ -52,7 +52,7 @@ double irradiance_of(const Lights& lights, const Vec3f& from, const Vec3f& norma
   return sum;
 }
 
-/// An estimate of the irradiance from independent samples, with its standard deviation.
+/// An irradiance estimate from independent samples, with its standard deviation.
 struct Irradiance {
   double mean = 0;
   double deviation = 0;
@@ -103,7 +103,7 @@ TEST(DirectLight, IsLambertsFormulaAtManyPlaces) {
   }
 }
 
-// Edge-on, tiny, huge, touching: what a sample is worth stays bounded.
+// Edge-on, tiny, huge or touching lights: the weight of a sample stays bounded.
 TEST(DirectLight, IsRightInHardCases) {
   const auto square = [](double size, const Vec3f& corner) {
     const auto s = static_cast<float>(size);
@@ -185,7 +185,7 @@ RC_GTEST_PROP(Lights, SayOfTheirSamplesWhatTheySayOfDirections, ()) {
     RC_ASSERT(std::abs(light->direction.length() - 1) < 1e-6F);
     const float density = lights.density(from, normal, light->emitter, light->direction);
     RC_ASSERT(std::abs(density - light->density) <= 1e-5F * density);
-    // The position lies where the direction points, and on the light.
+    // The position lies in the sampled direction, and on the light.
     const Emitter& emitter = lights[light->emitter];
     const Vec3f to_light = light->position - from;
     const float reach = from.length() + emitter.corner.length() + emitter.edge1.length();
@@ -203,7 +203,7 @@ TEST(EnvironmentShare, FollowsThePowers) {
     const transport::EnvironmentMap map(transport::Image{2, 1, {Rgb(radiance), Rgb(radiance)}});
     return transport::environment_share(&map, others, bounds);
   };
-  // 12 pi, against a disc of radius sqrt(3) under 4 pi times the radiance.
+  // 12 pi, compared with a disc of radius sqrt(3) under 4 pi times the radiance.
   EXPECT_NEAR(share(1 / std::numbers::pi_v<float>, lights), 0.5, 1e-5);
   EXPECT_NEAR(share(2 / std::numbers::pi_v<float>, lights), 2.0 / 3, 1e-5);
   EXPECT_FLOAT_EQ(share(1e6F, lights), 0.8F);

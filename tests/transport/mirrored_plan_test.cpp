@@ -1,4 +1,4 @@
-// Lights of all kinds under transforms that mirror, by plan and image: they shine from their fronts.
+// Lights of all kinds under reflections, by plan and image: they emit from their fronts.
 #include <cmath>
 #include <numbers>
 
@@ -29,19 +29,19 @@ std::string strips(const std::string& of_face, bool shines_up) {
   return text + "end faces ";
 }
 
-/// The same square as each kind of light that there is.
+/// The same square as each kind of light.
 std::vector<std::pair<std::string, std::string>> lights_that_shine(bool up) {
   const std::string edges = up ? "(0,0,1) (1,0,0)" : "(1,0,0) (0,0,1)";
   const std::string emitting = "begin mesh " + strips("light rgb (7,7,7)", up) + "end mesh ";
   return {{"area light", "light begin rgb (7,7,7) (-0.5,-1,-0.5) " + edges + " end "},
           {"faces", emitting},
           {"mesh light", "mesh light begin " + strips("rgb (7,7,7)", up) + "end "},
-          // The second one is too far away to count.
+          // The second one is too far away to matter.
           {"instance", "def lamp = " + emitting +
                            "begin use lamp transform translation (0,0,-5000) begin use lamp end end "}};
 }
 
-/// A floor at y = 0, of which the middle is seen.
+/// A floor at y = 0, whose centre is visible.
 PlannedScene planned(const std::string& light, const Vec3f& scale) {
   PlannedLook look;
   look.eye = Vec3f(3, 0.5F, 0);
@@ -54,8 +54,8 @@ PlannedScene planned(const std::string& light, const Vec3f& scale) {
                       look);
 }
 
-// Of the hemisphere over the floor's middle, by the cosine, a parallel square of half side a at height 1
-// takes up 4/pi s atan(s), s = a/sqrt(1 + a^2).
+// The cosine-weighted fraction of the hemisphere over the floor's centre that a parallel square of half side
+// a at height 1 covers is 4/pi s atan(s), s = a/sqrt(1 + a^2).
 TEST(MirroredLight, ShinesFromItsFront) {
   const double s = 0.5 / std::sqrt(1.25);
   const double expected = Reflectance * Radiance * 4 / std::numbers::pi * s * std::atan(s);

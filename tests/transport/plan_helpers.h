@@ -14,18 +14,18 @@ namespace test {
 using transport::Effect;
 using transport::EffectSet;
 
-/// What of a render's options a plan looks at.
+/// The render options that affect a plan.
 struct PlannedLook : Look {
   EffectSet effects = EffectSet::all();
   bool full = false;  ///< `--kernel full`
   bool uses_irradiance = false;
   transport::Integrator integrator = transport::Integrator::Path;
-  /// An environment map, made once: of this radiance in all of its upper half.
+  /// An environment map with this radiance in its upper half, made once.
   float environment = 0;
   std::size_t most_copied_triangles = 10'000;
 };
 
-/// A scene of GRF text with its plan, as `bpt` makes it; throws the diagnostics if there is an error in it.
+/// A scene from GRF text with its plan, as `bpt` makes it; throws the diagnostics on errors.
 class PlannedScene {
  public:
   PlannedScene(const std::string& text, const PlannedLook& look, const std::string& file = "test.igrf")

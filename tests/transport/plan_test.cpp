@@ -20,14 +20,14 @@ using test::PlannedLook;
 using test::PlannedScene;
 using transport::Image;
 
-/// Upright, in the middle of the view, its front to the eye.
+/// Upright, at the centre of the view, facing the eye.
 const std::string Place = "(-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0)";
 const std::string Floor = "(-1,-1,2)(1,-1,2)(1,-1,0)(-1,-1,0)";
-/// Behind the eye, and it looks at what the eye does.
+/// Behind the eye, facing the same way as the eye.
 const std::string BehindEye = "(-9,-9,9)(-9,9,9)(9,9,9)(9,-9,9)";
-/// Under the wall and out of view; its front to the wall's front.
+/// Below the wall and out of view, facing the wall's front.
 const std::string OutOfView = "(-1,-8,9)(1,-8,9)(1,-8,1)(-1,-8,1)";
-/// A file that is there, so that the scene may name it, and holds no measurements.
+/// An existing file that the scene can name, without measurements.
 const std::string Data = "\"" GRANADA_SOURCE_DIR "/CMakeLists.txt\"";
 const std::string Lamp = "light begin rgb (2,3,4) (-1,2,0.5) (2,0,0) (0,0,2) end\n";
 const std::string LampBehindWall = "light begin rgb (2,3,4) (-1,-1,-1) (0,2,0) (2,0,0) end\n";
@@ -201,7 +201,7 @@ TEST(Plan, NeedsWhatCanMatter) {
   }
 }
 
-// A mirror shows the same light: as much is needed of a scene and an eye that are both mirrored.
+// A reflected scene seen by a reflected eye needs the same effects.
 TEST(Plan, IsTheSameForAMirroredScene) {
   for (const Case& one : cases()) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -225,7 +225,7 @@ TEST(Plan, FramesTheSceneAsCompilingDoes) {
   }
 }
 
-// A face that is not to be met may name a file that is not there.
+// A face that no path can hit may name a missing file.
 TEST(Plan, LoadsNoFileThatNoPathNeeds) {
   for (const std::string& attributes : {std::string("texture \"missing.png\""), "brdf measured " + Data}) {
     const std::string text = wall("brdf diffuse") + test::quad(attributes, OutOfView) + Lamp;
@@ -237,9 +237,8 @@ TEST(Plan, LoadsNoFileThatNoPathNeeds) {
   const PlannedScene scene(text, depth(1));
   ASSERT_EQ(scene.plan().textures.size(), 1U);
   EXPECT_FALSE(scene.plan().textures[0].is_needed);
-  EXPECT_EQ(
-      scene.plan().textures[0].why,
-      "only on 1 face that no path meets: outside the view, and the depth of 1 makes no path go further");
+  EXPECT_EQ(scene.plan().textures[0].why,
+            "only on 1 face that no path hits: outside the view, and the depth of 1 allows no second bounce");
 }
 
 TEST(Plan, BuildsTablesOfPairsThatPathsMeetAlone) {
@@ -256,7 +255,7 @@ TEST(Plan, BuildsTablesOfPairsThatPathsMeetAlone) {
   EXPECT_EQ(PlannedScene(text, test::full(depth(1))).compiled().tables().size(), 2U);
 }
 
-/// Walls and cubes anywhere about the middle, few enough that some see nothing of each other.
+/// Walls and cubes around the centre, few enough that some do not see each other.
 std::string random_scene(std::mt19937& random) {
   std::uniform_real_distribution<float> number(-1, 1);
   const std::array attributes = {"brdf diffuse kd=0.7",     "brdf ward",
@@ -287,8 +286,8 @@ std::string random_scene(std::mt19937& random) {
                             corner.z);
 }
 
-// What a plan leaves out would have added nothing: the image is the same, bit for bit. Paths that split would
-// draw other numbers where the plan lowers the depth.
+// What a plan leaves out does not contribute: the image is the same, bit for bit. Paths that split would use
+// other random numbers where the plan lowers the depth.
 TEST(Plan, GivesTheImageOfTheFullRender) {
   int shorter = 0;
   int blacker = 0;
@@ -313,7 +312,7 @@ TEST(Plan, GivesTheImageOfTheFullRender) {
   EXPECT_GT(blacker, 50);
 }
 
-// Of the same scenes, some of which have a light that rays meet by chance.
+// The same scenes, some of which have a light that rays hit by chance.
 TEST(Plan, GivesNaiveTheImageOfTheFullRender) {
   int lit = 0;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
@@ -344,8 +343,8 @@ TEST(Plan, GivesTheFullImageOfItsCases) {
     look.branches = 1;
     const Image planned = PlannedScene(one.text, look).image();
     const Image whole = PlannedScene(one.text, test::full(look)).image();
-    // Without normals that do not bend, and without lights that nobody sees, other digits are drawn or
-    // rounded.
+    // Without vertex normals equal to the face's, and without invisible lights, random numbers or rounding
+    // differ.
     const double most = std::string(one.name).starts_with("normals") ? 1e-4 : 0;
     for (std::size_t i = 0; i < planned.pixels.size(); ++i) {
       ASSERT_LE((planned.pixels[i] - whole.pixels[i]).length(), most) << one.name << " " << i;
@@ -368,7 +367,7 @@ std::string add_dark_texture(const test::TemporaryFolder& folder) {
   return folder.add("dark.pfm", "PF\n1 1\n-1.0\n" + bytes);
 }
 
-/// Of a BRDF that is brighter than the diffuse one in its place.
+/// Adds measurements that are brighter than the diffuse BRDF in their place.
 std::string add_measurements(const test::TemporaryFolder& folder) {
   const reflectance::MerlTable table(
       [](const transport::Vec3f&, const transport::Vec3f&) { return transport::Rgb(0.3F, 0.2F, 0.1F); });
@@ -384,7 +383,7 @@ struct Switch {
   PlannedLook look;
 };
 
-// Each name does something, and what it does goes one way: what is switched off is not needed.
+// Each name has an effect, and only removes: what is switched off is not needed.
 TEST(Plan, LeavesOutWhatIsSwitchedOff) {
   const std::string diffuse = "brdf diffuse kd=0.8";
   const std::string room = wall(diffuse) + test::quad(diffuse, Floor) + Lamp;

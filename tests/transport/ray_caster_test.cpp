@@ -20,7 +20,7 @@ using transport::RayCaster;
 using transport::TriangleMesh;
 using transport::Vec3f;
 
-/// Waves of so many squares a side over the unit square, several times at the same place.
+/// Waves of this many squares per side over the unit square, several coincident layers.
 std::shared_ptr<Geometry> layers_of_waves(std::uint32_t side, std::uint32_t layers) {
   auto geometry = std::make_shared<Geometry>();
   geometry->instances.emplace_back(grf::Matrix44d());
@@ -40,7 +40,7 @@ std::shared_ptr<Geometry> layers_of_waves(std::uint32_t side, std::uint32_t laye
   return geometry;
 }
 
-/// What rays down onto the unit square meet.
+/// Returns the triangles that rays down onto the unit square hit.
 std::vector<std::uint32_t> triangles_below(const RayCaster& caster, int side) {
   std::vector<std::uint32_t> met;
   for (int i = 0; i < side * side; ++i) {
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> triangles_below(const RayCaster& caster, int side) {
   return met;
 }
 
-// Of faces at the same place, rays meet one that the threads which build do not decide about.
+// Of coincident faces, the one that is hit must not depend on the threads that build.
 TEST(RayCaster, MeetsTheSameWhateverTheNumberOfThreadsThatBuildIt) {
   const auto geometry = layers_of_waves(100, 4);
   std::set<std::vector<std::uint32_t>> found;
@@ -62,7 +62,7 @@ TEST(RayCaster, MeetsTheSameWhateverTheNumberOfThreadsThatBuildIt) {
   EXPECT_EQ(found.size(), 1U);
 }
 
-/// The message of what a caster of the geometry throws.
+/// The message of the exception for a geometry.
 std::string refusal_of(std::shared_ptr<const Geometry> geometry) {
   try {
     const RayCaster caster(std::move(geometry));
@@ -72,7 +72,7 @@ std::string refusal_of(std::shared_ptr<const Geometry> geometry) {
   return "";
 }
 
-// An instance of no mesh stands for all that Embree may refuse.
+// An instance of a missing mesh stands for all that Embree may reject.
 TEST(RayCaster, SaysWhatEmbreeRefuses) {
   const auto geometry = layers_of_waves(2, 1);
   geometry->instances.emplace_back(grf::Matrix44d());
@@ -81,10 +81,10 @@ TEST(RayCaster, SaysWhatEmbreeRefuses) {
 
 // Sanitizers need address space of their own.
 #ifndef GRANADA_HAS_SANITIZERS
-/// Builds a caster with so little memory that Embree cannot get what it needs.
+/// Builds a caster with too little memory for Embree.
 void build_without_memory(std::shared_ptr<const Geometry> geometry) {
   parallel::run_with_threads(1, [&] {
-    const RayCaster caster(layers_of_waves(2, 1));  // what is allocated once is there
+    const RayCaster caster(layers_of_waves(2, 1));  // allocates what is needed only once
     const rlimit least = {std::size_t(1) << 20, std::size_t(1) << 20};
     ::setrlimit(RLIMIT_AS, &least);
     try {

@@ -1,4 +1,4 @@
-// Scenes whose image is known.
+// Scenes with known images.
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ TEST(Furnace, PerfectMirrorVanishesToo) {
   expect_everywhere(render(test::scene_of(test::sphere("brdf specular ks=1", 40, false)), look), 1, 1e-3);
 }
 
-// A closed white box that emits 1/2 everywhere, with an albedo of 1/2: each event adds half of what came
-// before.
+// A closed white box that emits 1/2 everywhere, with an albedo of 1/2: each bounce adds half of the previous
+// contribution.
 TEST(Furnace, ClosedBoxFollowsTheGeometricSeries) {
   const std::string walls = "brdf diffuse kd=0.5 light rgb (0.5,0.5,0.5)";
   std::string box =
@@ -70,7 +70,7 @@ TEST(Furnace, ClosedBoxFollowsTheGeometricSeries) {
   }
 }
 
-/// Irradiance of a polygon of radiance 1 at a point with a normal, by Lambert's formula.
+/// The irradiance of a polygon of radiance 1 at a point with a normal, by Lambert's formula.
 double lambert_irradiance(const std::vector<Imath::V3d>& corners, const Imath::V3d& point,
                           const Imath::V3d& normal) {
   double sum = 0;
@@ -110,7 +110,7 @@ TEST(DirectLight, ReachesNothingBehindTheLight) {
   expect_everywhere(render(test::scene_of(light + floor), look), 0, 0);
 }
 
-// The sampling scheme changes the noise and not the image.
+// The sampling scheme affects only the noise, not the image.
 TEST(SamplingSchemes, GiveTheSameImage) {
   const std::string light = "light begin rgb (9,9,9) (-1,3,-1) (2,0,0) (0,0,2) end\n";
   for (const char* brdf : {"ward sx=0.3 ks=0.6 kd=0.2", "phong n=20 ks=0.5 kd=0.3",
@@ -186,8 +186,8 @@ TEST(CornellBox, HasTheSameMeanForAllSeeds) {
   EXPECT_LT(first.deviation, 0.005 * first.mean);
 }
 
-// A pixel shows the plate behind the scene by the places of its samples: of 16 cells with powers of two,
-// those in the middles of two columns and two rows, or the one in the middle.
+// A pixel shows the backplate at the positions of its samples: of 16 cells with powers of two, those at the
+// centres of two columns and two rows, or the one at the centre.
 TEST(Render, PlacesSamplesInAPixel) {
   const CompiledScene scene = test::scene_of("light begin (0,0,100) (0,1,0) (1,0,0) end");
   transport::Image plate{4, 4, {}};
@@ -205,7 +205,7 @@ TEST(Render, PlacesSamplesInAPixel) {
   settings.placing = transport::PixelPlacing::Regular;
   settings.grid_columns = 2;
   EXPECT_EQ(shown(), ((1 << 5) + (1 << 7) + (1 << 13) + (1 << 15)) / 4.0F);
-  settings.samples = 6;  // three rows, in the middles of which are rows 0, 2 and 3
+  settings.samples = 6;  // three rows, at whose centres are rows 0, 2 and 3
   EXPECT_FLOAT_EQ(shown(), ((1 << 1) + (1 << 3) + (1 << 9) + (1 << 11) + (1 << 13) + (1 << 15)) / 6.0F);
   settings.placing = transport::PixelPlacing::Centre;
   EXPECT_EQ(shown(), 1 << 10);

@@ -1,4 +1,4 @@
-// Renders that are looked at and stopped by other threads.
+// Renders that other threads observe and stop.
 #include <set>
 #include <thread>
 
@@ -56,7 +56,7 @@ TEST(Snapshot, IsTheImageSoFarWhileWorkersGoOn) {
   EXPECT_EQ(render.snapshot(true).variance.pixels, render.film().variance().pixels);
 }
 
-// Half a tile of new samples in one pixel and not in another would show as different counts of light.
+// Half a tile of new samples would show as different amounts of light in its pixels.
 TEST(Snapshot, NeverShowsHalfATile) {
   RenderSettings all_white = settings(2000);
   all_white.integrator.background = transport::Rgb(1);
@@ -111,7 +111,7 @@ TEST(TargetError, IsNoReasonToExceedTheSamples) {
   EXPECT_EQ(render.samples_per_pixel(), 21);
 }
 
-// A mirror throws light on the floor, which paths find by chance.
+// A specular ball reflects light to the floor, which paths find by chance.
 const transport::CompiledScene& uneven_scene() {
   static const auto scene =
       test::scene_of(test::LitFloor + test::quad("brdf specular", "(-3,0,-3) (3,0,-3) (3,3,-3) (-3,3,-3)"));
@@ -201,7 +201,7 @@ TEST(Progress, KnowsTheTimeToATarget) {
   render.stop();
   worker.join();
   ASSERT_TRUE(progress.estimated_error && progress.seconds_left);
-  // Between t^-1/2 and t^-1 is what the error may do.
+  // The error falls between t^-1/2 and t^-1.
   const double ratio = *progress.estimated_error / 1e-4;
   EXPECT_GT(*progress.seconds_left, 0.5 * ratio * progress.seconds);
   EXPECT_LT(*progress.seconds_left, 2 * ratio * ratio * progress.seconds);
@@ -229,7 +229,7 @@ TEST(RejectedSamples, AreCountedWithTheFirstPixel) {
 #endif
 }
 
-/// Why the first sample that is not finite is not.
+/// Returns why the first non-finite sample is not finite.
 transport::NotFinite cause(const transport::CompiledScene& scene, const RenderSettings& broken) {
   Render render(scene, broken);
 #ifdef NDEBUG
@@ -268,7 +268,7 @@ TEST(RejectedSamples, HaveACause) {
   broken.integrator.integrator = transport::Integrator::Naive;
   broken.integrator.secondary_rays = 4;
   expect_cause(cause(scene, broken), "backplate", false);
-  // Each of the light's and the floor's numbers is finite, but what they make is not.
+  // The light's and the floor's values are finite, but not their product.
   const auto bright =
       test::scene_of("light begin rgb (3e38,3e38,3e38) (-1,3,-1) (2,0,0) (0,0,2) end\n" +
                      test::quad("rgb (99,99,99) brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)"));

@@ -1,5 +1,5 @@
-// Adaptive sampling with numbers in place of light: unbiased, and not so if a half had a part in its own
-// counts.
+// Adaptive sampling with random numbers instead of light: unbiased, but biased if a half influenced its own
+// sample counts.
 #include "renderer/transport/sample_placement.h"
 
 #include <cmath>
@@ -16,7 +16,7 @@ using transport::SamplePlacement;
 
 constexpr int Pilot = SamplePlacement::PilotSamples;
 
-/// Gives a tile samples up to these counts.
+/// Adds samples to a tile up to these counts.
 template <class Draw>
 void fill(Film& film, int tile, const FilmTile::Counts& counts, Draw draw) {
   FilmTile sums;
@@ -52,8 +52,8 @@ struct Mean {
 
 enum class Placing { ByTheOtherHalf, ByItsOwn };
 
-/// The mean of one pixel over many adaptive images, of samples that are mostly dark and sometimes bright. The
-/// pixel is a tile of its own, so that its noise decides much; another tile of 16 pixels competes with it.
+/// The mean of a pixel over many adaptive images, with samples that are mostly dark and sometimes bright. The
+/// pixel is a tile of its own, so that its noise matters; another tile of 16 pixels competes with it.
 Mean mean_of_images(Placing placing, int images) {
   std::mt19937 random(7);
   std::bernoulli_distribution bright(0.05);
@@ -79,7 +79,7 @@ Mean mean_of_images(Placing placing, int images) {
   return {mean, std::sqrt((squares / images - mean * mean) / images)};
 }
 
-// The samples' mean is 1. At 4 standard deviations, one of 16,000 right programs would fail.
+// The samples' mean is 1. At 4 standard deviations, 1 of 16,000 correct programs would fail.
 TEST(SamplePlacement, IsUnbiased) {
   const Mean mean = mean_of_images(Placing::ByTheOtherHalf, 40'000);
   EXPECT_LT(mean.deviation, 0.01);

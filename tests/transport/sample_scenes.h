@@ -13,7 +13,7 @@
 
 namespace test {
 
-/// A scene of `samples/` with its own view, small.
+/// A scene of `samples/` with its own view, rendered small.
 struct SampleScene {
   std::string name;
   transport::CompiledScene scene;
@@ -28,7 +28,7 @@ inline SampleScene sample_scene(const std::string& op_path,
   auto compiled = scene ? transport::compile(*scene, diagnostics, compile_settings) : std::nullopt;
   if (!compiled) throw std::runtime_error(diagnostics.to_text());
   transport::RenderSettings settings;
-  settings.width = 37;  // tiles are cut off at two sides
+  settings.width = 37;  // partial tiles at two sides
   settings.height = 29;
   settings.samples = 12;
   settings.seed = 5;
@@ -45,7 +45,7 @@ inline SampleScene sample_scene(const std::string& op_path,
   return {op_path, std::move(*compiled), settings};
 }
 
-/// All that have an OP file and are whole without files that are made first.
+/// Returns all OP files whose scenes need no generated files.
 inline std::vector<std::string> sample_op_files() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(samples_folder())) {
@@ -57,7 +57,7 @@ inline std::vector<std::string> sample_op_files() {
   return paths;
 }
 
-/// FOLDER_NAME of an OP file, as tests are called.
+/// Returns the test name of an OP file: FOLDER_NAME.
 inline std::string name_of(const std::filesystem::path& op_file) {
   return op_file.parent_path().filename().string() + "_" + op_file.stem().string();
 }

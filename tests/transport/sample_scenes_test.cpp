@@ -1,4 +1,4 @@
-// The two integrators show the same light in each of the sample scenes, all over the image.
+// Both integrators agree on each of the sample scenes, all over the image.
 #include "tests/transport/sample_scenes.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ BlockStatistics statistics_of(const CompiledScene& scene, RenderSettings setting
   return statistics;
 }
 
-/// The map with a sun that rays meet by chance, too: what is brighter is cut off.
+/// The map with a sun that rays hit by chance, too: brighter texels are clamped.
 std::shared_ptr<const EnvironmentMap> with_dim_sun(const EnvironmentMap& map) {
   constexpr float Brightest = 4;
   transport::Image image = map.image();
@@ -40,7 +40,7 @@ std::shared_ptr<const EnvironmentMap> with_dim_sun(const EnvironmentMap& map) {
 
 class SampleScenes : public testing::TestWithParam<std::string> {
  protected:
-  /// By paths that sample the lights, and the BRDFs by the scene's schemes.
+  /// Paths with light sampling and the scene's sampling schemes.
   BlockStatistics by_path(int depth) const {
     RenderSettings settings = settings_;
     settings.samples = 32;
@@ -49,7 +49,7 @@ class SampleScenes : public testing::TestWithParam<std::string> {
     return statistics_of(sample_.scene, settings, 10);
   }
 
-  /// By rays that meet the lights by chance.
+  /// Rays that hit the lights by chance.
   BlockStatistics by_chance() const {
     RenderSettings settings = settings_;
     settings.samples = 64;
@@ -71,7 +71,7 @@ class SampleScenes : public testing::TestWithParam<std::string> {
   const RenderSettings settings_ = small(sample_.settings);
 };
 
-// And they show that light is missing where paths end too early: the test can fail.
+// The test can fail: it detects light that is missing where paths end too early.
 TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
   const BlockStatistics naive = by_chance();
   const double significance =

@@ -14,7 +14,7 @@
 
 namespace test {
 
-/// A compiled scene from GRF text; throws the diagnostics if there is an error in it.
+/// Compiles a scene from GRF text; throws the diagnostics on errors.
 inline transport::CompiledScene scene_of(const std::string& text,
                                          const transport::CompileSettings& settings = {}) {
   grf::Diagnostics diagnostics;
@@ -25,20 +25,20 @@ inline transport::CompiledScene scene_of(const std::string& text,
   throw std::runtime_error(diagnostics.to_text());
 }
 
-/// Settings that copy meshes of up to that many triangles, and make instances of others.
+/// Returns settings that copy meshes of up to this many triangles, and instance others.
 inline transport::CompileSettings copies_up_to(std::size_t triangles) {
   transport::CompileSettings settings;
   settings.most_copied_triangles = triangles;
   return settings;
 }
 
-/// A quad of which the front is the side from which the corners are counter-clockwise.
+/// A quad whose front is the side from which its corners are counter-clockwise.
 inline std::string quad(const std::string& attributes, const std::string& corners) {
   return "begin mesh " + attributes + " begin vertexs " + corners +
          " end vertexs begin faces (0,1,2,3) end faces end mesh\n";
 }
 
-/// From -1 to 1 along each axis, its fronts inside.
+/// A box from -1 to 1 along each axis, with inward fronts.
 inline std::string box(const std::string& attributes) {
   return "begin mesh " + attributes +
          " begin vertexs (-1,-1,-1) (1,-1,-1) (1,1,-1) (-1,1,-1) (-1,-1,1) (1,-1,1) (1,1,1) (-1,1,1) "
@@ -46,7 +46,7 @@ inline std::string box(const std::string& attributes) {
          "end faces end mesh ";
 }
 
-/// First scaled, then turned about the axes by these angles, then moved.
+/// Scales, then rotates about the axes by these angles, then translates.
 inline std::string placed(const std::string& what, const transport::Vec3f& scale,
                           const transport::Vec3f& angles, const transport::Vec3f& offset) {
   return fmt::format("transform scale ({},{},{}) rotation ({},{},{}) translation ({},{},{}) begin {} end ",
@@ -114,7 +114,7 @@ inline transport::RenderSettings settings_of(const Look& look) {
   return settings;
 }
 
-/// A floor under a light, which has another radiance in each channel.
+/// A floor under a light whose radiance differs per channel.
 inline const std::string FloorLight = "light begin rgb (9,8,7) (-1,3,-1) (2,0,0) (0,0,2) end\n";
 inline const std::string LitFloor =
     FloorLight + quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
@@ -128,7 +128,7 @@ inline Look look_at_floor(int width, int height, int samples) {
   return look;
 }
 
-/// The film of a finished render.
+/// Renders a scene and returns the film.
 inline transport::Film render(const transport::CompiledScene& scene, const Look& look) {
   transport::Render render(scene, settings_of(look));
   render.run();
@@ -150,7 +150,7 @@ inline Estimate mean_radiance(const transport::Film& film) {
   const double count = static_cast<double>(mean.pixels.size());
   for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
     estimate.mean += reflectance::mean(mean.pixels[i]) / count;
-    // Channels share their paths: their errors add up, not their variances.
+    // Channels share paths: their errors add up, not their variances.
     const auto& v = variance.pixels[i];
     const double deviation = (std::sqrt(v.x) + std::sqrt(v.y) + std::sqrt(v.z)) / 3;
     total_variance += deviation * deviation / (count * count);

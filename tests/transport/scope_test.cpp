@@ -1,5 +1,5 @@
-// One text that stands in two scopes, which define its names differently: a file that is included twice is
-// read once, so whatever is remembered of it by where it stands or by its text has two meanings.
+// The same text in two scopes, which define its names differently: a file that is included twice is read
+// once, so whatever is cached by its address or its text has two meanings.
 #include <filesystem>
 #include <string>
 
@@ -19,7 +19,7 @@ using transport::Image;
 using transport::Rgb;
 using transport::Vec3f;
 
-/// Stands twice in the scenes below: at x from -7 to -1, and, moved, from 1 to 7.
+/// Placed twice in the scenes below: at x from -7 to -1, and, translated, from 1 to 7.
 std::string left_quad(const std::string& attributes) {
   return test::quad(attributes, "uv (0,0) (-7,-4,0) uv (0,0) (-1,-4,0) uv (0,0) (-1,4,0) uv (0,0) (-7,4,0)");
 }
@@ -43,8 +43,8 @@ PlannedLook look_at_both() {
   return look;
 }
 
-/// What is seen of the middle of each of the two places. Under a background of 1 a diffuse surface sends
-/// its kd to the eye, and a mirror its ks.
+/// The radiance from the centre of each of the two placements. Under a background of 1 a diffuse surface
+/// sends its kd to the eye, and a specular one its ks.
 std::pair<Rgb, Rgb> left_and_right(const Image& image) {
   const auto at = [&image](int x) { return image.at(x, image.height / 2); };
   // The field of view of 45 degrees makes 8 rows 8.28 high at that distance, and each column 1.04 wide.
@@ -57,7 +57,7 @@ class ScopeTest : public testing::Test {
     return PlannedScene(text, look, folder.path("scene.grf"));
   }
 
-  /// Renders with the kernel and the tables that the plan finds to be enough, and with all.
+  /// Renders with the kernel and the tables that the plan needs, and with all.
   void expect_seen(const std::string& text, const Rgb& left, const Rgb& right) const {
     for (const bool full : {false, true}) {
       PlannedLook look = look_at_both();
@@ -70,7 +70,7 @@ class ScopeTest : public testing::Test {
     }
   }
 
-  /// An image of one colour, in Truevision's format without compression.
+  /// Adds an image of one colour, as uncompressed TGA.
   void add_texture(const std::string& name, const char* bgr) const {
     const unsigned char header[18] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0};
     folder.add(name, std::string(reinterpret_cast<const char*>(header), sizeof header) + std::string(bgr, 3));
@@ -92,7 +92,7 @@ TEST_F(ScopeTest, TermsOfASumInAnIncludedDefinitionAreThoseOfThePlace) {
               Rgb(0.1F), Rgb(0.4F));
 }
 
-// What the plan takes for diffuse in both places would be a mirror that is left out.
+// A BRDF that the plan considered diffuse in both scopes would be a specular one that is left out.
 TEST_F(ScopeTest, PlansKnowWhatASumIsMadeOfAtEachPlace) {
   folder.add("part.grf", left_quad("brdf combine 1 a"));
   const std::string text =
@@ -207,7 +207,7 @@ TEST_F(ScopeTest, DataFilesBesideTwoFilesAreTwo) {
   EXPECT_NE(identities[0], identities[1]);
 }
 
-/// A mesh light of twelve triangles, so that it may be an instance: a strip above the place on the left.
+/// A mesh light of twelve triangles, so that it may be an instance: a strip above the left placement.
 std::string lamp(const std::string& colour) {
   std::string vertices;
   std::string faces;
@@ -220,7 +220,7 @@ std::string lamp(const std::string& colour) {
          " end end ";
 }
 
-// An instance that emits nothing must not say that of another one, nor the other way about.
+// An instance that emits nothing must not affect another one, nor vice versa.
 TEST_F(ScopeTest, InstancesOfALampShineAsTheirPlaceSays) {
   folder.add("lamp.grf", lamp("rgb c"));
   const std::string floor = test::quad("brdf diffuse kd=0.5", "(-4,0,2) (8,0,2) (8,0,-2) (-4,0,-2)");
@@ -247,7 +247,7 @@ TEST_F(ScopeTest, InstancesOfALampShineAsTheirPlaceSays) {
   }
 }
 
-// The defect that this was: 1.8 MB of text overflowed the stack.
+// Regression: 1.8 MB of text overflowed the stack.
 TEST_F(ScopeTest, AChainOfSumsOfAnyLengthIsRendered) {
   std::string text = "def c0 = brdf diffuse kd=0.4\n";
   for (int i = 1; i < 60'000; ++i) text += fmt::format("c{} = brdf combine 1 c{}\n", i, i - 1);

@@ -13,7 +13,7 @@ using transport::Uniform4;
 
 std::array<float, 4> as_array(const Uniform4& p) { return {p.x, p.y, p.z, p.w}; }
 
-// Owen scrambling keeps a net: of 2^k points, each elementary interval of area 2^-k holds exactly one.
+// Owen scrambling preserves nets: of 2^k points, each elementary interval of area 2^-k has exactly one.
 TEST(Sobol, FirstTwoDimensionsAreNets) {
   for (const std::uint32_t seed : {0U, 1U, 12345U}) {
     for (int k = 1; k <= 10; ++k) {
@@ -54,8 +54,7 @@ TEST(Sobol, TwoPointsAreThoseOfTwoCalls) {
   }
 }
 
-// Samples follow each other as rolls of dice do: each number is uniform, and no two, of a path or of paths
-// one after the other, have to do with each other.
+// Independent samples: each number is uniform, and no two of a path or of consecutive paths are correlated.
 TEST(IndependentPoints, AreUniformAndUncorrelated) {
   constexpr std::size_t Numbers = 12;
   constexpr std::uint32_t Samples = 40000;
@@ -87,7 +86,7 @@ TEST(IndependentPoints, AreUniformAndUncorrelated) {
   }
 }
 
-// So many cells are empty as chance has it, where a net has one point in each.
+// As many cells are empty as expected by chance, where a net has one point in each.
 TEST(IndependentPoints, AreNoNet) {
   constexpr std::uint32_t Samples = 1024;
   std::set<int> of_samples;
@@ -103,7 +102,7 @@ TEST(IndependentPoints, AreNoNet) {
   EXPECT_NEAR(static_cast<double>(of_a_set.size()), expected, 50);
 }
 
-// What splits goes on with as good a spread as more samples would have, in numbers that nothing before has.
+// Split paths are as well distributed as more samples would be, and reuse no random numbers.
 TEST(Sobol, BranchesOfAllSamplesAreANet) {
   constexpr int Branches = 2;
   std::set<std::pair<int, int>> cells;

@@ -1,4 +1,4 @@
-// Solid angles and irradiance by formulas that the renderer does not use, or in more digits.
+// Solid angles and irradiance by formulas that the renderer does not use, or in higher precision.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace test {
 
 using Vec3l = Imath::Vec3<long double>;
 
-/// By L'Huilier's theorem: for triangles that are not thin.
+/// The solid angle by L'Huilier's theorem, for triangles that are not thin.
 inline double solid_angle_by_sides(const Vec3l& p, const Vec3l& q, const Vec3l& r) {
   const auto side = [](const Vec3l& a, const Vec3l& b) {
     const Vec3l x = a / std::sqrt(a.dot(a));
@@ -27,7 +27,7 @@ inline double solid_angle_by_sides(const Vec3l& p, const Vec3l& q, const Vec3l& 
   return static_cast<double>(4 * std::atan(std::sqrt(std::max(product, 0.0L))));
 }
 
-/// For thin and tiny ones too, of corner, corner + edge1 and corner + edge2.
+/// The solid angle of the triangle corner, corner + edge1, corner + edge2; thin and tiny ones too.
 inline double solid_angle_of_triangle(const Vec3l& corner, const Vec3l& edge1, const Vec3l& edge2) {
   const Vec3l& p = corner;
   const Vec3l q = corner + edge1;
@@ -44,8 +44,8 @@ inline double solid_angle_of_parallelogram(const Vec3l& corner, const Vec3l& edg
          solid_angle_of_triangle(corner + edge1 + edge2, -edge1, -edge2);
 }
 
-/// Irradiance of a polygon of radiance 1 at the origin, by Lambert's formula; what is under the horizon of
-/// the normal is cut off.
+/// The irradiance at the origin from a polygon of radiance 1, by Lambert's formula, clipped at the horizon of
+/// the normal.
 inline double lambert_irradiance(const std::vector<Vec3l>& corners, const Vec3l& normal) {
   std::vector<Vec3l> above;
   for (std::size_t i = 0; i < corners.size(); ++i) {

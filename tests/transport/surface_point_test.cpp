@@ -1,4 +1,4 @@
-// Tangents, raised points, irradiance and memory.
+// Tangents, terminator offsets, irradiance and memory.
 #include <array>
 #include <cmath>
 
@@ -31,14 +31,14 @@ TEST(Tangent, RunsRoundTheObjectsAxisWithoutUv) {
   const SurfacePoint point = down_at(scene, 0.5F, 0.3F);
   const Vec3f parallel = Vec3f(0, 1, 0).cross(point.shading_normal).normalized();
   EXPECT_LT((point.tangent.normalized() - parallel).length(), 1e-4F);
-  // The object's axis turns with it: z is up here.
+  // The object's axis rotates with it: z is up here.
   const CompiledScene turned = test::scene_of("transform rotation (1.5707964,0,0) begin " + sphere + " end");
   const SurfacePoint seen = down_at(turned, 0.5F, 0.3F);
   const Vec3f turned_parallel = Vec3f(0, 0, 1).cross(seen.shading_normal).normalized();
   EXPECT_LT((seen.tangent.normalized() - turned_parallel).length(), 1e-4F);
 }
 
-// Where a texture is mirrored, u grows to the other side.
+// Where a texture is mirrored, u increases in the other direction.
 TEST(Tangent, PointsAlongIncreasingUOfMirroredUv) {
   const CompiledScene scene = test::scene_of(test::quad(
       "brdf ward sx=0.1 sy=0.3", "uv (0,0) (0,0,0) uv (-1,0) (1,0,0) uv (-1,1) (1,1,0) uv (0,1) (0,1,0)"));
@@ -46,8 +46,8 @@ TEST(Tangent, PointsAlongIncreasingUOfMirroredUv) {
   EXPECT_LT((down_at(scene, 0.6F, 0.3F).tangent.normalized() - Vec3f(-1, 0, 0)).length(), 1e-5F);
 }
 
-// A map that mirrors x takes the tangent t to (-t.x, t.y, t.z): that along x is turned round, and of that
-// which runs round the y axis, y x n, it makes -(y x n) of the normal that it makes.
+// A reflection of x maps the tangent t to (-t.x, t.y, t.z): it reverses the one along x, and maps the one
+// around the y axis, y x n, to -(y x n) of the mapped normal.
 TEST(Tangent, IsMappedWithItsObjectThatIsMirrored) {
   const std::string brdf = "brdf ward sx=0.1 sy=0.3";
   const std::string sheet =
@@ -96,7 +96,7 @@ TEST(RaisedPoint, LiesOnTheSphereThatTrianglesStandFor) {
   EXPECT_GT(raised, 300);
 }
 
-// From inside, a sphere does not bulge.
+// From inside, a sphere is concave.
 TEST(RaisedPoint, IsNoneWhereTheSurfaceIsHollow) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse", 8, true));
   for (int i = 0; i < 100; ++i) {
@@ -128,8 +128,8 @@ TEST(RaisedPoint, DoesNotPassThroughAWall) {
   EXPECT_GT(met, 100);
 }
 
-// On a ball of few triangles, directions just under a triangle leave from the sphere, which takes a ray to
-// find out whether the way there is free; those above it leave from the triangle.
+// On a coarse sphere, directions just below a triangle start from the offset point, which takes a ray to test
+// whether the offset is unoccluded; those above it start from the triangle.
 TEST(RaisedPoint, TakesARayWhereItIsUsed) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse", 8, true));
   const auto point = scene.intersect({Vec3f(0.1F, 0.2F, 3), Vec3f(0, 0, -1)});
@@ -145,7 +145,7 @@ TEST(RaisedPoint, TakesARayWhereItIsUsed) {
   EXPECT_EQ(rays, 1U);
 }
 
-// Light from one side on a ball of few triangles ends where it would on the sphere, as far as a mesh lets it.
+// The shadow terminator on a coarse sphere is where it would be on the sphere, as far as a mesh permits.
 TEST(RaisedPoint, LetsLightEndSoftly) {
   const std::string lamp = "light begin rgb (100,100,100) (50,-5,-5) (0,0,10) (0,10,0) end ";
   test::Look look;
@@ -195,7 +195,7 @@ TEST(Memory, IsLessThanTheLimitForEachTriangle) {
   const auto compiled = transport::compile(scene, diagnostics);
   const std::size_t triangles = compiled->triangle_count();
   EXPECT_EQ(triangles, 2U * (Side - 1) * (Side - 1));
-  // Indices and surface; a position and a normal for every two triangles.
+  // Indices and surface; a position and a normal per two triangles.
   EXPECT_LT(static_cast<double>(compiled->bytes()) / static_cast<double>(triangles), 28.2);
 }
 

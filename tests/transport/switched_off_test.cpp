@@ -1,5 +1,5 @@
-// What stands in the place of an effect that was switched off, as renderer/EFFECTS.md says: the radiance that
-// is left, by hand.
+// What replaces an effect that is switched off, as renderer/EFFECTS.md says: tests the remaining radiance
+// against hand-computed values.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -20,7 +20,7 @@ using test::PlannedScene;
 using transport::Rgb;
 using transport::Vec3f;
 
-/// The middle of what is at z = 0, from the front, under a white sky.
+/// The centre of what is at z = 0, from the front, under a white sky.
 PlannedLook look_at_middle(int depth = 1) {
   PlannedLook look;
   look.width = look.height = 2;
@@ -39,16 +39,16 @@ std::string wall_of(const std::string& attributes, const std::string& of_vertex 
   return test::quad(attributes, corners);
 }
 
-/// Of which as good as nothing is seen from elsewhere.
+/// A dot, so small that it is practically invisible from elsewhere.
 std::string dot_of(const std::string& attributes) {
   return test::quad(attributes, "(-0.01,-0.01,0) (0.01,-0.01,0) (0.01,0.01,0) (-0.01,0.01,0)");
 }
 
-/// A square of side 2 that faces the middle from a distance of 1.
+/// A square of side 2 that faces the centre from a distance of 1.
 std::string ceiling_of(const std::string& attributes) {
   return test::quad(attributes, "(-1,-1,1) (-1,1,1) (1,1,1) (1,-1,1)");
 }
-/// Of the hemisphere before the middle, by the cosine, that square takes up 4/pi s atan(s), s = sqrt(1/2).
+/// The cosine-weighted fraction of the hemisphere that this square covers: 4/pi s atan(s), s = sqrt(1/2).
 double share_of_ceiling() { return 4 / pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5)); }
 
 Rgb shown(const std::string& text, const PlannedLook& look) {
@@ -65,7 +65,7 @@ void expect_shown(const std::string& text, const PlannedLook& look, const Rgb& e
   }
 }
 
-/// With all effects, and without one.
+/// Tests the image with all effects, and without one.
 void expect_with_and_without(const std::string& text, const PlannedLook& look, Effect effect, const Rgb& with,
                              const Rgb& without, double tolerance = 1e-3) {
   expect_shown(text, look, with, tolerance);
@@ -96,7 +96,7 @@ TEST(SwitchedOff, MeasuredDataIsTheDiffuseBrdfOfAHalf) {
                           Rgb(0.5F, 0.25F, 0.5F), 0.02);
 }
 
-// What emits reflects still; and a lamp hides the sky behind it.
+// Emissive faces still reflect; and a lamp hides the sky behind it.
 TEST(SwitchedOff, AreaLightsStandWhereTheyAre) {
   expect_with_and_without(wall_of("brdf diffuse kd=0.8 light rgb (5,4,3)"), look_at_middle(),
                           Effect::AreaLights, Rgb(5.8F, 4.8F, 3.8F), Rgb(0.8F));
@@ -109,7 +109,7 @@ TEST(SwitchedOff, AreaLightsStandWhereTheyAre) {
                           Rgb(0.5F * (1 - f + 9 * f)), Rgb(0.5F * (1 - f)), 0.02);
 }
 
-// The map is 1 in its upper half, of which an upright wall sees as much as of the lower one.
+// The map is 1 in its upper half, half of which an upright wall sees.
 TEST(SwitchedOff, TheEnvironmentIsTheBackground) {
   PlannedLook look = look_at_middle();
   look.environment = 1;
@@ -161,8 +161,8 @@ TEST(SwitchedOff, IrradianceIsEstimated) {
                           Rgb(static_cast<float>(0.5 * 3 / pi)), Rgb(0.5F));
 }
 
-// The dot sees the sky but for what the ceiling hides, and by way of that the sky once more. What reflects
-// only where the eye sees it is black from there.
+// The dot sees the sky except where the ceiling hides it, and the sky once more by reflection there. A
+// surface that reflects only to the eye is black from there.
 TEST(SwitchedOff, InterreflectionLeavesWhatTheEyeSees) {
   PlannedLook look = look_at_middle(2);
   look.eye = Vec3f(4, 0, 0.5F);
@@ -174,13 +174,13 @@ TEST(SwitchedOff, InterreflectionLeavesWhatTheEyeSees) {
   const std::string glossy = dot + ceiling_of("brdf ward sx=0.2 sy=0.2 ks=0.5 kd=0.3");
   EXPECT_GT(shown(glossy, look).x, 0.5F * (1 - f + 0.2F * f));
   expect_shown(glossy, test::without(look, Effect::GlossyInterreflection), Rgb(0.5F * (1 - f)), 0.02);
-  // Each leaves the other kind alone.
+  // Each does not affect the other kind.
   EXPECT_GT(shown(glossy, test::without(look, Effect::DiffuseInterreflection)).x, 0.5F * (1 - f + 0.2F * f));
   expect_shown(dot + ceiling_of("brdf diffuse kd=0.6"), test::without(look, Effect::GlossyInterreflection),
                Rgb(0.5F * (1 - f + 0.6F * f)), 0.02);
 }
 
-// In place of u, the scene's x axis on a face to the z axis: as where u runs along it.
+// Without u, lobes follow the scene's x axis on a face with a normal along z: as where u runs along it.
 TEST(SwitchedOff, AnisotropyFollowsTheScenesAxes) {
   const auto brushed = [](const std::string& corners) {
     return test::quad("brdf ward sx=0.05 sy=0.4 ks=0.9 kd=0", corners) +

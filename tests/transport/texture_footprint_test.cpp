@@ -1,6 +1,6 @@
-// How much of a texture a ray sees. The texture has 1 in its left half and a quarter in its right one: about
-// u = 1/4 that is 1 on all levels but the last, which has the mean. So what is seen there says how wide the
-// footprint was, if that is between half of the texture and all of it.
+// Texture footprints of rays. The texture is 1 in its left half and a quarter in its right one: near u = 1/4
+// that is 1 on all mip levels but the last, which has the mean. So the value there measures the footprint, if
+// that is between half of the texture and all of it.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Image two_halves(int width, int height) {
   return image;
 }
 
-/// In uv coordinates.
+/// The footprint in uv coordinates, from the value.
 double footprint_of(float seen) { return std::exp2((Bright - seen) / (Bright - MeanOfBoth) - 1); }
 
 TEST(Texture, WeighsLevelsByTheLogarithmOfTheFootprint) {
@@ -40,7 +40,7 @@ TEST(Texture, WeighsLevelsByTheLogarithmOfTheFootprint) {
     EXPECT_NEAR(footprint_of(square.lookup({0.25F, 0.3F}, footprint).x), footprint, 1e-3);
   for (const float footprint : {1.0F, 3.0F, 1e9F})
     EXPECT_NEAR(square.lookup({0.25F, 0.3F}, footprint).x, MeanOfBoth, 1e-4) << footprint;
-  // Texels are as many as in a square of 32: half a level more than 32 of them, of 64 across.
+  // The number of texels is that of a square of 32: half a level more than 32 of them, of 64 across.
   const Texture wide(two_halves(64, 16));
   EXPECT_NEAR(wide.lookup({0.25F, 0.3F}, std::sqrt(2.0F)).x, (Bright + MeanOfBoth) / 2, 1e-3);
 }
@@ -49,7 +49,7 @@ TEST(RayCone, WidensWithDistanceAndWithWhatIsRare) {
   const RayCone cone{0.5F, 0.01F};
   EXPECT_FLOAT_EQ(cone.at(20).width, 0.7F);
   EXPECT_FLOAT_EQ(cone.at(20).spread, 0.01F);
-  // A quarter of the root of the solid angle, 1/density.
+  // A quarter of the root of the solid angle, 1/pdf.
   EXPECT_FLOAT_EQ(cone.widened(4).spread, 0.125F);
   EXPECT_FLOAT_EQ(cone.widened(4).width, 0.5F);
   EXPECT_FLOAT_EQ(cone.widened(1e6F).spread, 0.01F) << "it never narrows";
@@ -64,8 +64,8 @@ class TextureFootprint : public testing::Test {
     texture_ = "texture \"" + folder_.add("halves.pfm", bytes) + "\" ";
   }
 
-  /// From (0,0) to the size at z = 0, with the texture so often along each axis; five squares, so that two of
-  /// it are instances.
+  /// A sheet from (0,0) to the size at z = 0, with this many repeats along each axis; five squares, two of
+  /// which are instances.
   std::string sheet(const Vec2f& size, const Vec2f& repeats, bool faces_up = true) const {
     std::string text = "begin mesh brdf diffuse kd=1 " + texture_ + "begin vertexs\n";
     for (int i = 0; i < 12; ++i) {
@@ -81,7 +81,7 @@ class TextureFootprint : public testing::Test {
     return text + "end faces end mesh\n";
   }
 
-  /// What the middle of an image sees of the scene under a white sky.
+  /// The value at the image's centre under a white sky.
   static float seen_in_the_middle(const CompiledScene& scene, test::Look look, int pixels) {
     look.width = look.height = pixels;
     look.samples = 2;
@@ -148,7 +148,7 @@ TEST_F(TextureFootprint, OfACameraRayIsAPixelAtItsDistance) {
   }
 }
 
-// Six units from the mirror, two of which are behind the eye.
+// Six units from the specular surface, two of which are behind the eye.
 TEST_F(TextureFootprint, GrowsOnBehindAMirror) {
   const std::string mirror =
       test::quad("brdf specular ks=1", "(-0.01,-0.01,0) (0.01,-0.01,0) (0.01,0.01,0) (-0.01,0.01,0)");
@@ -161,8 +161,8 @@ TEST_F(TextureFootprint, GrowsOnBehindAMirror) {
   EXPECT_NEAR(footprint_of(seen_in_the_middle(scene, look, 1)), pixel / 2, 2e-3);
 }
 
-// From a matte floor a path goes anywhere, in one of few directions: of a ceiling with fine stripes each sees
-// the mean, as only the last level shows it.
+// From a diffuse floor a path goes anywhere, in one of few directions: each sees the mean of a finely striped
+// ceiling, which only the last level has.
 TEST_F(TextureFootprint, OfAScatteredRayIsWide) {
   const std::string floor =
       test::quad("brdf diffuse kd=1", "(-0.01,-0.01,0) (0.01,-0.01,0) (0.01,0.01,0) (-0.01,0.01,0)");

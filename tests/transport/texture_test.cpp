@@ -69,7 +69,7 @@ TEST(Texture, KeepsTheMeanOverMipLevels) {
   const Texture texture(image);
   while (image.pixels.size() > 1) {
     image = transport::halved(image);
-    // Odd sizes give their halves texels of one area, so that the mean stays.
+    // Odd sizes give their halves texels of equal area, which preserves the mean.
     EXPECT_NEAR((mean_of(image) - mean).length(), 0, 1e-4F * mean.length());
   }
   ASSERT_EQ(texture.level_count(), 7U);
@@ -127,7 +127,7 @@ TEST_F(TexturedScene, MultipliesTheColour) {
   EXPECT_EQ(scene.texture_count(), 1U);
 }
 
-// A cone that is as wide as the quad sees the mean of it.
+// A cone as wide as the quad sees its mean.
 TEST_F(TexturedScene, IsSeenByTheWidthOfTheCone) {
   const transport::CompiledScene scene = test::scene_of(quad(path_));
   const transport::Ray ray{Vec3f(0.25F, 0.75F, 1), Vec3f(0, 0, -1), {}, {0.5F, 0.5F}};

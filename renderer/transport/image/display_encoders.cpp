@@ -1,4 +1,4 @@
-// Formats of 8 bits, for screens.
+// Encoders for 8-bit display formats.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -17,7 +17,7 @@ namespace {
 
 using reflectance::Rgb;
 
-/// Three bytes a pixel, rows from the top.
+/// Three bytes per pixel, rows from the top.
 std::vector<std::uint8_t> srgb_bytes(const ImageFile& file) {
   const float scale = std::exp2(file.exposure);
   std::vector<std::uint8_t> bytes;
@@ -61,8 +61,7 @@ std::string encode_jpeg(const ImageFile& file) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-// Uncompressed, true colour, rows from the top, blue first (Truevision 1991, "TGA File Format
-// Specification").
+// Uncompressed true colour, rows from the top, BGR (Truevision 1991, "TGA File Format Specification").
 std::string encode_tga(const ImageFile& file) {
   constexpr char TrueColour = 2;
   constexpr char BitsPerPixel = 24;

@@ -17,7 +17,7 @@ namespace {
 
 using reflectance::Rgb;
 
-/// Lets OpenEXR write to memory, so that the file itself can be replaced at one stroke.
+/// Lets OpenEXR write to memory, so that the file itself can be replaced atomically.
 class MemoryStream : public Imf::OStream {
  public:
   MemoryStream() : OStream("image") {}
@@ -38,15 +38,15 @@ class MemoryStream : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-/// Channels of a file, and where their values are.
+/// The channels of a file, and where their values are.
 class ExrChannels {
  public:
   ExrChannels(Imf::Header& header, int width) : header_(header), width_(static_cast<std::size_t>(width)) {}
 
-  /// One of `count` values that each pixel has from there on.
+  /// Adds one of `count` interleaved values per pixel, from `first` on.
   void add(const std::string& name, const float* first, std::size_t count) {
     header_.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    // OpenEXR's type is for reading and writing, and only reads here.
+    // OpenEXR's type serves reading and writing; here it is only read.
     char* values = const_cast<char*>(reinterpret_cast<const char*>(first));
     const std::size_t step = count * sizeof(float);
     buffer_.insert(name, Imf::Slice(Imf::FLOAT, values, step, step * width_));
@@ -95,7 +95,7 @@ std::string encode_exr(const ImageFile& file) {
     Imf::OutputFile output(stream, header);
     output.setFrameBuffer(channels.buffer());
     output.writePixels(file.image.height);
-  }  // the file is complete when it is closed
+  }  // closing completes the file
   return stream.take_bytes();
 }
 

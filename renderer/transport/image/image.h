@@ -23,18 +23,18 @@ struct Image {
   }
 };
 
-/// Reads OpenEXR, Radiance, pfm, raw, PNG, JPEG or TGA, told by what the file holds (raw and TGA by its
-/// name). 8-bit images are taken to be sRGB-encoded, and 16-bit ones to be linear unless they say otherwise.
-/// Anything wrong with the file is one error, at the place that asked for it or of the file itself. Values
-/// are as they stand there, NaN and negative ones too.
+/// Reads OpenEXR, Radiance, PFM, raw, PNG, JPEG or TGA; the format is detected from the contents (raw and TGA
+/// from the extension). 8-bit images are taken as sRGB-encoded, 16-bit ones as linear unless the file says
+/// otherwise. Anything wrong with the file is one error, located at `asked_for_at` or else at the file
+/// itself. Values are returned as stored, NaN and negative ones included.
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at = {});
 
-/// Reads images as `read_image` does, which it may be. One of another kind may do so in another process.
+/// An image reader such as `read_image`; others may read in another process.
 using ImageReader = std::function<std::optional<Image>(const std::string& path, grf::Diagnostics& diagnostics,
                                                        const grf::SourceLocation& asked_for_at)>;
 
-/// Whether a file's name ends so, without regard to case.
+/// Whether a file name has this extension; case is ignored.
 bool has_extension(const std::string& path, std::string_view extension);
 
 }  // namespace transport

@@ -1,4 +1,4 @@
-// What `read_image` is made of. All of these throw std::runtime_error for what cannot be read.
+// Decoders that `read_image` uses. All of them throw std::runtime_error for malformed input.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace transport {
 
-/// An image of that size, black. Files that say more of themselves than any memory holds are not believed.
-/// That of a file that holds at most so many pixels a byte may need no more of them than there can be.
+/// Returns a black image of that size; throws if its size exceeds any memory. With `file`: also if the size
+/// exceeds what so many bytes can encode with at most `pixels_a_byte` pixels per byte.
 Image blank_image(std::int64_t width, std::int64_t height);
 Image blank_image(std::int64_t width, std::int64_t height, std::string_view file, std::size_t pixels_a_byte);
 
-/// Fills an image from sRGB-encoded bytes (IEC 61966-2-1), three a pixel, white being 1.
+/// Fills an image from sRGB-encoded bytes (IEC 61966-2-1), three per pixel; 255 is 1.
 void decode_srgb(const std::uint8_t* bytes, Image& image);
 
-/// Radiance's RGBE (Ward 1991, "Real pixels"), with run lengths of the old and the new kind.
+/// Radiance's RGBE (Ward 1991, "Real pixels"), with old and new run-length encoding.
 Image decode_radiance(std::string_view bytes);
 
 Image decode_tga(std::string_view bytes);

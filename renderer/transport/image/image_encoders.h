@@ -1,4 +1,4 @@
-// What `write_image` is made of. All of these throw std::runtime_error if a library fails.
+// Encoders that `write_image` uses. All of them throw std::runtime_error if a library fails.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace transport {
 
-/// OpenEXR with 32-bit floats, without loss.
+/// OpenEXR with 32-bit floats, lossless.
 std::string encode_exr(const ImageFile& file);
 
 // Linear radiance
@@ -20,7 +20,7 @@ std::string encode_pfm(const ImageFile& file);
 /// Width and height as uint32, then rows from the top, RGB as floats, all little-endian.
 std::string encode_raw(const ImageFile& file);
 
-// 8 bits, encoded in sRGB (IEC 61966-2-1) after the exposure, with 1 as white
+// 8 bits, sRGB-encoded (IEC 61966-2-1) after the exposure, with 1 as white
 
 std::string encode_png(const ImageFile& file);
 /// Quality 95, colour at full resolution.

@@ -13,7 +13,7 @@ bool is_finite_pixel(const Rgb& pixel) {
   return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z);
 }
 
-/// What is added up over pixels; double, so that many small ones count.
+/// Sums over pixels; double, so that many small terms count.
 struct Sums {
   double squares = 0;
   double relative_squares = 0;
@@ -43,7 +43,7 @@ struct Sums {
   }
 };
 
-/// The brightness of a pixel; nothing where it is not finite.
+/// The brightness of a pixel; empty if it is not finite.
 double brightness(const Rgb& pixel) {
   return is_finite_pixel(pixel) ? (static_cast<double>(pixel.x) + pixel.y + pixel.z) / 3 : 0;
 }
@@ -54,7 +54,7 @@ double mean_brightness(const Image& image) {
   return sum / static_cast<double>(image.pixels.size());
 }
 
-/// Of the pixels within two pixels of one.
+/// The brightest pixel within two pixels of one.
 double brightest_near(const Image& image, int x, int y) {
   constexpr int Reach = 2;
   double brightest = 0;

@@ -14,8 +14,8 @@
 namespace transport {
 namespace {
 
-/// A new folder of this program's own, so that nobody else can have put a link in the image's way; empty if
-/// there can be none.
+/// Creates a new folder for this program only, so that nobody else can have placed a link at the image's
+/// path; empty on failure.
 std::string new_folder_in(const std::string& folder) {
   std::string path = (std::filesystem::path(folder) / "granada-XXXXXX").string();
   return ::mkdtemp(path.data()) == nullptr ? std::string() : path;
@@ -25,7 +25,7 @@ bool keep_in(const std::string& folder, const std::string& name, const std::stri
              std::string& kept_as) {
   const std::string own = new_folder_in(folder);
   if (own.empty()) return false;
-  grf::Diagnostics ignored;  // the first reason is the one to act on
+  grf::Diagnostics ignored;  // the first error is the one to report
   kept_as = (std::filesystem::path(own) / name).string();
   if (grf::replace_file(kept_as, bytes, ignored)) return true;
   std::error_code error;
@@ -40,11 +40,11 @@ const std::vector<ImageFormat>& image_formats() {
   constexpr int WidestJpeg = 65500;
   static const std::vector<ImageFormat> formats = {
       {"exr", "OpenEXR, linear 32-bit floats", Widest, true, encode_exr},
-      {"hdr", "Radiance, linear, 8 bits with an exponent", Widest, false, encode_radiance},
+      {"hdr", "Radiance RGBE, linear, 8 bits with a shared exponent", Widest, false, encode_radiance},
       {"pfm", "portable float map, linear 32-bit floats", Widest, false, encode_pfm},
-      {"raw", "size and linear 32-bit floats, as they stand in memory", Widest, false, encode_raw},
+      {"raw", "raw: width, height and linear 32-bit floats", Widest, false, encode_raw},
       {"png", "PNG, 8 bits, sRGB", Widest, false, encode_png},
-      {"jpg", "JPEG, 8 bits, sRGB, with loss", WidestJpeg, false, encode_jpeg},
+      {"jpg", "JPEG, 8 bits, sRGB, lossy", WidestJpeg, false, encode_jpeg},
       {"tga", "Targa, 8 bits, sRGB", Widest, false, encode_tga}};
   return formats;
 }
@@ -60,7 +60,7 @@ const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& di
   for (const ImageFormat& format : formats) known.push_back(format.extension);
   diagnostics.error(
       grf::whole_file(path),
-      fmt::format("unknown type of image, expected one of the extensions {}", fmt::join(known, ", ")));
+      fmt::format("unknown image format, expected one of the extensions {}", fmt::join(known, ", ")));
   return nullptr;
 }
 
@@ -85,11 +85,11 @@ bool keep_image(const ImageFile& file, const std::string& path, const std::vecto
   for (const std::string& folder : fallbacks) {
     std::string kept_as;
     if (!keep_in(folder, name, bytes, kept_as)) continue;
-    diagnostics.note(grf::whole_file(path), fmt::format("the image was kept as '{}'", kept_as));
+    diagnostics.note(grf::whole_file(path), fmt::format("the image was saved as '{}' instead", kept_as));
     return false;
   }
   diagnostics.error(grf::whole_file(path),
-                    fmt::format("the image could not be kept in {} either", fmt::join(fallbacks, ", ")));
+                    fmt::format("the image could not be saved in {} either", fmt::join(fallbacks, ", ")));
   return false;
 }
 

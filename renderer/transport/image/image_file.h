@@ -1,4 +1,4 @@
-// Images on their way to files: with what is known of them, in the formats that there are.
+// Image files: an image with layers and metadata, and the formats that it can be written in.
 #pragma once
 
 #include <string>
@@ -12,31 +12,31 @@
 
 namespace transport {
 
-/// Values for each pixel besides the image: `normal` with the channels X, Y and Z, say.
+/// An extra layer of per-pixel values, such as `normal` with the channels X, Y and Z.
 struct ImageLayer {
   std::string name;
-  std::string channels;       ///< a letter each; empty: one channel, called as the layer
-  std::vector<float> values;  ///< pixel after pixel, rows from the top
+  std::string channels;       ///< one letter per channel; empty: a single channel with the layer's name
+  std::vector<float> values;  ///< pixel by pixel, rows from the top
 };
 
-/// Something that is known of an image, such as an option of its render.
+/// Metadata of an image, such as an option of its render.
 struct ImageAttribute {
   std::string name;
   std::variant<std::string, float, grf::Vec3f, Imath::M44f> value;
 };
 
-/// What a file is made of. Each format takes what it can hold: EXR all, the others the image.
+/// The contents of an image file. EXR stores all of it, the other formats only the image.
 struct ImageFile {
   Image image;
   std::vector<ImageLayer> layers = {};
   std::vector<ImageAttribute> attributes = {};
-  /// The width of the image's plane at distance 1 from the eye; 0: not known.
+  /// The width of the image plane at distance 1 from the eye; 0: unknown.
   float screen_width = 0;
-  /// Stops, for formats of 8 bits.
+  /// Exposure in stops, for 8-bit formats.
   float exposure = 0;
 };
 
-/// A file format for images, told by the extension.
+/// An image file format, identified by the extension.
 struct ImageFormat {
   std::string_view extension;  ///< lower case, without the dot
   std::string_view title;
@@ -47,21 +47,22 @@ struct ImageFormat {
 
 const std::vector<ImageFormat>& image_formats();
 
-/// The format that a path's extension means, or null after an error.
+/// Returns the format for a path's extension, or null after an error.
 const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics);
 
-/// Replaces the file by the image, or leaves it as it was and says why.
+/// Replaces the file with the image, or leaves it unchanged and reports why.
 bool write_image(const ImageFile& file, const std::string& path, grf::Diagnostics& diagnostics);
 
-/// The same for an image that must not be lost. If it cannot be written there, as on a full disk, it is kept
-/// in a new folder in the first of these that takes it, and a note says where; false all the same.
+/// The same for an image that must not be lost. If that fails, as on a full disk, the image is written to a
+/// new folder in the first of `fallbacks` that accepts it, a note says where, and false is returned all the
+/// same.
 bool keep_image(const ImageFile& file, const std::string& path, const std::vector<std::string>& fallbacks,
                 grf::Diagnostics& diagnostics);
 
-/// The system's folder for temporary files, and the user's own.
+/// Returns the system's folder for temporary files, and the user's home folder.
 std::vector<std::string> fallback_folders();
 
-/// A layer of an image's three values.
+/// Makes a layer from an image's three channels.
 ImageLayer layer_of(std::string name, std::string channels, const Image& image);
 
 }  // namespace transport

@@ -1,4 +1,4 @@
-// Decoders of images. Each throws for what it cannot read; `read_image` makes a diagnostic of that.
+// Image decoders. Each throws for what it cannot read; `read_image` turns that into a diagnostic.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -37,7 +37,7 @@ class MemoryInput : public Imf::IStream {
   bool read(char* to, int count) override {
     const auto size = static_cast<std::size_t>(count);
     if (position_ > bytes_.size() || size > bytes_.size() - position_) {
-      throw std::runtime_error("it ends early");
+      throw std::runtime_error("unexpected end of file");
     }
     std::memcpy(to, bytes_.data() + position_, size);
     position_ += size;
@@ -51,7 +51,7 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
-// Of the data window: what lies outside of it has no pixels.
+// Reads the data window: there are no pixels outside of it.
 Image decode_exr(std::string_view bytes) {
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
@@ -63,7 +63,7 @@ Image decode_exr(std::string_view bytes) {
                           channels.findChannel("B") != nullptr;
   const bool is_grey = !has_colour && channels.findChannel("Y") != nullptr;
   if (!has_colour && (!is_grey || channels.findChannel("RY") != nullptr)) {
-    throw std::runtime_error("its channels are not R, G and B, nor Y alone");
+    throw std::runtime_error("its channels are neither R, G and B nor only Y");
   }
   Imf::FrameBuffer buffer;
   char* first = reinterpret_cast<char*>(image.pixels.data());
@@ -82,15 +82,14 @@ Image decode_exr(std::string_view bytes) {
   return image;
 }
 
-// Portable float map: three lines of text, then rows from the bottom. A negative scale says that the floats
-// are little-endian.
+// Portable float map: three lines of text, then rows from the bottom. A negative scale means little-endian.
 
 std::string_view next_word(std::string_view& bytes) {
   constexpr std::string_view Space = " \t\r\n";
   const std::size_t start = std::min(bytes.find_first_not_of(Space), bytes.size());
   const std::size_t end = std::min(bytes.find_first_of(Space, start), bytes.size());
   const std::string_view word = bytes.substr(start, end - start);
-  bytes.remove_prefix(std::min(end + 1, bytes.size()));  // one space alone: the next byte may be a pixel's
+  bytes.remove_prefix(std::min(end + 1, bytes.size()));  // one space: the next byte may be a pixel's
   return word;
 }
 
@@ -100,7 +99,7 @@ Number next_number(std::string_view& bytes) {
   Number number = {};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size()) {
-    throw std::runtime_error("its first lines are not a kind, a width, a height and a scale");
+    throw std::runtime_error("its header is not a type, a width, a height and a scale");
   }
   return number;
 }
@@ -118,7 +117,7 @@ Image decode_pfm(std::string_view bytes) {
   const auto scale = next_number<float>(bytes);
   const std::size_t row = std::size_t(std::max(width, 0)) * channels * sizeof(float);
   if (width > 0 && height > 0 && bytes.size() / row < static_cast<std::size_t>(height)) {
-    throw std::runtime_error("it ends early");
+    throw std::runtime_error("unexpected end of file");
   }
   Image image = blank_image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -133,22 +132,23 @@ Image decode_pfm(std::string_view bytes) {
   return image;
 }
 
-// Width and height, then floats, rows from the top: `encode_raw`.
+// The format of `encode_raw`: width and height, then floats, rows from the top.
 
 Image decode_raw(std::string_view bytes) {
   std::array<std::uint32_t, 2> size = {};
-  if (bytes.size() < sizeof(size)) throw std::runtime_error("it ends early");
+  if (bytes.size() < sizeof(size)) throw std::runtime_error("unexpected end of file");
   std::memcpy(size.data(), bytes.data(), sizeof(size));
   bytes.remove_prefix(sizeof(size));
   const std::size_t row = std::max<std::size_t>(1, sizeof(Rgb) * size[0]);
-  if (bytes.size() / row < size[1]) throw std::runtime_error("it ends early");
+  if (bytes.size() / row < size[1]) throw std::runtime_error("unexpected end of file");
   Image image = blank_image(size[0], size[1]);
-  if (bytes.size() != row * size[1]) throw std::runtime_error("it is longer than its size says");
+  if (bytes.size() != row * size[1])
+    throw std::runtime_error("it is longer than its width and height require");
   std::memcpy(&image.pixels.front().x, bytes.data(), bytes.size());
   return image;
 }
 
-// PNG: 16-bit files keep their 16 bits.
+// PNG; 16-bit files keep their 16 bits.
 
 Image decode_png(std::string_view bytes) {
   png_image png = {};
@@ -157,11 +157,11 @@ Image decode_png(std::string_view bytes) {
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
     throw std::runtime_error(png.message);
   }
-  // Of one bit at least each, and zlib makes at most 1032 bytes of one.
+  // A pixel takes at least one bit, and zlib expands a byte to at most 1032.
   Image image = blank_image(png.width, png.height, bytes, std::size_t(8) * 1032);
   const bool is_deep = (png.format & PNG_FORMAT_FLAG_LINEAR) != 0;
   png.format = is_deep ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;
-  // What is transparent is laid over these, so black.
+  // Transparent pixels are composited over black.
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0) {
     throw std::runtime_error(png.message);
@@ -195,7 +195,7 @@ Image decode_jpeg(std::string_view bytes) {
   check(tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &colours));
   Image image = blank_image(width, height);
   std::vector<std::uint8_t> pixels(3 * image.pixels.size());
-  // A warning, such as of an early end, is a failure too.
+  // A warning, such as about a truncated file, is a failure too.
   check(tjDecompress2(decoder.get(), data, bytes.size(), pixels.data(), width, 0, height, TJPF_RGB,
                       TJFLAG_ACCURATEDCT));
   decode_srgb(pixels.data(), image);
@@ -203,13 +203,13 @@ Image decode_jpeg(std::string_view bytes) {
 }
 
 struct Decoder {
-  std::string_view start;  ///< of all such files; empty: only the name tells them
+  std::string_view start;  ///< first bytes of all such files; empty: detected by the extension
   std::string_view extension;
   Image (*decode)(std::string_view);
 };
 
 constexpr std::array Decoders = {
-    Decoder{"", "raw", decode_raw},  // the first, because its first bytes, a width, may be anything
+    Decoder{"", "raw", decode_raw},  // first, because its first bytes, a width, may be anything
     Decoder{"\x76\x2f\x31\x01", "exr", decode_exr},
     Decoder{"#?", "hdr", decode_radiance},
     Decoder{"PF", "pfm", decode_pfm},
@@ -219,7 +219,7 @@ constexpr std::array Decoders = {
     Decoder{"", "tga", decode_tga},
 };
 
-/// By what the file holds: names are wrong at times.
+/// Detects the format from the contents, since extensions can be wrong.
 const Decoder* decoder_of(std::string_view bytes, const std::string& path) {
   const auto found = std::find_if(Decoders.begin(), Decoders.end(), [&](const Decoder& decoder) {
     return decoder.start.empty() ? has_extension(path, decoder.extension) : bytes.starts_with(decoder.start);
@@ -247,10 +247,10 @@ Image blank_image(std::int64_t width, std::int64_t height) {
 }
 
 Image blank_image(std::int64_t width, std::int64_t height, std::string_view file, std::size_t pixels_a_byte) {
-  // A few bytes that are garbled must not ask for gigabytes. Larger numbers are for the other check.
+  // A few corrupt bytes must not request gigabytes. Larger sizes are left to the other check.
   const bool is_plain = width > 0 && height > 0 && width < (1 << 30) && height < (1 << 30);
   if (is_plain && static_cast<std::size_t>(width * height) / pixels_a_byte > file.size()) {
-    throw std::runtime_error("it ends early");
+    throw std::runtime_error("unexpected end of file");
   }
   return blank_image(width, height);
 }
@@ -277,13 +277,14 @@ std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagn
   };
   if (bytes->empty()) return fail("the file is empty");
   const Decoder* decoder = decoder_of(*bytes, path);
-  if (decoder == nullptr) return fail("expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+  if (decoder == nullptr)
+    return fail("unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
   try {
     return decoder->decode(*bytes);
   } catch (const std::bad_alloc&) {
     return fail("it needs more memory than there is");
   } catch (const std::exception& problem) {
-    return fail(fmt::format("it is broken ({})", one_line(problem.what())));
+    return fail(fmt::format("it is damaged ({})", one_line(problem.what())));
   }
 }
 

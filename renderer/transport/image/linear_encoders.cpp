@@ -1,4 +1,4 @@
-// Formats that keep radiance.
+// Encoders for formats with linear radiance.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -21,8 +21,8 @@ std::string_view bytes_of(const Rgb* pixels, int count) {
   return {reinterpret_cast<const char*>(pixels), sizeof(Rgb) * static_cast<std::size_t>(count)};
 }
 
-/// A pixel of which the largest component is at least 128 (Ward 1991, "Real pixels"). Rounded, where Ward's
-/// own code cuts off and adds a half when reading: other readers do not add it.
+/// Returns an RGBE pixel whose largest component is at least 128 (Ward 1991, "Real pixels"). Rounded, where
+/// Ward's own code truncates and adds a half when reading: other readers do not add it.
 std::array<std::uint8_t, 4> to_rgbe(const Rgb& radiance) {
   constexpr float Largest = 1.69e38F;  // the exponent is one byte
   constexpr float Smallest = 1e-32F;
@@ -42,8 +42,8 @@ std::array<std::uint8_t, 4> to_rgbe(const Rgb& radiance) {
 
 }  // namespace
 
-// Without run lengths, which save little where neighbours differ by noise. No pixel reads as the start of a
-// run: that would be two bytes of 2, or three of 1, and no more than that.
+// Without run-length encoding, which saves little where neighbours differ by noise. No pixel can be mistaken
+// for the start of a run, which would be two bytes of 2, or three of 1.
 std::string encode_radiance(const ImageFile& file) {
   const Image& image = file.image;
   std::string bytes =

@@ -13,7 +13,7 @@ namespace {
 using reflectance::Rgb;
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// How rows and pixels follow each other, and the factor by which pixels were multiplied.
+/// The order of rows and pixels, and the factor by which pixels were multiplied.
 struct Header {
   int width = 0;
   int height = 0;
@@ -28,9 +28,9 @@ class RadianceDecoder {
 
   Image run() {
     const Header header = read_header();
-    // Each row has a pixel at least that is written out. A size that is garbled must not ask for gigabytes.
+    // Each row has at least one literal pixel. A corrupt size must not request gigabytes.
     if (header.height > 0 && rest_.size() / sizeof(Rgbe) < static_cast<std::size_t>(header.height)) {
-      throw std::runtime_error("it ends early");
+      throw std::runtime_error("unexpected end of file");
     }
     Image image = blank_image(header.width, header.height);
     std::vector<Rgbe> row(static_cast<std::size_t>(header.width));
@@ -52,29 +52,29 @@ class RadianceDecoder {
 
   std::string_view next_line() {
     const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) throw std::runtime_error("it ends early");
+    if (end == std::string_view::npos) throw std::runtime_error("unexpected end of file");
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
     return line;
   }
 
-  // Lines up to an empty one, and then the size, such as `-Y 512 +X 1024`.
+  // Lines up to an empty one, then the size, such as `-Y 512 +X 1024`.
   Header read_header() {
     Header header;
     for (std::string_view line = next_line(); !line.empty(); line = next_line()) {
       if (line.starts_with("FORMAT=") && !line.starts_with("FORMAT=32-bit_rle_rgbe")) {
-        throw std::runtime_error("its colours are not RGB");
+        throw std::runtime_error("its pixels are not RGBE");
       }
       if (line.starts_with("EXPOSURE=")) header.exposure *= number_in<float>(line.substr(9));
     }
     if (!(header.exposure > 0) || !std::isfinite(header.exposure)) {
-      throw std::runtime_error("its exposure is not over 0");
+      throw std::runtime_error("its exposure is not greater than 0");
     }
     const std::string_view size = next_line();
     const std::size_t second = size.find(' ', std::min<std::size_t>(3, size.size()));
     if (second == std::string_view::npos || size.size() < second + 4 || size[1] != 'Y' ||
         size[second + 2] != 'X') {
-      throw std::runtime_error("its size is not said as rows and columns, such as -Y 512 +X 1024");
+      throw std::runtime_error("its resolution is not given as rows and columns, such as -Y 512 +X 1024");
     }
     header.from_bottom = size[0] == '+';
     header.from_right = size[second + 1] == '-';
@@ -88,13 +88,13 @@ class RadianceDecoder {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     Number number = {};
     if (std::from_chars(text.data(), text.data() + text.size(), number).ec != std::errc()) {
-      throw std::runtime_error("its first lines hold a number that is none");
+      throw std::runtime_error("its header has an invalid number");
     }
     return number;
   }
 
   std::uint8_t next_byte() {
-    if (rest_.empty()) throw std::runtime_error("it ends early");
+    if (rest_.empty()) throw std::runtime_error("unexpected end of file");
     const auto byte = static_cast<std::uint8_t>(rest_.front());
     rest_.remove_prefix(1);
     return byte;
@@ -113,7 +113,7 @@ class RadianceDecoder {
         row.size() >= Fewest && row.size() <= Most && first[0] == 2 && first[1] == 2 && first[2] < 128;
     if (!is_by_component) return read_pixels(row, first);
     if ((std::size_t(first[2]) << 8U | first[3]) != row.size()) {
-      throw std::runtime_error("a row is not as long as the others");
+      throw std::runtime_error("a row has the wrong length");
     }
     for (std::size_t component = 0; component < 4; ++component) read_component(row, component);
   }
@@ -123,20 +123,20 @@ class RadianceDecoder {
       const std::uint8_t code = next_byte();
       const bool is_run = code > 128;
       const std::size_t count = is_run ? code - 128U : code;
-      if (count == 0 || count > row.size() - x) throw std::runtime_error("a run does not fit its row");
+      if (count == 0 || count > row.size() - x) throw std::runtime_error("a run exceeds its row");
       const std::uint8_t value = is_run ? next_byte() : std::uint8_t(0);
       for (const std::size_t end = x + count; x < end; ++x) row[x][component] = is_run ? value : next_byte();
     }
   }
 
-  // A pixel of three ones says how often the one before is repeated; of several in a row, the later ones say
-  // the higher bytes of the count.
+  // A pixel of three ones holds a repeat count of the previous pixel; several in a row hold the higher bytes
+  // of the count.
   void read_pixels(std::vector<Rgbe>& row, Rgbe pixel) {
     unsigned shift = 0;
     for (std::size_t x = 0;;) {
       if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1) {
         const std::size_t count = shift < 32 ? std::size_t(pixel[3]) << shift : row.size() + 1;
-        if (x == 0 || count > row.size() - x) throw std::runtime_error("a run does not fit its row");
+        if (x == 0 || count > row.size() - x) throw std::runtime_error("a run exceeds its row");
         std::fill_n(row.begin() + static_cast<std::ptrdiff_t>(x), count, row[x - 1]);
         x += count;
         shift += 8;

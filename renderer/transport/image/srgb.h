@@ -9,7 +9,7 @@
 
 namespace transport {
 
-/// The linear values of sRGB-encoded bytes (IEC 61966-2-1), white being 1.
+/// The linear values of sRGB-encoded bytes (IEC 61966-2-1); 255 is 1.
 using SrgbTable = std::array<float, 256>;
 
 inline const SrgbTable& srgb_table() {
@@ -23,7 +23,7 @@ inline const SrgbTable& srgb_table() {
   return table;
 }
 
-/// The byte whose value is nearest in sRGB's own measure: 255 from 1 on, and 0 for what is no number.
+/// Returns the nearest byte in sRGB encoding: 255 from 1 on, and 0 for NaN.
 inline std::uint8_t to_srgb_byte(float linear) {
   if (!(linear > 0)) return 0;
   return static_cast<std::uint8_t>(std::lround(255 * grf::srgb_encoded(std::min(linear, 1.0F))));

@@ -21,15 +21,15 @@
 namespace transport {
 namespace {
 
-/// Hands bytes to stb_image, and knows if it asked for more than there were: it takes those for zeros.
+/// Feeds bytes to stb_image, and notes if it asked for more than there are: it reads those as zeros.
 class Source {
  public:
   explicit Source(std::string_view bytes) : bytes_(bytes) {}
 
   bool ended_early() const { return ended_early_; }
 
-  // stb_image fills its own buffer with as much as there is, and begins with that; only into other places
-  // does it read what must be there in full.
+  // stb_image fills its own buffer with as much as there is first; only reads into other buffers must be
+  // complete.
   int read(char* to, int count) {
     if (buffer_ == nullptr) buffer_ = to;
     const std::size_t given =
@@ -53,8 +53,8 @@ class Source {
   bool ended_early_ = false;
 };
 
-// This is a constant, which clang's analyzer does not see through: a lambda that is called by its pointer, it
-// takes for one that reads nothing.
+// A constant, which clang's analyzer cannot see through: it takes a lambda that is called by its pointer for
+// one that reads nothing.
 constexpr stbi_io_callbacks Callbacks = {
     [](void* source, char* to, int count) { return static_cast<Source*>(source)->read(to, count); },
     [](void* source, int count) { static_cast<Source*>(source)->skip(count); },
@@ -66,7 +66,7 @@ struct Free {
 
 [[noreturn]] void fail() {
   const char* reason = stbi_failure_reason();
-  throw std::runtime_error(reason != nullptr ? reason : "it is of another kind");
+  throw std::runtime_error(reason != nullptr ? reason : "unsupported type");
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ Image decode_tga(std::string_view bytes) {
   Source source(bytes);
   const std::unique_ptr<stbi_uc, Free> pixels(
       stbi_load_from_callbacks(&Callbacks, &source, &width, &height, &channels, 3));
-  if (source.ended_early()) throw std::runtime_error("it ends early");
+  if (source.ended_early()) throw std::runtime_error("unexpected end of file");
   if (!pixels) fail();
   decode_srgb(pixels.get(), image);
   return image;

@@ -16,7 +16,7 @@ struct PixelFeatures {
   int hits = 0;
 };
 
-/// An unbiased estimate, from directions that the sampling scheme draws.
+/// An unbiased Monte Carlo estimate of the albedo, by the sampling scheme.
 Rgb albedo_estimate(const reflectance::Reflector& reflector, const Vec3f& u, PathNumbers& numbers) {
   constexpr int Directions = 4;
   const PointSet points = numbers.next_set(Directions);
@@ -28,7 +28,7 @@ Rgb albedo_estimate(const reflectance::Reflector& reflector, const Vec3f& u, Pat
   return sum / Directions;
 }
 
-/// As paths see it: an interpolated normal that points away from the eye gives way to the true one.
+/// The shading normal as paths use it: replaced by the geometric one if it points away from the eye.
 Vec3f normal_towards(const Vec3f& back, const SurfacePoint& point) {
   const float side = back.dot(point.geometric_normal) < 0 ? -1.0F : 1.0F;
   const Vec3f shading = side * point.shading_normal;

@@ -1,4 +1,4 @@
-// What a picture shows of surfaces alone, for viewers, denoisers and compositing.
+// Feature layers (AOVs) for viewers, denoisers and compositing: albedo, normal and depth.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,17 @@
 
 namespace transport {
 
-/// Means over a few camera rays through each pixel, of what they meet first.
+/// First-hit features, averaged over a few camera rays per pixel.
 struct FeatureLayers {
-  /// The share of light that the surface reflects towards the eye, its colour included. Black where nothing
-  /// is, and of surfaces that reflect nothing.
+  /// The directional albedo towards the eye, with the surface's colour. Black on the background, and on
+  /// surfaces that reflect nothing.
   Image albedo;
-  Image normal;              ///< the shading normal on the eye's side, in world space; 0 where nothing is
-  std::vector<float> depth;  ///< along the view's axis, over the rays that meet something; infinite if none
+  Image normal;  ///< shading normal on the eye's side, in world space; 0 on the background
+  std::vector<float>
+      depth;  ///< along the view's axis, over the rays that hit something; infinite if none does
 };
 
-/// Depends on the seed alone, whatever the number of threads (0: as many as the machine has).
+/// Computes the layers. They depend only on the seed, not on the number of threads (0: one per core).
 FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int width, int height,
                              int samples = 16, std::uint32_t seed = 0, int threads = 0);
 

@@ -34,7 +34,7 @@ class NaivePaths {
   const IntegratorSettings& settings_;
   PathNumbers& numbers_;
   RayCounter& counter_;
-  /// Those of each scattering event, one point for each of the paths.
+  /// A set of samples per bounce, with one sample per path.
   std::vector<PointSet> points_;
 };
 
@@ -64,7 +64,7 @@ const PointSet& NaivePaths::points_of(int events) {
   return points_[index];
 }
 
-// All at once, as the thesis draws them (section 5.3.2): some schemes do that in less time.
+// Draws all directions at once, as the thesis does (section 5.3.2): some schemes are faster that way.
 std::vector<ScatterSample> NaivePaths::draw_secondary(const Scattering& scattering) {
   std::vector<Uniforms> xi;
   for (int i = 0; i < settings_.secondary_rays; ++i) xi.push_back(uniforms(points_of(0)[i]));
@@ -83,10 +83,10 @@ std::optional<ScatterSample> NaivePaths::draw(const Scattering& scattering, cons
   return drawn;
 }
 
-/// The ray that goes on; nothing if that is through the surface.
+/// Returns the scattered ray; empty if the surface blocks it.
 std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const ScatterSample& drawn) const {
   counter_.note_unless_finite("colour", scattering.point.colour, &scattering.point);
-  counter_.note_unless_finite("weight of a direction that was drawn", drawn.weight, &scattering.point);
+  counter_.note_unless_finite("weight of a sampled direction", drawn.weight, &scattering.point);
   const Vec3f direction = scattering.frame.to_world(drawn.direction);
   if (!scattering.is_above(direction)) return std::nullopt;
   if (drawn.is_mirror && !settings_.reflects_mirrors) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<Ray> NaivePaths::scattered(const Scattering& scattering, const Sca
   return ray;
 }
 
-/// What arrives along a ray that has been scattered once, or reflected by a mirror.
+/// The radiance along a ray that was scattered once, or reflected specularly.
 Rgb NaivePaths::follow(Ray ray, int path, bool was_scattered) {
   Rgb throughput(1);
   Rgb radiance(0);

@@ -4,9 +4,9 @@
 
 namespace transport {
 
-/// The estimator of the thesis (sections 4.1 and 6.1): at the first hit `secondary_rays` directions are drawn
-/// by the BRDF's scheme, each goes on as one path to `depth`, and all light is what paths happen to meet: no
-/// light is sampled. For studies of sampling schemes.
+/// The estimator of the thesis (sections 4.1 and 6.1): at the first hit, the BRDF's scheme draws
+/// `secondary_rays` directions, each continues as one path up to `depth`, and lights are only hit by chance:
+/// there is no light sampling. For studies of sampling schemes.
 Rgb naive_radiance(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
                    const std::optional<Rgb>& behind, PathNumbers& numbers, RayCounter& counter);
 

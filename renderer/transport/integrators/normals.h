@@ -4,8 +4,8 @@
 
 namespace transport {
 
-/// Not light but the components of the unit normal at the nearest hit, on the viewer's side, in world space;
-/// 0 where nothing is (BPT_RayCasting of the thesis, section 6.1.3).
+/// Returns the unit normal at the nearest hit, on the viewer's side, in world space, in place of radiance; 0
+/// on the background (BPT_RayCasting of the thesis, section 6.1.3).
 Rgb normal_at_hit(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
                   const std::optional<Rgb>& behind, PathNumbers& numbers, RayCounter& counter);
 

@@ -21,7 +21,7 @@ using reflectance::ScatterSample;
 
 const Diffuse& matte_of(const Reflector& reflector) { return *std::get_if<Diffuse>(&reflector.brdf()); }
 
-/// The path so far.
+/// A path, advanced bounce by bounce.
 template <PathEffects Has>
 class Path {
  public:
@@ -36,9 +36,9 @@ class Path {
     }
   }
 
-  /// `events` of scattering were before.
+  /// Continues after `events` bounces.
   Rgb run(const std::optional<Rgb>& behind, int events = 0);
-  /// In place of a camera ray, starts with the scattering at a white matte surface.
+  /// Starts with a bounce off a white diffuse surface instead of a camera ray.
   Gathered gather(const Scattering& scattering);
 
  private:
@@ -65,25 +65,25 @@ class Path {
   Ray ray_;
   Rgb throughput_ = Rgb(1);
   Rgb radiance_ = Rgb(0);
-  /// The solid-angle density with which the ray was drawn, of all ways on together, where a light could have
-  /// been sampled instead; 0 for camera rays and mirror directions.
+  /// The solid-angle pdf of the ray, summed over all split paths, where a light could have been sampled
+  /// instead; 0 for camera rays and specular directions.
   float density_ = 0;
   /// The point that the ray was scattered from, with its shading normal.
   Vec3f from_, from_normal_;
-  float environment_share_ = 0;  ///< the probability of sampling the map and not an emitter
+  float environment_share_ = 0;  ///< the probability of sampling the environment map rather than an emitter
   bool resamples_ = false;
   reflectance::Resampler resampler_;
-  /// The map's light along the ray was added where the ray starts.
+  /// The environment's light along the ray was already added at its origin.
   bool has_environment_ = false;
-  /// So far the path has met mirrors alone, and irradiance serves where the scene has it.
+  /// So far all hits were specular, and baked irradiance can be used.
   bool takes_irradiance_ = settings_.uses_irradiance;
-  bool was_scattered_ = false;        ///< other than by mirrors
-  bool may_split_ = true;             ///< no hit yet that does more than mirror
-  int ways_ = 1;                      ///< in which the path goes on from the present hit
-  Vec3f light_direction_ = Vec3f(0);  ///< to the last point of a light that could be reflected
+  bool was_scattered_ = false;        ///< by a non-specular bounce
+  bool may_split_ = true;             ///< no non-specular hit yet
+  int ways_ = 1;                      ///< number of paths that continue from this hit
+  Vec3f light_direction_ = Vec3f(0);  ///< to the last light sample that could be reflected
 };
 
-/// The value; a kernel that searches notes it if it is the first that is not finite.
+/// Returns the value; a checking kernel records the first one that is not finite.
 template <PathEffects Has>
 template <class Value>
 const Value& Path<Has>::seen(std::string_view term, const Value& value, const SurfacePoint* where) const {
@@ -136,8 +136,8 @@ void Path<Has>::add_direct_light(const Scattering& scattering, const Uniform4& x
   }
 }
 
-/// What a light of radiance 1 that was sampled with this density adds, weighted against the BRDF's own
-/// sampling; nothing if that is 0.
+/// The unshadowed contribution of a light of radiance 1 that was sampled with this pdf, with its MIS weight
+/// against BRDF sampling; empty if it is 0.
 template <PathEffects Has>
 std::optional<Rgb> Path<Has>::lit_from(const Scattering& scattering, const Vec3f& direction,
                                        float light_density) {
@@ -165,7 +165,7 @@ template <PathEffects Has>
 void Path<Has>::add_area_light(const Scattering& scattering, float choice, const Vec2f& xi) {
   const auto light = scene_.lights().sample(scattering.point.position, scattering.frame.z, choice, xi);
   if (!light || !scattering.is_above(light->direction)) return;
-  // Rounding can put a point on the back of a face before the face's own front.
+  // Rounding can put a point on the back of a face in front of the face.
   if (light->emitter == scattering.point.emitter) return;
   const auto lit = lit_from(scattering, light->direction, (1 - environment_share_) * light->density);
   if (!lit) return;
@@ -189,8 +189,8 @@ void Path<Has>::add_environment_light(const Scattering& scattering, const Vec2f&
   if (scene_.escapes(*ray)) radiance_ += *lit * light->radiance;
 }
 
-// Besides the candidates, the path goes on with a direction of its own: one that was chosen by the map's
-// light would be a poor one for what comes from other surfaces.
+// The path continues in a direction of its own, not one of the candidates: a direction chosen by the map's
+// light would be a poor sample of indirect light.
 template <PathEffects Has>
 void Path<Has>::add_resampled_light(const Scattering& scattering) {
   const float xi = numbers_.next().x;
@@ -232,7 +232,7 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   if (!drawn || (drawn->is_mirror && !settings_.reflects_mirrors)) return false;
   const Vec3f direction = scattering.frame.to_world(drawn->direction);
   if (!scattering.is_above(direction)) return false;
-  seen("weight of a direction that was drawn", drawn->weight, &scattering.point);
+  seen("weight of a sampled direction", drawn->weight, &scattering.point);
   throughput_ *= drawn->weight * scattering.point.colour;
   if (reflectance::is_black(throughput_)) return false;
   density_ = drawn->is_mirror ? 0 : static_cast<float>(ways_) * drawn->density;
@@ -249,8 +249,8 @@ bool Path<Has>::scatter(const Scattering& scattering, const Uniform4& xi) {
   return true;
 }
 
-// Where a path would add a third of what it could at its start or more, it goes on: ending those costs more
-// error than it saves time.
+// Russian roulette, only for paths whose throughput is below a third: ending others costs more error than it
+// saves time.
 template <PathEffects Has>
 bool Path<Has>::survives(float xi) {
   const float survival = 3 * reflectance::largest(throughput_);
@@ -260,8 +260,8 @@ bool Path<Has>::survives(float xi) {
   return true;
 }
 
-// What is known of the light at a point alone says how much a matte surface reflects, and on its front alone:
-// the other side of a wall is lit by something else.
+// Baked irradiance determines only what a diffuse surface reflects, and only on its front: the back of a wall
+// receives other light.
 template <PathEffects Has>
 bool Path<Has>::has_irradiance(const SurfacePoint& point, const Reflector& reflector) const {
   return takes_irradiance_ && point.irradiance && ray_.direction.dot(point.geometric_normal) < 0 &&
@@ -281,7 +281,7 @@ Gathered Path<Has>::gather(const Scattering& scattering) {
   return gathered;
 }
 
-/// The mean of some ways on from a hit, which share what led to it and the light that was sampled there.
+/// The mean of several paths from a hit, which share the path before it and its light sample.
 template <PathEffects Has>
 Rgb Path<Has>::split(const Scattering& scattering, int events) {
   may_split_ = false;
@@ -318,14 +318,14 @@ Rgb Path<Has>::run(const std::optional<Rgb>& behind, int events) {
       seen("irradiance", *point->irradiance, &*point);
       return radiance_ + throughput_ * point->colour * value * *point->irradiance;
     }
-    // Where only lights may be met yet, one direction is enough.
+    // Where only direct light can follow, one direction suffices.
     const bool splits =
         settings_.branches > 1 && may_split_ && reflector->has_density() && events + 1 < settings_.depth;
     ways_ = splits ? settings_.branches : 1;
     const TwoPoints xi = numbers_.next_two();
     add_direct_light(scattering, xi.first);
     if constexpr (Has.resampling) {
-      // A mirror's candidates would all be the same one.
+      // A specular surface's candidates would all be the same.
       has_environment_ = resamples_ && reflector->has_density();
       if (has_environment_) add_resampled_light(scattering);
     }
@@ -363,7 +363,7 @@ constexpr PathEffects UnderLights = {.area_lights = true, .environment = false, 
 constexpr PathEffects UnderEnvironment = {.area_lights = false, .resampling = false};
 constexpr PathEffects All;
 
-/// From what does least to what does all.
+/// From the cheapest to the most general.
 constexpr std::array Kernels = {kernel_with<MatteUnderLights>(), kernel_with<UnderLights>(),
                                 kernel_with<UnderEnvironment>(), kernel_with<All>()};
 

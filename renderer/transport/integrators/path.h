@@ -4,31 +4,29 @@
 
 namespace transport {
 
-/// What a path kernel can meet. A bit is here only if leaving its code out makes a render faster.
+/// Effects that a path kernel supports. A bit is here only if omitting its code makes a render faster.
 struct PathEffects {
   bool area_lights = true;
   bool environment = true;
   bool resampling = true;
-  bool other_than_matte = true;  ///< BRDFs besides `diffuse`, or schemes besides its own
+  bool other_than_matte = true;  ///< BRDFs besides `diffuse`, or sampling schemes besides its own
   bool search = false;           ///< for terms that are not finite
 
   bool operator==(const PathEffects&) const = default;
 };
 
-/// An unbiased estimate of the radiance that arrives along a ray: a path that at each surface samples a light
-/// and the BRDF, and combines the two by multiple importance sampling (Veach and Guibas 1995, power
-/// heuristic). The light is the environment map with a probability of its share of the power, else one of the
-/// emitters by the light tree. At the first surface that does more than mirror the path splits in two, and
-/// Russian roulette ends paths that carry little. All kernels give the same image where they serve, bit for
-/// bit.
-///
-/// The one that serves these effects and does least besides.
+/// Returns the cheapest path-tracing kernel that supports these effects. It estimates the radiance along a
+/// ray without bias: at each hit the path samples a light (next-event estimation) and the BRDF, combined by
+/// multiple importance sampling (Veach and Guibas 1995, power heuristic). It samples the environment map with
+/// a probability that follows its fraction of the power, else an emitter by the light tree. At the first
+/// non-specular hit the path splits in two, and Russian roulette ends paths of low throughput. All kernels
+/// that support a scene give the same image, bit for bit.
 Kernel path_kernel(const PathEffects& effects);
 
-/// The one that serves all effects and notes the first term that is not finite.
+/// Returns the kernel that supports all effects and reports the first term that is not finite.
 Kernel searching_path_kernel();
 
-/// The same, for light that arrives at a point.
+/// Returns the corresponding kernel for light that arrives at a point.
 GatherKernel gather_kernel(const PathEffects& effects);
 
 }  // namespace transport

@@ -2,7 +2,7 @@
 
 namespace transport {
 
-/// The weight of a sample that was drawn with the first density and could have been drawn with the other one
+/// The MIS weight of a sample drawn with the first pdf that the strategy with the other pdf could have drawn
 /// (Veach and Guibas 1995, power heuristic with exponent 2).
 inline float power_heuristic(float density, float other) {
   // In terms of the ratio, which overflows to a right answer where squares would not.

@@ -5,7 +5,7 @@
 
 namespace transport {
 
-/// A surface as a path sees it: turned to the side that the path came from.
+/// A shading point: a surface point turned to the side that the path came from, with its local frame.
 class Scattering {
  public:
   /// `back` is the unit direction to where the path came from.
@@ -18,13 +18,13 @@ class Scattering {
         frame(shading_normal(back), point.tangent),
         u(frame.to_local(back)) {}
 
-  /// Whether a ray may leave in a world direction: light passes through no surface, whatever an interpolated
-  /// normal says. Where it seems to bulge, `ray_towards` has the last word.
+  /// Whether a ray may leave in a world direction: never through the surface, whatever an interpolated normal
+  /// says. Where the terminator is offset, `ray_towards` makes the final decision.
   bool is_above(const Vec3f& direction) const {
     return direction.dot(geometric_normal) > 0 || (point.rise.length2() > 0 && direction.dot(frame.z) > 0);
   }
 
-  /// A ray that leaves in a direction; nothing if that is through the surface. Rays that are cast to find its
+  /// Returns a ray that leaves in a direction; empty if the surface blocks it. Rays that are cast to find its
   /// origin are added to `rays`.
   std::optional<Ray> ray_towards(const CompiledScene& scene, const Vec3f& direction,
                                  std::uint64_t& rays) const {
@@ -32,7 +32,7 @@ class Scattering {
     if (!start) return std::nullopt;
     return Ray{start->origin, direction, start->from, point.cone};
   }
-  /// To a place in this direction, which is where the ray's parameter is 1.
+  /// Returns a ray towards a point in this direction, which it reaches at parameter 1.
   std::optional<Ray> ray_to(const CompiledScene& scene, const Vec3f& end, const Vec3f& direction,
                             std::uint64_t& rays) const {
     const auto start = scene.start_of(point, direction, geometric_normal, rays);
@@ -47,7 +47,7 @@ class Scattering {
   Vec3f u;  ///< to where the path came from, local
 
  private:
-  // An interpolated normal that points away from the eye would make the surface black: the true one serves.
+  // An interpolated normal that points away from the eye would turn the surface black: use the geometric one.
   Vec3f shading_normal(const Vec3f& back) const {
     const bool flipped = back.dot(point.geometric_normal) < 0;
     const Vec3f normal = flipped ? -point.shading_normal : point.shading_normal;

@@ -10,14 +10,14 @@ using grf::Vec2f;
 using grf::Vec3f;
 
 constexpr float EvenShare = 0.05F;
-/// Normals lie on a grid over the octahedron that is unfolded to a square: odd, so that those along the axes,
-/// as of floors and walls, are exact.
+/// Normals lie on a grid over the unfolded octahedron: odd, so that the axis-aligned ones, as of floors and
+/// walls, are exact.
 constexpr int NormalsAcross = 13;
 
 float sign_of(float x) { return x < 0 ? -1.0F : 1.0F; }
 
-/// Between -1 and 1 (Cigolle, Donow, Evangelakos, Mara, McGuire and Meyer 2014, "A survey of efficient
-/// representations for independent unit vectors").
+/// Octahedral coordinates between -1 and 1 (Cigolle, Donow, Evangelakos, Mara, McGuire and Meyer 2014, "A
+/// survey of efficient representations for independent unit vectors").
 Vec2f to_octahedron(const Vec3f& v) {
   const float norm = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
   const Vec2f p(v.x / norm, v.y / norm);
@@ -45,7 +45,7 @@ struct Cell {
     const auto above = std::upper_bound(shares.begin(), shares.end() - 1, xi);
     return Cell(shares, static_cast<std::size_t>(above - shares.begin()));
   }
-  /// The share of the cell, as if all were alike, for a number in [0,1).
+  /// Inverts the CDF within the cell, which is uniform, for a number in [0,1).
   float place(float xi) const {
     const float inside =
         (static_cast<float>(index) + (xi - start) / share) / static_cast<float>(Shares().size());
@@ -53,7 +53,7 @@ struct Cell {
   }
 };
 
-/// Where the k-th of `count` cells is that make up the unit interval.
+/// Returns the index of the cell, of `count` equal ones in the unit interval, that contains xi.
 std::size_t cell_at(float xi, std::size_t count) {
   return std::min(static_cast<std::size_t>(xi * static_cast<float>(count)), count - 1);
 }

@@ -10,7 +10,7 @@ using grf::Vec2f;
 using grf::Vec3f;
 using reflectance::Rgb;
 
-/// A parallelogram, or the half of one that is a triangle, that emits from its front: the side to which
+/// An emitting parallelogram, or the triangle that is half of it. It emits from its front, the side to which
 /// edge1 x edge2 points.
 struct Emitter {
   Vec3f corner;
@@ -21,7 +21,7 @@ struct Emitter {
 
   Vec3f doubled_area_normal() const { return edge1.cross(edge2); }
   float area() const { return doubled_area_normal().length() / (is_triangle ? 2 : 1); }
-  /// Area times mean radiance: watts, but for a factor of pi.
+  /// Area times mean radiance: the power in watts, but for a factor of pi.
   float power() const { return area() * reflectance::mean(radiance); }
 };
 

@@ -18,12 +18,12 @@ using grf::Vec2f;
 using grf::Vec3f;
 using reflectance::Rgb;
 
-/// Of linear RGB with the primaries of sRGB. In double: three channels near the largest float add up to more.
+/// The luminance of linear sRGB. In double: three channels near the largest float sum to more.
 double luminance(const Rgb& rgb) {
   return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
 }
 
-/// Turns weights into the cumulative shares up to and including each, and gives their sum. The last is 1.
+/// Turns weights into a CDF, whose last value is 1, and returns their sum.
 double accumulate(std::span<const double> weights, float* shares) {
   double total = 0;
   for (const double weight : weights) total += weight;
@@ -35,7 +35,7 @@ double accumulate(std::span<const double> weights, float* shares) {
   return total;
 }
 
-/// What std::upper_bound finds, without branches on what a random number decides.
+/// As std::upper_bound, without branches that depend on a random number.
 std::size_t first_over(const float* shares, std::size_t count, float xi) {
   const float* from = shares;
   while (count > 1) {
@@ -46,7 +46,7 @@ std::size_t first_over(const float* shares, std::size_t count, float xi) {
   return static_cast<std::size_t>(from - shares) + (count == 1 && *from <= xi ? 1 : 0);
 }
 
-/// Where xi is between a share and the one before, 0..1.
+/// The position of xi between a CDF value and the previous one, 0..1.
 float place_between(float before, float above, float xi) { return (xi - before) / (above - before); }
 
 }  // namespace
@@ -97,7 +97,7 @@ void EnvironmentMap::build() {
 }
 
 EnvironmentMap::Place EnvironmentMap::place_of(const Vec3f& direction) const {
-  // By the arc tangent and not the arc cosine, which has few digits at the poles.
+  // By the arc tangent, because the arc cosine is inaccurate at the poles.
   const float theta =
       reflectance::glsl::atan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
   const float phi = reflectance::glsl::atan2(direction.x, -direction.z);
@@ -120,7 +120,7 @@ std::size_t EnvironmentMap::texel_at(const Vec3f& direction) const {
   return place.row * static_cast<std::size_t>(image_.width) + place.column;
 }
 
-/// The pair of numbers from which `sample` makes a place.
+/// Inverts `sample`: returns the 2D sample of a position.
 Vec2f EnvironmentMap::pair_of(const Place& place) const {
   const Line* lines = &columns_[place.row * lines_across_];
   const auto column_share = [&](std::size_t column) {
@@ -147,26 +147,26 @@ Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Ve
           static_cast<float>(-sine) * reflectance::glsl::cos(rounded)};
 }
 
-/// True unless a direction at this place in a texel is surely found there again. The angles of a direction in
-/// float are off by less than 2e-6.
+/// False only if a direction at this position in a texel certainly maps back to that texel. The angles of a
+/// float direction are accurate to 2e-6.
 bool EnvironmentMap::is_near_border(std::size_t row, const Vec2f& place) const {
   const double across = 2e-6 * image_.width / (2 * std::numbers::pi);
   const double down = 2e-6 / (cosines_[row] - cosines_[row + 1]);
   return std::abs(double(place.x) - 0.5) > 0.5 - across || std::abs(double(place.y) - 0.5) > 0.5 - down;
 }
 
-/// Has the texels of a line fetched while it is chosen among them.
+/// Prefetches the texels of a line while the search among them goes on.
 void EnvironmentMap::prefetch(std::size_t row, std::size_t line) const {
   const auto width = static_cast<std::size_t>(image_.width);
-  constexpr std::size_t Step = 5;  // texels of a cache line
+  constexpr std::size_t Step = 5;  // texels per cache line
   const std::size_t end = std::min((line + 1) * Line::Size, width);
   for (std::size_t x = line * Line::Size; x < end; x += Step) {
     __builtin_prefetch(&image_.pixels[row * width + x]);
   }
 }
 
-// Of each distribution, the first whose cumulative share is over xi: its own share is not 0, since the one
-// before is at most xi.
+// In each distribution, selects the first CDF value over xi: its probability is not 0, since the value before
+// is at most xi.
 std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   if (is_black()) return std::nullopt;
   const std::size_t row = first_over(rows_.data(), rows_.size(), xi.y);
@@ -181,8 +181,8 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   const std::size_t column = line * Line::Size + in_line;
   Vec3f direction = direction_in(row, column, place);
   const std::size_t texel = row * static_cast<std::size_t>(image_.width) + column;
-  // Rounding may put a direction at the border across it. That one counts as from the middle, so that light
-  // beside black is not lost and what is said of a direction is what `radiance` and `density` say.
+  // Rounding may move a direction across the texel's border. Such a direction is replaced by the texel's
+  // centre, so that light next to black is not lost and `radiance` and `density` agree with the sample.
   if (is_near_border(row, place) && texel_at(direction) != texel) {
     direction = direction_in(row, column, Vec2f(0.5F));
   }
@@ -219,10 +219,8 @@ std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf:
   if (map.wrong_texels() > 0) {
     diagnostics.warning(
         asked_for_at.file ? asked_for_at : grf::whole_file(path),
-        fmt::format(
-            "{} of {} texels of the environment map are negative or no finite numbers there, and count "
-            "as 0",
-            map.wrong_texels(), map.image().pixels.size()));
+        fmt::format("{} of {} texels of the environment map are negative or not finite, and count as 0 there",
+                    map.wrong_texels(), map.image().pixels.size()));
   }
   return map;
 }

@@ -12,35 +12,34 @@
 
 namespace transport {
 
-/// Radiance from infinitely far away.
+/// A sampled direction to the environment, at infinity.
 struct EnvironmentSample {
-  grf::Vec3f direction;  ///< towards where the light comes from, in the world
+  grf::Vec3f direction;  ///< towards the light, in world space
   reflectance::Rgb radiance;
-  float density = 0;  ///< per solid angle, over 0
+  float density = 0;  ///< solid-angle pdf, 1/sr, over 0
 };
 
-/// A latitude-longitude image around the scene: y is up, the centre looks down -z, and right of it is +x.
+/// An environment map in latitude-longitude format: y is up, the centre looks down -z, and +x is right of it.
 ///
-/// A texel is a rectangle of directions with one radiance: nothing is interpolated, so that a density can be
-/// exactly the luminance, over 0 wherever there is light. Directions are drawn in proportion to luminance
-/// times solid angle, row by a marginal and column by a conditional distribution, and evenly over the texel's
-/// solid angle: sin(theta) is not taken at its centre, or texels at the poles would have more noise than
-/// others.
+/// Texels are constant over their rectangles of directions: without interpolation, the pdf can be exactly
+/// proportional to luminance, and over 0 wherever there is light. Rows are sampled by a marginal and columns
+/// by a conditional distribution of luminance times solid angle, and directions uniformly over the texel's
+/// solid angle: sin(theta) is not taken at the texel's centre, which would add noise at the poles.
 class EnvironmentMap {
  public:
-  /// Texels that are negative or not finite count as 0 in that channel.
+  /// Channels of texels that are negative or not finite count as 0.
   explicit EnvironmentMap(Image image);
 
   reflectance::Rgb radiance(const grf::Vec3f& direction) const { return image_.pixels[texel_at(direction)]; }
 
-  /// Inverts the distributions: one pair in [0,1), one direction, and near pairs give near directions unless
-  /// there is black between them. Nothing if the whole map is black.
+  /// Inverts the distributions: maps one 2D sample in [0,1) to a direction, continuously except across black
+  /// texels. Empty if the whole map is black.
   std::optional<EnvironmentSample> sample(const grf::Vec2f& xi) const;
 
-  /// The density of `sample` per solid angle.
+  /// The solid-angle pdf of `sample`.
   float density(const grf::Vec3f& direction) const;
 
-  /// The same for a surface with this unit normal: nearly in proportion to the cosine with it too.
+  /// The same for a surface with this unit normal: nearly proportional to the cosine as well.
   std::optional<EnvironmentSample> sample(const grf::Vec3f& normal, const grf::Vec2f& xi) const;
   float density(const grf::Vec3f& normal, const grf::Vec3f& direction) const {
     return seen(normal, direction).density;
@@ -50,7 +49,7 @@ class EnvironmentMap {
     reflectance::Rgb radiance;
     float density = 0;
   };
-  /// `radiance` and `density` in one, for what they share.
+  /// Returns `radiance` and `density` together, which share work.
   Seen seen(const grf::Vec3f& normal, const grf::Vec3f& direction) const;
 
   /// Luminance integrated over all directions.
@@ -59,18 +58,18 @@ class EnvironmentMap {
   bool is_black() const { return !(total_ > 0); }
   const Image& image() const { return image_; }
 
-  /// Texels of which a channel was negative or not finite.
+  /// The number of texels of which a channel was negative or not finite.
   std::size_t wrong_texels() const { return wrong_texels_; }
 
  private:
-  /// A line of the processor's cache. Which one has a share is found among their ends, which stay in a nearer
-  /// cache than the lines do.
+  /// A cache line of a CDF. A search first goes through the last values of the lines, which are more likely
+  /// to be cached than the lines themselves.
   struct alignas(64) Line {
     static constexpr std::size_t Size = 16;
     std::array<float, Size> shares;
   };
 
-  /// A place on the image: a texel, and where in it, 0..1, from the upper left corner.
+  /// A position on the image: a texel, and the position in it, 0..1, from the upper left corner.
   struct Place {
     std::size_t row = 0;
     std::size_t column = 0;
@@ -87,17 +86,18 @@ class EnvironmentMap {
 
   Image image_;
   std::size_t wrong_texels_ = 0;
-  double total_ = 0;         ///< luminance over the whole sphere
-  std::vector<float> rows_;  ///< cumulative share of rows, up to and including each
-  /// Of columns within their row, row after row; all 1 in a black one, and behind a row's last.
+  double total_ = 0;         ///< luminance integrated over the sphere
+  std::vector<float> rows_;  ///< marginal CDF of the rows, up to and including each
+  /// Conditional CDFs of the columns, row after row; all 1 in a black row, and past the end of a row.
   std::vector<Line> columns_;
-  std::vector<float> line_ends_;  ///< the last share of each line
+  std::vector<float> line_ends_;  ///< last CDF value of each line
   std::size_t lines_across_ = 0;
   CosineWarps warps_;
-  std::vector<double> cosines_;  ///< of the angles from the y axis between rows, one more than rows
+  std::vector<double>
+      cosines_;  ///< of the angles between the y axis and the row boundaries, one more than rows
 };
 
-/// Reads a map, and warns of texels that count as 0.
+/// Reads an environment map, and warns of texels that count as 0.
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at = {},
                                                    const ImageReader& image_reader = read_image);

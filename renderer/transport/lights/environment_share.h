@@ -6,10 +6,10 @@
 
 namespace transport {
 
-/// The probability with which light sampling should pick the environment map and not an emitter: the map's
-/// share of the power that comes in. The map's is what it sends through the disc of the sphere about the
-/// bounds, as if nothing were in its way; since walls may be, or lamps may be shut in, neither goes below
-/// 1/5. 1 without emitters, 0 if the map is black or null. Any value in between keeps an estimate unbiased.
+/// Returns the probability of sampling the environment map rather than an emitter: the map's fraction of the
+/// incoming power. The map's power is what it sends through the disc of the bounding sphere, unoccluded;
+/// since walls may block it, or lamps may be enclosed, both probabilities are at least 1/5. 1 without
+/// emitters, 0 if the map is black or null. Any value in between keeps an estimate unbiased.
 float environment_share(const EnvironmentMap* environment, const Lights& lights, const grf::Box3d& bounds);
 
 }  // namespace transport

@@ -6,7 +6,7 @@
 namespace transport {
 namespace {
 
-/// An angle in 0..pi by its cosine and sine: sums and differences need no inverse functions.
+/// An angle in 0..pi, stored as cosine and sine: sums and differences need no inverse functions.
 struct Angle {
   float cosine = 1;
   float sine = 0;
@@ -14,14 +14,14 @@ struct Angle {
   static Angle of_cosine(float cosine) { return {cosine, std::sqrt(std::max(0.0F, 1 - cosine * cosine))}; }
 };
 
-/// 0 if b is the larger one.
+/// Returns a - b, or 0 if b is larger.
 Angle difference(const Angle& a, const Angle& b) {
   if (a.cosine >= b.cosine) return {};
   return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
 }
 
 float angle_between(const Vec3f& a, const Vec3f& b) {
-  // By chords: an arc cosine has few digits near 0.
+  // By chord lengths: an arc cosine is inaccurate near 0.
   return 2 * std::atan2((a - b).length(), (a + b).length());
 }
 
@@ -72,7 +72,7 @@ float importance(const LightBounds& bounds, const Vec3f& from, const Vec3f& norm
   const float radius2 = bounds.radius * bounds.radius;
   if (distance2 <= radius2) return radius2 > 0 ? bounds.power / std::max(distance2, radius2 / 4) : 0;
   const Vec3f direction = to_centre / std::sqrt(distance2);
-  // Seen from the point, the sphere is this angle about its centre.
+  // The half-angle that the sphere subtends at the point.
   const float sine2 = radius2 / distance2;
   const Angle spread{std::sqrt(1 - sine2), std::sqrt(sine2)};
   const Angle received = difference(Angle::of_cosine(direction.dot(normal)), spread);

@@ -7,35 +7,35 @@ namespace transport {
 
 using grf::Box3f;
 
-/// Directions within an angle of an axis.
+/// A cone of directions within an angle of an axis.
 struct Cone {
   Vec3f axis = Vec3f(0, 0, 1);  ///< unit
   float cosine = 1;             ///< of the angle
 };
 
-/// A small cone about both.
+/// Returns a small cone that bounds both.
 Cone merged(const Cone& a, const Cone& b);
 
-/// Where some emitters are, to where they shine, and how much: what decides how much light they can give.
+/// Bounds on the position, orientation and power of some emitters, which determine their importance.
 struct LightBounds {
-  Vec3f centre;      ///< of a sphere about them
-  float radius = 0;  ///< of the sphere
-  Cone normals;      ///< of the emitters' fronts
+  Vec3f centre;      ///< of the bounding sphere
+  float radius = 0;  ///< of the bounding sphere
+  Cone normals;      ///< bounds the normals of the emitters' fronts
   float power = 0;   ///< see Emitter
 };
 
 LightBounds bounds_of(const Emitter& emitter);
 
-/// How much light a diffuse surface at a point may get, up to a factor: 0 only if it gets none. `normal` is
-/// the receiver's, unit. (Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive
-/// tree splitting", section 5.3.) Distances count down to half of the sphere's radius and not, as in the
-/// paper, to all of it: under a ceiling of 1000 lamps that leaves a tenth of the variance.
+/// An estimate of the light that a diffuse surface at a point receives, up to a factor: 0 only if it gets
+/// none. `normal` is the receiver's, unit. (Conty Estevez and Kulla 2018, "Importance sampling of many lights
+/// with adaptive tree splitting", section 5.3.) Distances are clamped to half of the sphere's radius and not,
+/// as in the paper, to the radius: under a ceiling of 1000 lamps that leaves a tenth of the variance.
 float importance(const LightBounds& bounds, const Vec3f& from, const Vec3f& normal);
 
-/// The same of one emitter, which is 0 from behind and if it lies under the receiver's horizon.
+/// The same for a single emitter: 0 from behind it, and if it lies below the receiver's horizon.
 float importance(const Emitter& emitter, const Vec3f& from, const Vec3f& normal);
 
-/// True if the emitter shows its front and some of it is over the horizon.
+/// Whether the emitter faces the point and some of it is above the horizon.
 bool may_light(const Emitter& emitter, const Vec3f& from, const Vec3f& normal);
 
 }  // namespace transport

@@ -10,9 +10,9 @@
 
 namespace transport {
 
-/// A binary tree over emitters, to choose one in proportion to a guess of what it gives to a point (Conty
-/// Estevez and Kulla 2018; Pharr, Jakob and Humphreys 2023, "Physically based rendering", section 12.6.3).
-/// It is the same whatever the number of threads that build it.
+/// A light tree (light BVH): a binary tree over emitters that samples one by importance (Conty Estevez and
+/// Kulla 2018; Pharr, Jakob and Humphreys 2023, "Physically based rendering", section 12.6.3). The tree does
+/// not depend on the number of threads that build it.
 class LightTree {
  public:
   struct Choice {
@@ -21,16 +21,16 @@ class LightTree {
   };
 
   LightTree() = default;
-  /// Those without power are never chosen.
+  /// Emitters without power are never sampled.
   explicit LightTree(std::span<const Emitter> emitters);
 
-  /// The emitters must be those that the tree was made of, and `normal` the receiver's. Nothing if none seems
-  /// to reach the point; that one does may turn out only when some were ruled out, so probabilities may add
-  /// up to less than 1. `choice` is in [0,1).
+  /// Samples an emitter. The emitters must be those that the tree was built from, `normal` is the receiver's,
+  /// and `choice` is in [0,1). Empty if no emitter can contribute. May also be empty because a cluster's
+  /// bound was loose, so probabilities can sum to less than 1.
   std::optional<Choice> choose(std::span<const Emitter> emitters, const Vec3f& from, const Vec3f& normal,
                                double choice) const;
 
-  /// That `choose` gives this emitter.
+  /// The probability that `choose` returns this emitter.
   float probability(std::span<const Emitter> emitters, const Vec3f& from, const Vec3f& normal,
                     std::uint32_t emitter) const;
 
@@ -41,7 +41,7 @@ class LightTree {
  private:
   friend class LightTreeBuilder;
 
-  /// A child is another node, or an emitter if it has this bit.
+  /// Marks a child as an emitter; otherwise it is a node.
   static constexpr std::uint32_t IsEmitter = 0x80000000U;
 
   struct Node {
@@ -56,7 +56,7 @@ class LightTree {
                                     : importance(nodes_[child].bounds, from, normal);
   }
 
-  std::vector<Node> nodes_;  ///< the root first; one less than emitters
+  std::vector<Node> nodes_;  ///< the root first; one fewer than emitters
   std::vector<std::uint32_t> parent_of_emitter_;
 };
 

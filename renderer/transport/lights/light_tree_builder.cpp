@@ -10,7 +10,7 @@
 namespace transport {
 namespace {
 
-/// Halves with more are built at the same time.
+/// Subtrees with more emitters are built in parallel.
 constexpr std::size_t ParallelCount = 4096;
 
 Vec3f doubled_centre(const Box3f& box) { return box.min + box.max; }
@@ -20,8 +20,8 @@ double surface_area(const Box3f& box) {
   return 2 * (double(size.x) * size.y + double(size.y) * size.z + double(size.z) * size.x);
 }
 
-/// The cost of a cone of normals whose emitters are diffuse (equation 1 of the paper, its second angle being
-/// pi/2).
+/// The orientation cost of a cone of normals of diffuse emitters (equation 1 of the paper, whose second angle
+/// is pi/2).
 double orientation_cost(float cosine) {
   constexpr double Pi = std::numbers::pi;
   const double angle = std::acos(std::clamp(double(cosine), -1.0, 1.0));
@@ -70,7 +70,7 @@ void LightTreeBuilder::build() {
   build(items_, 0, 0);
 }
 
-// A tree of n emitters has n - 1 nodes, so each part knows where its own go and needs to wait for no other.
+// A tree of n emitters has n - 1 nodes, so each subtree knows its node indices and needs no synchronisation.
 LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t node, std::uint32_t parent) {
   const std::size_t middle = partition(items);
   const Items first = items.subspan(0, middle);
@@ -90,7 +90,7 @@ LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t node
   extent.extend_by(of_second);
   LightBounds& bounds = tree_.nodes_[node].bounds;
   bounds.centre = extent.box.center();
-  // A little more, for what rounding takes off.
+  // Slightly enlarged, for rounding.
   bounds.radius = (extent.box.max - bounds.centre).length() * (1 + 1e-6F);
   bounds.normals = extent.normals;
   bounds.power = static_cast<float>(extent.power);
@@ -124,7 +124,7 @@ int LightTreeBuilder::Grid::bucket(const Item& item, int axis) const {
   return std::clamp(static_cast<int>(place), 0, count - 1);
 }
 
-// The cone of a bucket lies about the mean of its normals, which takes a second look at each of them.
+// The cone of a bucket is centred on the mean of its normals, which takes a second pass.
 LightTreeBuilder::Buckets LightTreeBuilder::fill(Items items, const Grid& grid) {
   Buckets buckets;
   for (auto& along : buckets) {
@@ -153,7 +153,7 @@ LightTreeBuilder::Buckets LightTreeBuilder::fill(Items items, const Grid& grid) 
   return buckets;
 }
 
-// Cuts across the longer side of the box are made cheaper, as in the paper: thin boxes are poor bounds.
+// As in the paper, splits across the longer side of the box cost less: thin boxes are poor bounds.
 LightTreeBuilder::Cut LightTreeBuilder::best_cut(const Buckets& buckets, const Grid& grid) {
   Cut best;
   best.cost = std::numeric_limits<double>::infinity();
@@ -179,13 +179,13 @@ LightTreeBuilder::Cut LightTreeBuilder::best_cut(const Buckets& buckets, const G
   return best;
 }
 
-/// Reorders the items, and returns how many are in the first part: at least one, and not all.
+/// Partitions the items, and returns the size of the first part: at least one, and not all.
 std::size_t LightTreeBuilder::partition(Items items) {
   if (items.size() == 2) return 1;
   const int count = static_cast<int>(std::min<std::size_t>(items.size(), MostBuckets));
   const Grid grid(items, count);
   const Cut cut = best_cut(fill(items, grid), grid);
-  // All in one place: any halves do.
+  // All at one position: any halves will do.
   if (cut.axis < 0) return items.size() / 2;
   const auto middle = std::partition(items.begin(), items.end(), [&](const Item& item) {
     return grid.bucket(item, cut.axis) <= cut.bucket;

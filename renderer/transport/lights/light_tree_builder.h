@@ -8,8 +8,8 @@
 
 namespace transport {
 
-/// Builds a light tree from its root: emitters are cut where the cost of surface area, orientation and power
-/// is least (Conty Estevez and Kulla 2018, section 5.2), at one of a few places along each axis.
+/// Builds a light tree top-down: emitters are split where the surface area orientation heuristic is least
+/// (Conty Estevez and Kulla 2018, section 5.2), over a few buckets along each axis.
 class LightTreeBuilder {
  public:
   LightTreeBuilder(std::span<const Emitter> emitters, LightTree& tree);
@@ -25,7 +25,7 @@ class LightTreeBuilder {
   };
   using Items = std::span<Item>;
 
-  /// Of some items: what the bounds are made of.
+  /// The bounds of some items.
   struct Extent {
     Box3f box;
     Cone normals;
@@ -45,7 +45,7 @@ class LightTreeBuilder {
     double cost = 0;
   };
 
-  /// Finds the bucket of an item along each axis.
+  /// Maps an item to its bucket along each axis.
   struct Grid {
     Vec3f lower;
     Vec3f scale;

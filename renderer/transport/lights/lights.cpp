@@ -11,7 +11,7 @@
 namespace transport {
 namespace {
 
-/// An emitter's place as seen from a point.
+/// An emitter's geometry relative to a point.
 struct SeenEmitter {
   Vec3d corner;
   Vec3d edge1;
@@ -20,14 +20,14 @@ struct SeenEmitter {
   SeenEmitter(const Emitter& emitter, const Vec3f& from)
       : corner(Vec3d(emitter.corner) - Vec3d(from)), edge1(emitter.edge1), edge2(emitter.edge2) {}
 
-  /// But for the rounding of float.
+  /// Up to float rounding.
   bool is_rectangle() const {
     const double cosine = edge1.dot(edge2);
     return cosine * cosine <= 1e-12 * edge1.dot(edge1) * edge2.dot(edge2);
   }
 };
 
-/// Calls `use` with the emitter's shape.
+/// Calls `use` with the emitter's spherical shape.
 template <class Use>
 auto with_shape(const Emitter& emitter, const SeenEmitter& view, const Use& use) {
   if (emitter.is_triangle) return use(SphericalTriangle(view.corner, view.edge1, view.edge2));
@@ -35,8 +35,8 @@ auto with_shape(const Emitter& emitter, const SeenEmitter& view, const Use& use)
   return use(SphericalParallelogram(view.corner, view.edge1, view.edge2));
 }
 
-/// True if an emitter is so far away, and not seen edge-on, that its points are seen alike: evenly by area is
-/// then as good as evenly by solid angle, and takes a tenth of the time.
+/// Whether an emitter is so far away, and not edge-on, that its points all look the same: uniform area
+/// sampling is then as good as uniform solid-angle sampling, and takes a tenth of the time.
 bool is_far(const Emitter& emitter, const Vec3f& from) {
   const float part = emitter.is_triangle ? 1.0F / 3 : 0.5F;
   const Vec3f to_middle = emitter.corner - from + (emitter.edge1 + emitter.edge2) * part;
@@ -48,7 +48,7 @@ bool is_far(const Emitter& emitter, const Vec3f& from) {
   return cosine * cosine > LeastCosine2 * area.length2() * distance2;
 }
 
-/// Of points that are drawn evenly by area: per solid angle, towards a place on the emitter.
+/// The solid-angle pdf of uniform area sampling, towards a point on the emitter.
 float density_by_area(const Emitter& emitter, const Vec3f& to_light) {
   const float distance2 = to_light.length2();
   const float projected =
@@ -56,14 +56,14 @@ float density_by_area(const Emitter& emitter, const Vec3f& to_light) {
   return distance2 * std::sqrt(distance2) / projected;
 }
 
-/// Evenly by area: weights of the two edges.
+/// Samples uniformly by area: multiples of the two edges.
 Vec2f place_by_area(const Emitter& emitter, const Vec2f& xi) {
   if (!emitter.is_triangle) return xi;
   const float root = std::sqrt(xi.x);
   return {1 - root, root * xi.y};
 }
 
-/// Digits for a choice among more emitters than a float has steps: taken from xi, scrambled.
+/// Adds random low bits, hashed from xi, to choose among more emitters than a float can distinguish.
 double lengthened(float choice, const Vec2f& xi) {
   std::uint32_t bits = std::bit_cast<std::uint32_t>(xi.x) * 0x9E3779B1U ^ std::bit_cast<std::uint32_t>(xi.y);
   bits = (bits ^ (bits >> 16)) * 0x7FEB352DU;
@@ -129,7 +129,7 @@ float Lights::density(const Vec3f& from, const Vec3f& normal, std::size_t emitte
     probability = tree_.probability(emitters_, from, normal, static_cast<std::uint32_t>(emitter));
   }
   if (is_far(seen, from)) {
-    // How far along the direction the emitter's plane is.
+    // The distance along the direction to the emitter's plane.
     const Vec3f area = seen.doubled_area_normal();
     const float along = area.dot(seen.corner - from) / area.dot(direction);
     const float density = probability * density_by_area(seen, direction * along);

@@ -9,20 +9,20 @@
 
 namespace transport {
 
-/// A point on an emitter, as it is seen from where light is wanted.
+/// A sampled point on an emitter, relative to a receiver.
 struct LightSample {
   Vec3f direction;  ///< towards the light, unit
   Vec3f position;
   Vec3f error;   ///< bounds of the position's rounding error
   Vec3f normal;  ///< of the emitter's front, unit
   Rgb radiance;
-  float density = 0;  ///< per solid angle, over 0, the choice of the emitter included
+  float density = 0;  ///< solid-angle pdf, 1/sr, over 0, which includes the choice of the emitter
   std::uint32_t emitter = 0;
 };
 
-/// All that emits and has a place, to be sampled by solid angle: an emitter by the light tree, and then a
-/// direction evenly over what is seen of it; or a point evenly over one that is more than two of its
-/// diagonals away, where that is as good.
+/// The scene's area lights, sampled by solid angle: an emitter by the light tree, then a direction uniformly
+/// over its visible solid angle; or a point uniformly over its area if it is more than two of its diagonals
+/// away, where that is as good.
 class Lights {
  public:
   Lights() = default;
@@ -32,17 +32,17 @@ class Lights {
   std::size_t size() const { return emitters_.size(); }
   const Emitter& operator[](std::size_t index) const { return emitters_[index]; }
 
-  /// Light for a surface at a point; `normal` is its unit shading normal, on the side that is looked at.
-  /// `choice` picks the emitter, xi the point; all are in [0,1). Nothing if what was picked shows only its
-  /// back or is under the horizon. There must be an emitter.
+  /// Samples light for a surface at a point; `normal` is its unit shading normal, on the viewer's side.
+  /// `choice` selects the emitter, `xi` the point; all are in [0,1). Empty if the selected emitter faces away
+  /// or is below the horizon. There must be an emitter.
   std::optional<LightSample> sample(const Vec3f& from, const Vec3f& normal, float choice,
                                     const Vec2f& xi) const;
 
-  /// The density of `sample` in a direction in which the emitter is seen, per solid angle; 0 where `sample`
-  /// would not pick it.
+  /// The solid-angle pdf of `sample` for a direction in which the emitter is visible; 0 where `sample` would
+  /// not select it.
   float density(const Vec3f& from, const Vec3f& normal, std::size_t emitter, const Vec3f& direction) const;
 
-  /// The sum over emitters, in watts.
+  /// The total power of the emitters, W.
   double power() const { return power_; }
 
   std::size_t bytes() const { return emitters_.capacity() * sizeof(Emitter) + tree_.bytes(); }

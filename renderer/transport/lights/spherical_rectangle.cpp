@@ -10,12 +10,12 @@ struct RectangleAngle {
   double cosine, sine;
 };
 
-/// 1 - cosine, with all its digits.
+/// 1 - cosine, without cancellation.
 double below_one(const RectangleAngle& a) {
   return a.cosine > 0 ? a.sine * a.sine / (1 + a.cosine) : 1 - a.cosine;
 }
 
-/// cos a - cos b, from where both are near 1 or both near -1 too.
+/// cos a - cos b, without cancellation even if both are near 1 or -1.
 double difference(const RectangleAngle& a, const RectangleAngle& b) {
   if (a.cosine > 0) return below_one(b) - below_one(a);
   return below_one({-a.cosine, a.sine}) - below_one({-b.cosine, b.sine});
@@ -41,7 +41,7 @@ SphericalRectangle::SphericalRectangle(const Vec3d& corner, const Vec3d& edge1, 
   const double r10 = std::sqrt(x1 * x1 + y0_ * y0_ + z2);
   const double r11 = std::sqrt(x1 * x1 + y1 * y1 + z2);
   if (!(std::min({r00_, r01_, r10, r11}) > 0)) return;
-  // The tangents of half of each triangle's solid angle, multiplied as complex numbers.
+  // The tangents of half the solid angle of each triangle, combined as complex numbers.
   const double volume = width_ * height_ * z_;
   const double across = x0_ * x1 + y0_ * y1 + z2;
   const double lower =
@@ -56,10 +56,10 @@ double SphericalRectangle::x_for(float part) const {
   const double y1 = y0_ + height_;
   const double z2 = z_ * z_;
   const double product = std::sqrt((y0_ * y0_ + z2) * (y1 * y1 + z2));
-  // The difference and the sum of the angles at which y0 and y1 are seen.
+  // The difference and the sum of the elevation angles of y0 and y1.
   const RectangleAngle span{(z2 + y0_ * y1) / product, z_ * height_ / product};
   const RectangleAngle sum{(z2 - y0_ * y1) / product, z_ * (y0_ + y1) / product};
-  // G at x0. Of its sine, y1 r00 - y0 r01 is written so that nothing cancels.
+  // G at x0. In its sine, y1 r00 - y0 r01 is written without cancellation.
   const double square = x0_ * x0_ + z2;
   const double weight =
       y0_ * y1 > 0 ? square * height_ * (y0_ + y1) / (y1 * r00_ + y0_ * r01_) : y1 * r00_ - y0_ * r01_;
@@ -75,8 +75,8 @@ double SphericalRectangle::x_for(float part) const {
   return std::clamp(x, x0_, x0_ + width_);
 }
 
-/// Across the strip at x: evenly in the sine of the elevation, of which 1 - sine and 1 + sine keep the
-/// digits.
+/// Samples across the strip at x: uniformly in the sine of the elevation; 1 - sine and 1 + sine are kept for
+/// accuracy.
 double SphericalRectangle::y_for(double x, double xi) const {
   const double distance2 = x * x + z_ * z_;
   const auto between = [xi](double a, double b) { return (1 - xi) * a + xi * b; };

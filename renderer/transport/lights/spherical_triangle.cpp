@@ -38,8 +38,8 @@ SphericalTriangle::SphericalTriangle(const Vec3d& corner, const Vec3d& edge1, co
     : SphericalTriangle(corner, corner + edge1, corner + edge2, -edge1.cross(edge2).dot(corner)) {}
 
 Vec3d SphericalTriangle::weights(float part, float xi) const {
-  // The arc's point is the first corner mirrored at p first + q last. From a point that touches the triangle
-  // corners or the pivot and the arc are opposite, and the digits are in p - q and in sums of vectors.
+  // The arc's point is the first corner mirrored at p first + q last. From a point that touches the triangle,
+  // corners or the pivot and the arc are opposite, and p - q and sums of vectors carry the accuracy.
   const double sine = std::sin(part / 2);
   const double difference = std::max(0.0, volume_ * std::cos(part / 2) - sum_ * sine);
   const double q = pivot_first_sum_ * sine;
@@ -54,7 +54,7 @@ Vec3d SphericalTriangle::weights(float part, float xi) const {
   // 1 + the cosine from the pivot to the arc. The point's own cosine is 1 - xi (1 - cosine of the arc).
   const double above = std::clamp(half_square(pivot_ + first_ * x + last_ * y), 1e-60, 2.0);
   const double cosine = 1 - 2 * xi + xi * above;
-  // A sine over a sine, of which 1 - cosine was cancelled.
+  // A ratio of sines from which 1 - cosine was cancelled.
   const double ratio = std::sqrt(xi * (2 - 2 * xi + xi * above) / above);
   Vec3d weights(std::max(0.0, cosine + ratio * (1 - above)), ratio * x, ratio * y);
   weights *= inverse_lengths_;

@@ -10,9 +10,9 @@ namespace {
 
 using grf::Vec3d;
 
-/// A number for each corner, the same for corners at the same place.
+/// Returns an index per corner, equal for corners at the same position.
 std::vector<std::size_t> places_of(std::span<const PlaneTriangle> triangles, double least) {
-  // Much less than rounding, for points that were computed twice: no ray finds a gap of that width.
+  // Much less than the rounding error of points that were computed twice: no ray finds a gap of that width.
   const double width = 1e-6 * least;
   std::vector<Vec3d> places;
   std::vector<std::size_t> indices;

@@ -6,15 +6,16 @@
 
 namespace transport {
 
-/// A triangle of a plan, with its plane.
+/// A triangle of the outline, with its plane.
 struct PlaneTriangle {
   std::span<const grf::Vec3d> corners;  ///< three, counter-clockwise seen from the front
   grf::Vec3d normal;                    ///< unit
-  double height = 0;                    ///< of the plane, along the normal
+  double height = 0;                    ///< distance of the plane from the origin, along the normal
 };
 
-/// True if triangles enclose a convex solid, their fronts outwards: none has a corner in front of another by
-/// more than `least`, and each edge is there once in each direction, of corners at the same place.
+/// Whether triangles enclose a convex solid, with their fronts outwards: no corner is in front of another
+/// triangle by more than `least`, and each edge occurs once in each direction, between corners at the same
+/// positions.
 bool enclose_convex_solid(std::span<const PlaneTriangle> triangles, double least);
 
 }  // namespace transport

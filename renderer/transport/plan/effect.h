@@ -1,4 +1,4 @@
-// The effects of which a render may be made up, by their names. Header only: options know them too.
+// The effects that a render may consist of, and their names. Header only, because options use them too.
 #pragma once
 
 #include <array>
@@ -27,29 +27,33 @@ enum class Effect : std::uint8_t {
 struct EffectInfo {
   Effect effect;
   std::string_view name;
-  /// What a render has in its place where it is switched off.
+  /// The replacement in a render where the effect is switched off.
   std::string_view without;
 };
 
 constexpr std::array EffectInfos = {
-    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing, and stand where they are"},
-    EffectInfo{Effect::Environment, "environment", "the constant background in place of the image around"},
-    EffectInfo{Effect::Background, "background", "black in place of the constant one and of a backplate"},
+    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing; their geometry stays"},
+    EffectInfo{Effect::Environment, "environment", "the constant background in place of the environment map"},
+    EffectInfo{Effect::Background, "background",
+               "black in place of the constant background and of a backplate"},
     EffectInfo{Effect::DiffuseInterreflection, "diffuse_interreflection",
-               "faces with neither a glossy nor a mirror part reflect only where they are seen by the eye, "
-               "directly or in mirrors"},
+               "faces without glossy and specular parts reflect only to the eye, directly or by specular "
+               "reflection"},
     EffectInfo{Effect::GlossyInterreflection, "glossy_interreflection", "the same for all other faces"},
-    EffectInfo{Effect::MirrorReflection, "mirror_reflection", "the Dirac part of BRDFs reflects nothing"},
-    EffectInfo{Effect::Anisotropy, "anisotropy",
-               "the directions of lobes follow neither texture coordinates nor the axis of the object, but "
-               "the scene's axes"},
-    EffectInfo{Effect::Textures, "textures", "white: the colour of the face"},
-    EffectInfo{Effect::VertexColours, "vertex_colours", "white: the colour of the face"},
-    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals", "the normals of the polygons"},
+    EffectInfo{Effect::MirrorReflection, "mirror_reflection",
+               "the specular (delta) part of BRDFs reflects nothing"},
+    EffectInfo{
+        Effect::Anisotropy, "anisotropy",
+        "lobes are oriented by the scene's axes, not by texture coordinates or the axis of the object"},
+    EffectInfo{Effect::Textures, "textures", "white, so only the colour of the face"},
+    EffectInfo{Effect::VertexColours, "vertex_colours", "white, so only the colour of the face"},
+    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals",
+               "flat shading, with the normals of the polygons"},
     EffectInfo{Effect::MeasuredData, "measured_data",
-               "the diffuse BRDF of faces that have none, in place of each that reads a file"},
-    EffectInfo{Effect::Irradiance, "irradiance", "light that is estimated, as without BPT_Irradiance"},
-    EffectInfo{Effect::Instances, "instances", "a copy of the triangles for each place; the image stays"},
+               "the default diffuse BRDF in place of each BRDF that reads a file"},
+    EffectInfo{Effect::Irradiance, "irradiance", "light is estimated, as without BPT_Irradiance"},
+    EffectInfo{Effect::Instances, "instances",
+               "a copy of the triangles per placement; the image is the same"},
 };
 
 constexpr std::string_view name_of(Effect effect) {
@@ -81,7 +85,7 @@ class EffectSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Some effects under one name.
+/// A named set of effects.
 struct EffectGroup {
   std::string_view name;
   EffectSet effects;
@@ -99,7 +103,7 @@ constexpr std::array EffectGroups = [] {
   return std::array{direct, indirect};
 }();
 
-/// Effects and groups.
+/// Returns the names of effects and groups.
 inline std::vector<std::string_view> effect_words() {
   std::vector<std::string_view> words;
   for (const EffectInfo& info : EffectInfos) words.push_back(info.name);
@@ -107,7 +111,7 @@ inline std::vector<std::string_view> effect_words() {
   return words;
 }
 
-/// What words of `effect_words` name together.
+/// Returns the union of the effects and groups that words of `effect_words` name.
 template <class Words>
 EffectSet effects_named(const Words& words) {
   EffectSet set;

@@ -25,9 +25,9 @@ using grf::Mesh;
 using grf::Placement;
 using grf::Vec3d;
 
-/// A mesh of more triangles is seen as a box for each of its surfaces.
+/// A mesh of more triangles is represented by a box per surface.
 constexpr std::size_t MostTrianglesOfMesh = 256;
-/// Pairs of parts are looked at.
+/// The limit of parts, since all pairs of parts are tested.
 constexpr std::size_t MostParts = 1024;
 
 double largest_component(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -38,10 +38,10 @@ Vec3d unit_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return length > 0 ? normal / length : Vec3d(0);
 }
 
-/// The same in all places of a mesh.
+/// Facts that do not depend on a mesh's placement.
 struct MeshFacts {
-  std::vector<std::size_t> faces;  ///< of each surface
-  std::vector<bool> is_smooth;     ///< of each surface: some face's corners have normals other than its own
+  std::vector<std::size_t> faces;  ///< per surface
+  std::vector<bool> is_smooth;     ///< per surface: some face has vertex normals that differ from its own
   bool has_colours = false;
 };
 
@@ -70,7 +70,7 @@ MeshFacts facts_of(const Mesh& mesh) {
     const std::uint32_t surface = (*mesh.surface_of_face)[face];
     ++facts.faces[surface];
     if (mesh.geometry->normals.empty() || facts.is_smooth[surface]) continue;
-    // Of more than three corners, some may lack a normal and others bend: any triangle of them counts.
+    // Of more than three corners, some may lack a normal and others have different ones: any triangle counts.
     for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
       if (is_smooth(mesh, triangles[i])) facts.is_smooth[surface] = true;
     }
@@ -91,7 +91,7 @@ class OutlineBuilder {
   void finish();
 
  private:
-  /// Of thousands of instances most have the same.
+  /// The key of a resolved surface: most of thousands of instances have the same one.
   struct SurfaceKey {
     const Mesh* mesh;
     std::uint32_t index;
@@ -100,7 +100,7 @@ class OutlineBuilder {
     const grf::Texture* texture;
     bool is_black;
     bool emits;
-    std::string sum;  ///< of a `combine`: what its names mean there
+    std::string sum;  ///< of a `combine`: what its names resolve to there
 
     // clang-tidy takes the comparison's own 0 for a pointer.
     auto operator<=>(const SurfaceKey&) const = default;  // NOLINT(modernize-use-nullptr)
@@ -124,7 +124,7 @@ class OutlineBuilder {
 
   Outline& outline_;
   const Survey& survey_;
-  grf::Diagnostics unheard_;  // compiling says what is wrong
+  grf::Diagnostics unheard_;  // compiling reports these errors
   reflectance::BrdfMaker brdfs_;
   std::unordered_map<const Mesh*, MeshFacts> facts_;
   std::map<SurfaceKey, std::uint32_t> surface_of_key_;
@@ -136,7 +136,7 @@ const MeshFacts& OutlineBuilder::facts(const Mesh& mesh) {
   return found != facts_.end() ? found->second : facts_.emplace(&mesh, facts_of(mesh)).first->second;
 }
 
-/// Without loading data: what is measured may be anything but a mirror.
+/// Describes a BRDF without loading data: a measured one may have any component but a specular one.
 void OutlineBuilder::describe_brdf(const grf::ResolvedSurface& resolved, OutlineSurface& surface) {
   surface.brdf = resolved.brdf != nullptr ? to_text(*resolved.brdf) : "diffuse";
   surface.scheme = resolved.pdf != nullptr ? to_text(*resolved.pdf) : "auto";
@@ -219,7 +219,7 @@ void OutlineBuilder::add(const Mesh& mesh, const Placement& placement, bool is_l
   const UsedVertices& used = survey_.vertices_of(mesh);
   std::vector<Vec3d> positions;
   for (std::size_t i = 0; i < used.count(); ++i) {
-    // As rays see them: rounded.
+    // Rounded, as in ray tracing.
     positions.emplace_back(Vec3f(Vec3d(mesh.geometry->positions[used[i]]) * map));
     bounds_.extendBy(positions.back());
   }
@@ -337,7 +337,7 @@ void OutlineBuilder::finish() {
 Outline::Outline(const grf::Scene& scene, std::size_t most_copied_triangles) {
   const Survey survey(scene, most_copied_triangles);
   origin = survey.origin;
-  if (survey.is_too_large()) return;  // compiling says so
+  if (survey.is_too_large()) return;  // compiling reports it
   OutlineBuilder builder(*this, survey);
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {

@@ -98,7 +98,7 @@ std::size_t Planner::count(const Test& test) const {
   return sum;
 }
 
-/// The faces among them at which a path can be scattered.
+/// The number of those faces at which a path can be scattered.
 std::size_t Planner::reflecting(const Test& test) const {
   std::size_t sum = 0;
   for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
@@ -108,23 +108,23 @@ std::size_t Planner::reflecting(const Test& test) const {
   return sum;
 }
 
-/// Of things that so many faces have, of which so many reflect something, and none of them is met.
+/// Returns why faces with some property are not hit: `all` of them have it, `reflects` of which reflect.
 std::string Planner::why_not(std::size_t all, std::size_t reflects) const {
   if (reflects == 0)
     return fmt::format("only on {} that {} nothing", faces(all), all == 1 ? "reflects" : "reflect");
-  if (settings_.draws_normals) return "normals alone are drawn";
-  if (settings_.limits.depth == 0) return "the depth of 0 shows emission alone";
+  if (settings_.draws_normals) return "only normals are rendered";
+  if (settings_.limits.depth == 0) return "a depth of 0 shows only emission";
   const std::string far = reach_.depth == 1
-                              ? fmt::format("and {} makes no path go further",
+                              ? fmt::format("and {} allows no second bounce",
                                             settings_.limits.depth == 1 ? "the depth of 1" : "the geometry")
-                              : "and behind the faces that paths come from";
-  return fmt::format("only on {} that no path meets: outside the view, {}", faces(reflects), far);
+                              : "and below the horizon of the faces that paths leave";
+  return fmt::format("only on {} that no path hits: outside the view, {}", faces(reflects), far);
 }
 
 Answer Planner::of_faces(const Test& test, std::string_view what) const {
   const std::size_t met = reflecting(test);
   if (met > 0)
-    return {true, fmt::format("{} that a path can meet {} {}", faces(met), met == 1 ? "has" : "have", what)};
+    return {true, fmt::format("{} that a path can hit {} {}", faces(met), met == 1 ? "has" : "have", what)};
   const std::size_t all = count(test);
   if (all == 0) return {false, fmt::format("no face has {}", what)};
   return {false, why_not(all, count([&](const OutlineSurface& s) { return test(s) && s.reflects(); }))};
@@ -133,27 +133,27 @@ Answer Planner::of_faces(const Test& test, std::string_view what) const {
 Answer Planner::area_lights() const {
   const std::size_t all = count([](const OutlineSurface& surface) { return surface.emits; });
   if (all == 0) return {false, "nothing in the scene emits"};
-  if (settings_.draws_normals) return {false, "normals alone are drawn"};
+  if (settings_.draws_normals) return {false, "only normals are rendered"};
   std::size_t met = 0;
   for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
     if (outline_.surfaces[i].emits && reach_.is_lit_from[i]) met += outline_.surfaces[i].faces;
   }
-  if (met == 0) return {false, fmt::format("no path meets the front of the {} that emit", faces(all))};
-  return {true, fmt::format("{} {} light that a path can meet", faces(met), met == 1 ? "emits" : "emit")};
+  if (met == 0) return {false, fmt::format("no path hits the front of the {} that emit", faces(all))};
+  return {true, fmt::format("{} {} light that a path can hit", faces(met), met == 1 ? "emits" : "emit")};
 }
 
 Answer Planner::environment() const {
   if (!settings_.has_environment) return {false, "the options name no environment map"};
-  if (settings_.draws_normals) return {false, "normals alone are drawn"};
+  if (settings_.draws_normals) return {false, "only normals are rendered"};
   return {true, "paths can leave the scene"};
 }
 
 Answer Planner::background() const {
-  if (settings_.draws_normals) return {false, "normals alone are drawn"};
-  if (settings_.has_backplate) return {true, "the options name an image behind the scene"};
+  if (settings_.draws_normals) return {false, "only normals are rendered"};
+  if (settings_.has_backplate) return {true, "the options name a backplate"};
   if (!settings_.has_background) return {false, "it is black"};
   const bool has_environment = settings_.has_environment && settings_.limits.effects.has(Effect::Environment);
-  if (has_environment) return {false, "the environment map stands before it"};
+  if (has_environment) return {false, "the environment map replaces it"};
   return {true, "paths can leave the scene"};
 }
 
@@ -162,8 +162,8 @@ Answer Planner::interreflection(bool matte) const {
     return surface.is_matte() == matte && (surface.is_diffuse || surface.is_glossy);
   };
   if (reach_.depth < 2) return {false, why_depth()};
-  return of_faces(test, matte ? "a diffuse BRDF, and paths go on from there or to there"
-                              : "a glossy BRDF, and paths go on from there or to there");
+  return of_faces(test, matte ? "a diffuse BRDF, and paths continue from there or to there"
+                              : "a glossy BRDF, and paths continue from there or to there");
 }
 
 Answer Planner::interpolated_normals() const {
@@ -172,14 +172,14 @@ Answer Planner::interpolated_normals() const {
     const bool shows = reach_.reflects[i] || settings_.draws_normals || settings_.shows_surfaces;
     if (shows && reach_.is_smooth[i] && outline_.surfaces[i].is_smooth) met += outline_.surfaces[i].faces;
   }
-  if (met > 0) return {true, fmt::format("{} of meshes that bend can be met", faces(met))};
+  if (met > 0) return {true, fmt::format("paths can hit {} with smooth shading", faces(met))};
   const std::size_t all = count([](const OutlineSurface& surface) { return surface.is_smooth; });
-  if (all == 0) return {false, "no vertex has a normal other than its faces'"};
+  if (all == 0) return {false, "no vertex normal differs from its faces'"};
   return {false, why_not(all, count([](const OutlineSurface& s) { return s.is_smooth && s.reflects(); }))};
 }
 
 Answer Planner::irradiance() const {
-  if (!settings_.uses_irradiance) return {false, "BPT_Irradiance is not asked for"};
+  if (!settings_.uses_irradiance) return {false, "BPT_Irradiance is off"};
   return of_faces([](const OutlineSurface& surface) { return surface.has_irradiance && surface.is_matte(); },
                   "baked irradiance and a diffuse BRDF");
 }
@@ -198,7 +198,7 @@ Answer Planner::of(Effect effect) const {
     case Effect::GlossyInterreflection:
       return interreflection(false);
     case Effect::MirrorReflection:
-      return of_faces([](const OutlineSurface& surface) { return surface.is_mirror; }, "a mirror part");
+      return of_faces([](const OutlineSurface& surface) { return surface.is_mirror; }, "a specular part");
     case Effect::Anisotropy:
       return of_faces([](const OutlineSurface& surface) { return surface.is_anisotropic; },
                       "an anisotropic BRDF");
@@ -206,7 +206,7 @@ Answer Planner::of(Effect effect) const {
       return of_faces([](const OutlineSurface& surface) { return !surface.texture.empty(); }, "a texture");
     case Effect::VertexColours:
       return of_faces([](const OutlineSurface& surface) { return surface.has_colours; },
-                      "vertices with colours that are not white");
+                      "vertex colours other than white");
     case Effect::InterpolatedNormals:
       return interpolated_normals();
     case Effect::MeasuredData:
@@ -222,12 +222,11 @@ Answer Planner::of(Effect effect) const {
 
 std::string Planner::why_depth() const {
   const int asked = settings_.limits.depth;
-  if (settings_.draws_normals) return "normals alone are drawn";
+  if (settings_.draws_normals) return "only normals are rendered";
   if (reach_.depth == asked) return fmt::format("the options ask for a depth of {}", asked);
-  if (reach_.depth == 0) return "no face that the eye sees reflects";
-  return fmt::format(
-      "after {} no path can meet a face that reflects",
-      reach_.depth == 1 ? "its first scattering" : fmt::format("{} scatterings", reach_.depth));
+  if (reach_.depth == 0) return "no visible face reflects";
+  return fmt::format("after {} no path can hit a face that reflects",
+                     reach_.depth == 1 ? "its first bounce" : fmt::format("{} bounces", reach_.depth));
 }
 
 void Planner::add_tables(Plan& plan) const {

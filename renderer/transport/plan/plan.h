@@ -1,4 +1,4 @@
-// What a scene, its view and the options of its render call for, and why.
+// Planning: which effects, tables and textures a scene, its view and its render options need, and why.
 #pragma once
 
 #include <memory>
@@ -10,31 +10,31 @@
 
 namespace transport {
 
-/// What is known of a render before anything costly is made.
+/// The facts that a plan is based on, known before anything expensive is built.
 struct PlanSettings {
   PathLimits limits;
-  bool draws_normals = false;  ///< and nothing else: Integrator::Normals
+  bool draws_normals = false;  ///< only: Integrator::Normals
   bool has_environment = false;
   bool has_backplate = false;
-  bool has_background = false;  ///< one that is not black
+  bool has_background = false;  ///< that is not black
   bool uses_irradiance = false;
-  bool shows_surfaces = false;  ///< feature layers: what the eye sees is needed whatever the depth
-  std::string scheme;           ///< of all BRDFs, in place of the scene's; empty: those
-  bool keeps_all = false;       ///< leaves nothing out but what is switched off
+  bool shows_surfaces = false;  ///< feature layers: visible surfaces are needed whatever the depth
+  std::string scheme;           ///< replaces the schemes of all BRDFs; empty: the scene's own
+  bool keeps_all = false;       ///< leaves out only what is switched off
 };
 
 struct PlannedEffect {
   Effect effect;
   bool is_needed = false;
-  std::string why;  ///< a sentence without its stop
+  std::string why;  ///< a sentence without its full stop
 };
 
-/// A pair of BRDF and scheme for which a table may be made.
+/// A pair of BRDF and sampling scheme that may need a table.
 struct PlannedTable {
-  std::string brdf, scheme;  ///< as a scene writes them
-  std::string identity;      ///< what the BRDF's text means where it stands, see OutlineSurface
+  std::string brdf, scheme;  ///< as written in the scene
+  std::string identity;      ///< identifies the BRDF as resolved in its scope, see OutlineSurface
   bool is_needed = false;
-  std::string why;  ///< if it is not
+  std::string why;  ///< if it is not needed
 };
 
 struct PlannedTexture {
@@ -48,7 +48,7 @@ struct Plan {
   std::vector<PlannedTable> tables;
   std::vector<PlannedTexture> textures;
   int asked_depth = 0;
-  int depth = 0;  ///< the most scattering events that paths have
+  int depth = 0;  ///< the maximum number of bounces
   std::string why_depth;
   std::shared_ptr<const ReflectingSurfaces> reflecting;  ///< null: all
 
@@ -58,10 +58,10 @@ struct Plan {
 
 Plan plan_of(const Outline& outline, const PlanSettings& settings);
 
-/// Leaves out of the settings what the plan leaves out.
+/// Removes from the settings what the plan does not need.
 void follow(const Plan& plan, RenderSettings& settings);
 
-/// Leaves out of the settings what serves other effects alone.
+/// Removes from the settings what serves only other effects.
 void keep_only(const EffectSet& effects, RenderSettings& settings);
 
 }  // namespace transport

@@ -11,7 +11,7 @@ namespace {
 
 using grf::Vec3d;
 
-/// A part, seen from one of its sides: front, then back.
+/// The sides of the parts: the front, then the back of each.
 using States = std::vector<bool>;
 
 class Sight {
@@ -19,9 +19,9 @@ class Sight {
   Sight(const Outline& outline, const PathLimits& limits) : outline_(outline), limits_(limits) {}
 
   States seen_by_eye() const;
-  /// Those that can be met by rays from others.
+  /// Returns the sides that rays from these sides can hit.
   States met_from(const States& sources) const;
-  /// Those of the states at which a path is scattered; the first time or later.
+  /// Returns those of the sides at which a path is scattered, at the first bounce or later.
   States scattering(const States& states, bool is_first) const;
 
  private:
@@ -38,8 +38,8 @@ class Sight {
   const PathLimits& limits_;
 };
 
-/// The planes through the eye and the sides of the image, and that across the view, their normals to the
-/// inside.
+/// Returns the planes through the eye and the image's sides, and the plane across the view, with normals that
+/// point inside.
 std::array<Vec3d, 5> sides_of_view(const Camera& camera, int width, int height) {
   const auto right = static_cast<float>(width);
   const auto bottom = static_cast<float>(height);
@@ -59,7 +59,7 @@ std::array<Vec3d, 5> sides_of_view(const Camera& camera, int width, int height) 
 States Sight::seen_by_eye() const {
   const View view = seen_from(outline_.origin, limits_.view);
   const Vec3d eye = Vec3d(Vec3f(view.eye));
-  // Directions of the image's corners have the digits of floats.
+  // The directions of the image's corners have float precision.
   constexpr double Margin = 1e-5;
   const auto sides =
       sides_of_view(Camera(view, limits_.width, limits_.height), limits_.width, limits_.height);
@@ -85,7 +85,7 @@ States Sight::seen_by_eye() const {
   return seen;
 }
 
-/// Whether some of a part is on this side of the plane of another.
+/// Whether part of a part is on this side of another one's plane.
 bool Sight::rises_over(const OutlinePart& part, const OutlinePart& plane, bool front) const {
   if (!plane.is_plane()) return true;
   const double least = OutlineRounding * std::max(part.extent, plane.extent);
@@ -96,7 +96,7 @@ bool Sight::rises_over(const OutlinePart& part, const OutlinePart& plane, bool f
   });
 }
 
-/// Whether all points are in front of a face of the solid by more than that.
+/// Whether all points are in front of some face of the solid by more than `least`.
 bool Sight::is_outside(std::span<const Vec3d> points, double least, const OutlineSolid& solid) const {
   const std::span faces = std::span(outline_.parts).subspan(solid.first_part, solid.parts);
   return std::any_of(faces.begin(), faces.end(), [&](const OutlinePart& face) {
@@ -105,7 +105,7 @@ bool Sight::is_outside(std::span<const Vec3d> points, double least, const Outlin
   });
 }
 
-/// Where interpolated normals make a surface bulge, rays start above it, and may leave behind its plane.
+/// Where the terminator is offset, rays start above the triangle and may leave below its plane.
 bool Sight::leaves_anywhere(const OutlinePart& part) const {
   return part.is_smooth && limits_.effects.has(Effect::InterpolatedNormals);
 }
@@ -114,7 +114,7 @@ bool Sight::is_met(const OutlinePart& part, bool front, const OutlinePart& from,
   if (leaves_anywhere(from)) return true;
   if (!rises_over(part, from, from_front) || !rises_over(from, part, front)) return false;
   if (front || part.solid == None || (from.solid == part.solid && !from_front)) return true;
-  // Its back is met from inside alone.
+  // Its back can only be hit from inside.
   const double least = -OutlineRounding * std::max(part.extent, from.extent);
   return !is_outside(points_of(from), least, outline_.solids[part.solid]);
 }
@@ -130,7 +130,7 @@ States Sight::met_from(const States& sources) const {
   return met;
 }
 
-/// Behind mirrors, all that reflects is seen as by the eye.
+/// Seen by specular reflection, all that reflects counts as seen by the eye.
 bool Sight::reflects_later(const OutlineSurface& surface) const {
   const EffectSet& effects = limits_.effects;
   if (surface.is_mirror && effects.has(Effect::MirrorReflection)) return true;
@@ -192,8 +192,8 @@ Reach::Reach(const Outline& outline, const PathLimits& limits) {
   States met = sight.seen_by_eye();
   mark(met, is_seen);
   mark_met(met);
-  // Surfaces that face each other take turns, so the last but one counts too. Where paths find ever new
-  // surfaces for long, all are taken to be met.
+  // Surfaces that face each other alternate, so the last but one counts too. If paths keep finding new
+  // surfaces for long, all are assumed to be hit.
   constexpr int MostLooks = 32;
   States sources, before;
   while (depth < limits.depth) {

@@ -1,4 +1,4 @@
-// Which surfaces of a scene paths can meet.
+// Reachability: which surfaces of a scene paths can hit.
 #pragma once
 
 #include <optional>
@@ -10,32 +10,31 @@
 
 namespace transport {
 
-/// What bounds the paths of a render.
+/// The limits of a render's paths.
 struct PathLimits {
-  View view;  ///< in the world
+  View view;  ///< in world space
   int width = 0;
   int height = 0;
   int depth = 0;
   EffectSet effects = EffectSet::all();  ///< those that are not switched off
 };
 
-/// What paths can meet. It may say more than is so, as nothing is taken to hide anything, but never less:
-/// what it leaves out is outside the pyramid of view, and for paths that were scattered it is behind the
-/// plane of all that they come from, or has its other side to them, or is the inside of a convex solid. Faces
-/// of which one is in front of the other by no more than rounding, less than the distance from surfaces at
-/// which rays start, do not see each other.
+/// The surfaces that paths can hit, a conservative estimate: occlusion is ignored, and a surface is excluded
+/// only if it is outside the view pyramid; for scattered paths, if it is behind the planes of all surfaces
+/// that they leave, faces away from them, or is inside a convex solid. Faces do not see each other if one is
+/// in front of the other by no more than rounding, less than the distance from surfaces at which rays start.
 struct Reach {
   Reach(const Outline& outline, const PathLimits& limits);
 
-  /// Of each surface of the outline.
+  /// One element per surface of the outline.
   std::vector<bool> is_seen;      ///< by the eye
   std::vector<bool> is_met;       ///< by any ray
-  std::vector<bool> is_lit_from;  ///< by any ray, some face of it on its front
-  std::vector<bool> reflects;     ///< met, and a path is scattered there
+  std::vector<bool> is_lit_from;  ///< by any ray, on the front of some of its faces
+  std::vector<bool> reflects;     ///< met, and paths are scattered there
   std::vector<bool> is_smooth;    ///< met, at a face with interpolated normals
-  /// The most scattering events that a path has.
+  /// The maximum number of bounces of a path.
   int depth = 0;
-  /// The surfaces that reflect were not told apart: the scene has too many parts.
+  /// Whether reflecting surfaces could not be distinguished, because the scene has too many parts.
   bool is_guessed = false;
 
  private:

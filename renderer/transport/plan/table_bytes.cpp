@@ -21,7 +21,7 @@ IdentityAndScheme key_of(const grf::ResolvedSurface& surface, const CompileSetti
           scheme != nullptr ? to_text(*scheme) : "auto"};
 }
 
-/// One at a time: an error in one is none in the others.
+/// Handles one pair at a time: an error in one must not affect the others.
 void add_bytes(const grf::ResolvedSurface& surface, const IdentityAndScheme& key,
                const CompileSettings& settings, Bytes& bytes, grf::Diagnostics& diagnostics) {
   ReflectorSetBuilder builder(settings.scheme, settings.missed_part, settings.precision, diagnostics);

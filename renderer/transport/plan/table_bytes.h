@@ -11,9 +11,9 @@
 
 namespace transport {
 
-/// Returns the bytes that sampling tables hold for each pair of a BRDF's identity and a scheme's text, as a
-/// plan has them (PlannedTable), whether or not a path can meet it: they are made for that. What cannot be
-/// made is an error if it reflects, and left out if it does not.
+/// Returns the size in bytes of the sampling tables for each pair of a BRDF's identity and a scheme's text,
+/// as in a plan (PlannedTable), whether or not a path can hit it: the tables are built for that. A table that
+/// cannot be built is an error if the surface reflects, and left out if it does not.
 std::map<std::pair<std::string, std::string>, std::size_t> table_bytes(const grf::Scene& scene,
                                                                        const CompileSettings& settings,
                                                                        grf::Diagnostics& diagnostics);

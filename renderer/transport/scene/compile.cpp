@@ -28,14 +28,14 @@ Vec3f transformed_edge(const Vec3f& edge, const Matrix44d& map) {
   return Vec3f(result);
 }
 
-/// The y axis of an object in the scene, see CompiledSurface.
+/// The y axis of an object in scene coordinates, see CompiledSurface.
 Vec3f axis_of(const Matrix44d& to_world) {
   Vec3d axis;
   to_world.inverse().transposed().multDirMatrix(Vec3d(0, 1, 0), axis);
   return Vec3f(mirrors(to_world) ? -axis.normalized() : axis.normalized());
 }
 
-/// A mesh or a light, where it stands.
+/// A placed mesh or light.
 struct Placed {
   const Mesh* mesh = nullptr;
   const AreaLight* light = nullptr;
@@ -49,8 +49,8 @@ EffectSet effects_of(const CompileSettings& settings) {
   return effects;
 }
 
-/// Lists what is placed, with its surfaces, while the scope that they need is at hand; then makes the arrays,
-/// whose sizes are known by then.
+/// Collects all placements with their surfaces, while their scope is known; then builds the arrays, whose
+/// sizes are known by then.
 class Compiler {
  public:
   Compiler(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics,
@@ -70,7 +70,7 @@ class Compiler {
   bool has_room();
   void list(const grf::Scene& scene);
   void build();
-  /// Reads images and makes tables, and builds what casts rays.
+  /// Reads images, builds tables, and builds the acceleration structure.
   std::optional<CompiledScene> finish();
 
  private:
@@ -98,7 +98,8 @@ class Compiler {
   std::vector<Placed> placed_;
   Geometry geometry_;
   std::vector<Emitter> emitters_;
-  /// By mesh, and by which of its surfaces emit: a mesh light can be black in one scope and not in another.
+  /// Keyed by mesh and by which of its surfaces emit: a mesh light can be black in one scope and not in
+  /// another.
   std::map<std::pair<const Mesh*, std::vector<bool>>, std::uint32_t> index_of_mesh_;
   grf::Box3d local_bounds_;
 };
@@ -106,11 +107,11 @@ class Compiler {
 bool Compiler::has_room() {
   if (!survey_.is_too_large()) return true;
   diagnostics_.error(
-      {},
-      fmt::format("more than {} million triangles, {} million vertices, {} million surfaces, or {} million "
-                  "instances, cannot be rendered",
-                  Survey::MostTriangles / 1'000'000, Survey::MostVertices / 1'000'000,
-                  Survey::MostSurfaces / 1'000'000, Survey::MostInstances / 1'000'000));
+      {}, fmt::format(
+              "the scene is too large: the limits are {} million triangles, {} million vertices, {} million "
+              "surfaces and {} million instances",
+              Survey::MostTriangles / 1'000'000, Survey::MostVertices / 1'000'000,
+              Survey::MostSurfaces / 1'000'000, Survey::MostInstances / 1'000'000));
   return false;
 }
 
@@ -237,7 +238,7 @@ void Compiler::add_emitters(const TriangleMesh& mesh, std::size_t first_triangle
   }
 }
 
-// One without area emits nothing, and cannot be met.
+// A degenerate emitter emits nothing, and cannot be hit.
 void Compiler::add_emitter(const Emitter& emitter, const TriangleId& id) {
   if (!(emitter.area() > 0)) {
     geometry_.emitter_table.push_back(None);

@@ -54,7 +54,7 @@ SurfacePoint CompiledScene::front_point(const TriangleId& id, const Vec2f& weigh
 
 std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point, const Vec3f& geometric_side,
                                                     std::uint64_t& rays) const {
-  // Less than that is no way up from the triangle; normals that point away from it may lead down.
+  // A smaller offset does not leave the triangle; normals that point away from it may even lead below it.
   const float least = 4 * absolute(point.geometric_normal).dot(point.error);
   if (!(point.rise.dot(geometric_side) > least)) return std::nullopt;
   const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, point.rise);

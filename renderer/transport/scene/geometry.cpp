@@ -20,8 +20,8 @@ Matrix33f linear_part(const Matrix44d& m) {
           entry(1, 2), entry(2, 0), entry(2, 1), entry(2, 2)};
 }
 
-/// How much larger than its own rounding an error can get by going through a map's inverse and back: the
-/// largest row sum of (|M| |M^-1|)^2, which bounds the error of the inverse too.
+/// The factor by which mapping to an instance and back can amplify rounding errors: the largest row sum of
+/// (|M| |M^-1|)^2, which bounds the error of the inverse too.
 double condition(const Matrix44d& m) {
   const Matrix44d inverse = m.inverse();
   std::array<std::array<double, 3>, 3> product = {};

@@ -8,8 +8,8 @@ namespace {
 
 float largest_component(const Vec3f& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// (b - a) x (c - a). What is left of a sliver in float can point anywhere, so slivers take double, in which
-/// differences are exact enough.
+/// (b - a) x (c - a). In float, rounding can turn the normal of a sliver anywhere, so slivers use double, in
+/// which differences are accurate enough.
 Vec3f doubled_area_normal(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   const Vec3f ab = b - a;
   const Vec3f ac = c - a;
@@ -36,21 +36,21 @@ HitTriangle::HitTriangle(const Geometry& geometry, const TriangleHit& hit, const
       b_(mesh_.positions[corners_[1]]),
       c_(mesh_.positions[corners_[2]]),
       doubled_area_(doubled_area_normal(a_, b_, c_)),
-      // Of one interpolation; and the error of Embree's test of the next ray against this triangle grows with
-      // the whole triangle, so all of its corners count in full.
+      // Of one interpolation; and the error of Embree's next test against this triangle grows with the whole
+      // triangle, so all of its corners count in full.
       error_((absolute(a_) + absolute(b_) + absolute(c_)) * InterpolationError) {
   keep_off_edges();
 }
 
-// A point that rounding takes over the edge of its triangle is outside of a closed room. So it keeps the
-// distance of some such errors to the edges, as long as the triangle is that large.
+// A point that rounding moves over the edge of its triangle would be outside a closed room. So it keeps some
+// error bounds away from the edges, as far as the triangle is large enough.
 void HitTriangle::keep_off_edges() {
-  // Its own error counts along all axes, and so does that of the test against the triangle across the edge.
+  // Its own error counts along all axes, as does that of the test against the triangle across the edge.
   const float margin = 6 * largest_component(error_);
   const float longest_edge = largest_component(b_ - a_) + largest_component(c_ - a_);
   const float area = largest_component(doubled_area_);
-  // As a barycentric weight: the distance to an edge over the height on it, which is the doubled area over
-  // the edge.
+  // As a barycentric weight: the distance to an edge over the triangle's height on it, which is the doubled
+  // area over the edge.
   const float least = area > 0 ? std::min(margin * longest_edge / area, 0.125F) : 0.125F;
   float w = 1 - u_ - v_;
   if (u_ >= least && v_ >= least && w >= least) return;
@@ -73,7 +73,7 @@ Vec3f HitTriangle::shading_normal(const Vec3f& geometric_normal) const {
   return normal.length2() > 0 ? normal.normalized() : geometric_normal;
 }
 
-// The position is interpolated and not taken along the ray, whose error grows with its length.
+// The position is interpolated, not computed along the ray, where the error grows with the distance.
 SurfacePoint HitTriangle::point() const {
   SurfacePoint point;
   point.position = interpolate(a_, b_, c_);
@@ -121,12 +121,12 @@ Vec3f HitTriangle::tangent(const Vec3f& axis, const Vec3f& normal) const {
     const Vec2f ab = mesh_.uvs[corners_[1]] - a;
     const Vec2f ac = mesh_.uvs[corners_[2]] - a;
     const float area = ab.cross(ac);
-    // Only the direction counts, so the sign of the area does for its value.
+    // Only the direction matters, so the sign of the area suffices.
     const Vec3f along_u = ((b_ - a_) * ac.y - (c_ - a_) * ab.y) * std::copysign(1.0F, area);
     if (area != 0 && along_u.length2() > 0) return vector_in_scene(along_u);
   }
   if (!is_placed_by_map()) return axis.cross(normal);
-  // In the object, to which its own y axis belongs.
+  // In object space, to which the object's y axis belongs.
   const Vec3f object_normal = normal * instance_.to_scene.linear.transposed();
   return vector_in_scene(Vec3f(0, 1, 0).cross(object_normal));
 }

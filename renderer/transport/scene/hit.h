@@ -1,4 +1,4 @@
-// What is known of a triangle where a ray met it.
+// Geometry and attributes of a triangle at a ray's hit point.
 #pragma once
 
 #include "renderer/transport/scene/geometry.h"
@@ -7,7 +7,7 @@
 
 namespace transport {
 
-/// A triangle of a placed mesh, in the coordinates of the compiled scene where a ray met it.
+/// A triangle of a placed mesh, at the hit point, in the coordinates of the compiled scene.
 class HitTriangle {
  public:
   HitTriangle(const Geometry& geometry, const TriangleHit& hit, const Ray& ray);
@@ -20,12 +20,11 @@ class HitTriangle {
   Rgb vertex_colour() const;
   std::optional<Rgb> irradiance() const;
   Vec2f uv() const;
-  /// The length in uv coordinates that one unit of length on the triangle has, in the geometric mean over
-  /// directions.
+  /// The length in uv coordinates of one unit of length on the triangle: the geometric mean over directions.
   float uv_scale() const;
   Vec3f tangent(const Vec3f& axis, const Vec3f& normal) const;
-  /// From the triangle to the surface that the vertices' normals make it appear to be, on the side from which
-  /// the ray came; 0 where that surface is not above the triangle.
+  /// The offset from the triangle to the curved surface that the vertex normals suggest, on the side that the
+  /// ray came from; 0 where that surface is not above the triangle.
   Vec3f rise() const;
 
  private:
@@ -55,10 +54,10 @@ class HitTriangle {
   const Ray& ray_;
   TriangleId id_;
   float distance_;
-  float u_, v_;  ///< weights of the second and the third corner
-  // As the mesh has them.
+  float u_, v_;  ///< barycentric weights of the second and third corner
+  // In the mesh's coordinates.
   Vec3f a_, b_, c_;
-  Vec3f doubled_area_;  ///< normal whose length is the doubled area
+  Vec3f doubled_area_;  ///< normal whose length is twice the area
   Vec3f error_;         ///< of an interpolated position
 };
 

@@ -42,7 +42,7 @@ MeshBuilder::MeshBuilder(const MeshSize& size) : size_(size) {
   if (size.has_irradiance) mesh_.irradiance.reserve(size.vertices);
 }
 
-// A mirroring map turns triangles inside out: the other winding keeps their front where it was.
+// A reflection turns triangles inside out: the other winding order keeps their front.
 void MeshBuilder::add(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map,
                       std::span<const CompiledSurface> surfaces, std::uint32_t first_surface) {
   const auto first_vertex = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -81,7 +81,7 @@ void MeshBuilder::add_vertices(const grf::Mesh& mesh, const UsedVertices& used, 
   if (size_.has_normals) add_normals(mesh, used, map);
 }
 
-// Normals follow the inverse transpose.
+// Normals transform by the inverse transpose.
 void MeshBuilder::add_normals(const grf::Mesh& mesh, const UsedVertices& used, const Matrix44d& map) {
   const Matrix44d normal_map = map.inverse().transposed();
   const auto& normals = mesh.geometry->normals;

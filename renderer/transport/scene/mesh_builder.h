@@ -16,7 +16,7 @@ namespace transport {
 
 bool mirrors(const grf::Matrix44d& map);
 
-/// How much a mesh of triangles will hold, and which optional values of vertices.
+/// The size of a triangle mesh, and the optional vertex attributes that it has.
 struct MeshSize {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
@@ -25,21 +25,21 @@ struct MeshSize {
   bool has_uvs = false;
   bool has_irradiance = false;
 
-  /// Of the values of its vertices, only those of these effects.
+  /// Adds a mesh's size; of vertex attributes, only those that these effects need.
   void add(const grf::Mesh& mesh, const UsedVertices& used, bool needs_uvs, const EffectSet& effects);
 };
 
-/// Makes triangles of polygons. All memory is reserved at once, and nothing else is taken for a face of three
-/// or four corners.
+/// Triangulates polygons. All memory is reserved at once, and faces of three or four corners allocate nothing
+/// more.
 class MeshBuilder {
  public:
   explicit MeshBuilder(const MeshSize& size);
 
-  /// Adds all faces, and the vertices that they use, moved by a map; the surfaces are those of the scene from
-  /// the mesh's first on.
+  /// Adds all faces, and the vertices that they use, transformed by a map; their surfaces are the scene's
+  /// from `first_surface` on.
   void add(const grf::Mesh& mesh, const UsedVertices& used, const grf::Matrix44d& map,
            std::span<const CompiledSurface> surfaces, std::uint32_t first_surface);
-  /// A parallelogram, as two triangles.
+  /// Adds a parallelogram, as two triangles.
   void add(const Emitter& light, std::uint32_t surface);
 
   const TriangleMesh& mesh() const { return mesh_; }

@@ -8,22 +8,22 @@
 
 namespace transport {
 
-/// What a ray stands for, as a cone about it (Akenine-Moeller, Nilsson, Andersson, Barre-Brisebois, Toth and
-/// Karras 2019, "Texture level of detail strategies for real-time ray tracing"). Only textures look at it.
+/// The footprint of a ray, as a cone about it (Akenine-Moeller, Nilsson, Andersson, Barre-Brisebois, Toth and
+/// Karras 2019, "Texture level of detail strategies for real-time ray tracing"). Used only for textures.
 struct RayCone {
-  float width = 0;   ///< where the ray starts
+  float width = 0;   ///< at the ray's origin
   float spread = 0;  ///< growth of the width with distance
 
   RayCone at(float distance) const { return {width + spread * distance, spread}; }
-  /// After a direction was drawn with this density per solid angle: it stands for the more directions the
-  /// rarer it is. A sixteenth of 1/density, since other samples share them.
+  /// Widens the cone after a direction was sampled with this solid-angle pdf: the lower it is, the more
+  /// directions the ray stands for. The solid angle is 1/16 of 1/pdf, since other samples share it.
   RayCone widened(float density) const { return {width, std::max(spread, 0.25F / std::sqrt(density))}; }
 };
 
 struct Ray {
   Vec3f origin;
-  Vec3f direction;  ///< need not be of unit length: distances along the ray count in its lengths
-  /// The triangle that the ray leaves and therefore, as it is plane, does not meet.
+  Vec3f direction;  ///< need not be unit: distances along the ray are multiples of its length
+  /// The triangle that the ray leaves, which it cannot hit because it is plane.
   TriangleId from = {};
   RayCone cone = {};
 };

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-/// What a shadow ray passes through. Embree hands its filter the context that the ray was cast with.
+/// The context of a shadow ray, which Embree passes to the filter: the triangles that the ray ignores.
 struct ShadowContext {
   RTCIntersectContext embree;
   TriangleId from;
@@ -29,7 +29,7 @@ struct ShadowContext {
   }
 };
 
-// What is placed once is no instance for Embree, and the first one here.
+// The first mesh is no instance for Embree, but instance 0 here.
 std::uint32_t instance_of(unsigned embree_instance) {
   return embree_instance == RTC_INVALID_GEOMETRY_ID ? 0 : embree_instance;
 }
@@ -61,8 +61,8 @@ RTCRay to_embree(const Ray& ray, float nearest, float farthest) {
   return embree_ray;
 }
 
-// Not 0, at which a ray that starts in the plane of an axis-aligned triangle would meet it: there the error
-// bound by which origins are moved off a surface is 0.
+// Not 0, or a ray that starts in the plane of an axis-aligned triangle would hit it: there the error bound
+// that offsets origins from a surface is 0.
 constexpr float Nearest = std::numeric_limits<float>::min();
 
 RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh) {
@@ -76,7 +76,7 @@ RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh) {
   return geometry;
 }
 
-/// Attaches and gives away a geometry.
+/// Attaches a geometry and releases it.
 void attach(RTCScene scene, RTCGeometry geometry, unsigned id) {
   rtcAttachGeometryByID(scene, geometry, id);
   rtcReleaseGeometry(geometry);
@@ -94,7 +94,7 @@ RTCGeometry instance_of(RTCDevice device, RTCScene scene, const AffineMap& map) 
   return geometry;
 }
 
-/// The first error that Embree reports.
+/// The first error reported by Embree.
 struct EmbreeError {
   RTCError code = RTC_ERROR_NONE;
   std::string text;
@@ -116,7 +116,7 @@ void keep_first_error(void* to, RTCError code, const char* text) {
 struct RayCaster::Scenes {
   std::shared_ptr<const Geometry> geometry;  ///< whose arrays Embree reads
   RTCDevice device = nullptr;
-  EmbreeError error;  ///< of the device; only who builds makes any
+  EmbreeError error;  ///< of the device; only building reports any
   RTCScene top = nullptr;
   std::vector<RTCScene> meshes;  ///< of instances; null for the first mesh
 
@@ -137,9 +137,9 @@ struct RayCaster::Scenes {
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     return scene;
   }
-  /// Builds on the threads of the TBB arena that this is called in.
+  /// Builds on the threads of the enclosing TBB arena.
   void commit(RTCScene scene) const {
-    check();  // Embree would build of what it has refused, and crash
+    check();  // Embree would build from rejected data, and crash
     rtcCommitScene(scene);
     check();
   }
@@ -195,8 +195,8 @@ bool RayCaster::serves(const Geometry& geometry) const {
   return have_same_shape(*scenes_->geometry, geometry);
 }
 
-// A ray that is back at the triangle that it leaves goes on behind it: rare enough for a second look, which
-// costs other rays nothing, as a filter would.
+// A ray that hits the triangle that it leaves is continued behind it: rare enough for a second query, which
+// costs other rays nothing, unlike a filter.
 std::optional<TriangleHit> RayCaster::intersect(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

@@ -11,37 +11,37 @@ namespace transport {
 
 struct TriangleHit {
   TriangleId id;
-  /// Weights of the second and the third corner.
+  /// Barycentric weights of the second and third corner.
   float u = 0, v = 0;
   float distance = 0;  ///< in lengths of the ray's direction
 };
 
-/// Finds what rays meet: the one user of Embree. Its robust mode leaves no cracks along shared edges of a
-/// mesh. A ray that aims at a vertex itself, and passes it within some roundings of their distance, can get
-/// through there, if the triangles at the vertex are small for that distance.
+/// Intersects rays with the geometry, through Embree, which no other file uses. Its robust mode leaves no
+/// cracks along shared edges of a mesh. A ray aimed at a vertex, which passes it within a few rounding errors
+/// of the distance, can slip through if the triangles at the vertex are small for that distance.
 ///
-/// The first mesh is met without a transform; the others through Embree's instances, and only those that an
-/// instance places.
+/// The first mesh is intersected without a transform, the others through Embree's instances; meshes that no
+/// instance places are left out.
 ///
-/// Copies share what was built.
+/// Copies share the acceleration structure.
 class RayCaster {
  public:
-  /// Keeps the geometry. The last position of a mesh is not to be used: Embree reads 16 bytes for a vertex of
-  /// 12, so one is needed behind the others.
+  /// Keeps the geometry. The last position of a mesh is padding, because Embree reads 16 bytes per vertex of
+  /// 12.
   explicit RayCaster(std::shared_ptr<const Geometry> geometry);
 
-  /// True if this meets what one of that geometry would.
+  /// Whether this intersects rays as a caster of that geometry would.
   bool serves(const Geometry& geometry) const;
   bool shares(const RayCaster& other) const { return scenes_ == other.scenes_; }
 
   /// The nearest triangle in front of the origin.
   std::optional<TriangleHit> intersect(const Ray& ray) const;
 
-  /// True if anything is between the origin and origin + direction, but for `count` triangles from `target`
-  /// on: what the ray ends on is not in its own way.
+  /// Whether anything lies between the origin and origin + direction, except `count` triangles from `target`
+  /// on: the triangles that the ray ends on do not occlude it.
   bool is_occluded(const Ray& ray, const TriangleId& target = {}, std::uint32_t count = 0) const;
 
-  /// True if nothing is in front of the origin, however far.
+  /// Whether nothing is in front of the origin, at any distance.
   bool escapes(const Ray& ray) const;
 
  private:

@@ -16,7 +16,7 @@ constexpr float InterpolationError = 7 * 0x1p-24F / (1 - 7 * 0x1p-24F);
 
 inline Vec3f absolute(const Vec3f& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-/// The next float above or below one that is finite, as std::nextafter finds it, but in place.
+/// The next float above or below a finite one, as std::nextafter, but inline.
 inline float next_float(float value, bool up) {
   if (value == 0)
     return up ? std::numeric_limits<float>::denorm_min() : -std::numeric_limits<float>::denorm_min();
@@ -24,9 +24,9 @@ inline float next_float(float value, bool up) {
   return std::bit_cast<float>((value > 0) == up ? bits + 1 : bits - 1);
 }
 
-/// A point that is surely on the side of the surface to which the direction points: moved along the surface's
-/// unit normal by the bound of the position's error for each axis, and then rounded away from the surface
-/// (Pharr, Jakob and Humphreys 2016, "Physically based rendering", section 3.9).
+/// Offsets a point to the side of the surface that the direction points to: along the unit normal by the
+/// bound of the position's error per axis, then rounded away from the surface (Pharr, Jakob and Humphreys
+/// 2016, "Physically based rendering", section 3.9).
 inline Vec3f offset_towards(const Vec3f& position, const Vec3f& error, const Vec3f& normal,
                             const Vec3f& direction) {
   const float distance = absolute(normal).dot(error);

@@ -38,7 +38,7 @@ std::uint32_t ReflectorSetBuilder::index_by_text(const grf::ResolvedSurface& sur
   return known->second;
 }
 
-/// The text alone does not say whether a file of data has changed.
+/// The cache key has the modification times of data files, since the text does not tell whether they changed.
 std::string ReflectorSetBuilder::identity_of(const grf::ResolvedSurface& surface, const std::string& text) {
   if (override_ && !override_->factors_file.empty()) return {};
   std::string identity =
@@ -133,12 +133,12 @@ ReflectorSet ReflectorSetBuilder::build(const std::stop_token& stop) {
 }
 
 void ReflectorSetBuilder::warn_of_what_is_missed(const Pair& pair, const Reflector& reflector) {
-  const std::string missed = fmt::format("the scheme '{}' hardly draws part of what '{}' reflects",
+  const std::string missed = fmt::format("the scheme '{}' hardly samples part of the BRDF '{}'",
                                          pair.scheme_keyword, pair.brdf_keyword);
   const std::string consequence =
       reflector.cosine_share() > 0
-          ? fmt::format("{:.0f} % of its samples are drawn by cosine", 100 * reflector.cosine_share())
-          : fmt::format("the image lacks {:.2g} % of it", 100 * reflector.missed_share());
+          ? fmt::format("{:.0f} % of its samples are cosine-weighted", 100 * reflector.cosine_share())
+          : fmt::format("the image misses {:.2g} % of it", 100 * reflector.missed_share());
   diagnostics_.warning(pair.scheme_location, missed + ": " + consequence);
 }
 

@@ -16,35 +16,35 @@
 
 namespace transport {
 
-/// A sampling scheme in place of those of the scene.
+/// A sampling scheme that replaces those of the scene.
 struct SchemeOverride {
   grf::PdfModel model;
-  std::string factors_file;  ///< of the scheme `factored`: what it loads instead of factoring; empty: nothing
+  std::string factors_file;  ///< the scheme `factored` loads it instead of factoring; empty: none
 
   bool operator==(const SchemeOverride&) const = default;
 };
 
-/// What a reflector's tables hold.
+/// The tables of a reflector.
 struct TableInfo {
-  std::string brdf;    ///< as a scene writes it
+  std::string brdf;    ///< as written in the scene
   std::string scheme;  ///< likewise
   std::size_t bytes = 0;
   float cosine_share = 0;  ///< see Reflector
 };
 
-/// The reflectors of a scene, one for each pair of BRDF and scheme that is in use.
+/// The reflectors of a scene, one per pair of BRDF and sampling scheme in use.
 struct ReflectorSet {
   std::vector<reflectance::Reflector> reflectors;
-  std::vector<TableInfo> tables;  ///< of each of them
-  /// Of each, a text that is the same for those that are the same; empty: there is none.
+  std::vector<TableInfo> tables;  ///< one per reflector
+  /// Cache key for each reflector; empty if it must not be reused.
   std::vector<std::string> identities;
-  double seconds = 0;  ///< that building them took
+  double seconds = 0;  ///< to build them
 };
 
-/// Collects pairs of BRDFs and schemes, and then makes their reflectors. The scene must not change meanwhile.
+/// Collects pairs of BRDFs and schemes, then builds their reflectors. The scene must not change meanwhile.
 class ReflectorSetBuilder {
  public:
-  /// What is in the set `before`, if there is one, is taken from there.
+  /// Reuses reflectors of the set `before`, if there is one.
   ReflectorSetBuilder(const std::optional<SchemeOverride>& scheme, reflectance::MissedPart missed_part,
                       reflectance::Precision precision, grf::Diagnostics& diagnostics,
                       const ReflectorSet* before = nullptr)
@@ -55,22 +55,22 @@ class ReflectorSetBuilder {
         diagnostics_(diagnostics),
         brdfs_(diagnostics) {}
 
-  /// Which reflector will serve a surface; after an error, any.
+  /// Returns the index of the reflector that will serve a surface; after an error, any index.
   std::uint32_t index_of(const grf::ResolvedSurface& surface);
   bool is_anisotropic(std::uint32_t index) const {
     return index < pairs_.size() && reflectance::is_anisotropic(pairs_[index].brdf);
   }
 
-  /// True if it has neither a glossy nor a mirror part.
+  /// Whether it has neither a glossy nor a specular part.
   bool is_matte(std::uint32_t index) const {
     return index < pairs_.size() && !reflectance::has_glossy_part(pairs_[index].brdf) &&
            !reflectance::has_mirror(pairs_[index].brdf);
   }
-  /// Whether a file is needed to know the BRDF.
+  /// Whether the BRDF depends on a file.
   bool reads_data(const grf::ResolvedSurface& surface);
 
-  /// Makes the tables of all of them, in parallel, and warns of schemes that miss part of their BRDF. There
-  /// must have been no error. Those that are not begun when it is told to stop are missing then.
+  /// Builds the tables of all reflectors in parallel, and warns of schemes that miss part of their BRDF.
+  /// There must have been no error. Tables that were not begun when a stop was requested are missing.
   ReflectorSet build(const std::stop_token& stop = {});
 
  private:
@@ -78,7 +78,7 @@ class ReflectorSetBuilder {
     reflectance::Brdf brdf;
     reflectance::Scheme scheme;
     std::string identity;
-    const reflectance::Reflector* known = nullptr;  ///< of the set before
+    const reflectance::Reflector* known = nullptr;  ///< of the set `before`
     std::string brdf_keyword;
     TableInfo info;
     std::string scheme_keyword;
@@ -102,11 +102,11 @@ class ReflectorSetBuilder {
   grf::Diagnostics& diagnostics_;
   reflectance::BrdfMaker brdfs_;
   std::map<std::string, std::uint32_t> index_by_text_;
-  /// Of models that are what they are in every scope, by where they stand in the scene: thousands of
-  /// instances ask for the same ones.
+  /// Models that do not depend on the scope, by their address in the scene: thousands of instances look up
+  /// the same ones.
   std::map<std::pair<const grf::BrdfModel*, const grf::PdfModel*>, std::uint32_t> index_by_place_;
   std::vector<Pair> pairs_;
-  double seconds_ = 0;  ///< that tables took which are made before `build`
+  double seconds_ = 0;  ///< for tables built before `build`
 };
 
 }  // namespace transport

@@ -15,22 +15,22 @@
 
 namespace transport {
 
-/// Which of the surfaces of meshes can reflect what anybody sees.
+/// Flags per surface of each mesh: whether it can reflect light to the eye.
 using ReflectingSurfaces = std::unordered_map<const grf::Mesh*, std::vector<bool>>;
 
-/// Looks up what the surfaces of meshes refer to, where the meshes stand. A mesh that is placed many times
-/// has its surfaces once, as long as names mean the same there.
+/// Resolves what the surfaces of meshes refer to in the scope of each placement. A mesh that is placed many
+/// times has its surfaces once, as long as names resolve to the same there.
 class SurfaceSetBuilder {
  public:
-  /// With these effects alone; surfaces that are not among those that reflect (null: all are) are black.
+  /// Compiles only these effects; surfaces that are not in `reflecting` (null: all are) are black.
   SurfaceSetBuilder(ReflectorSetBuilder& reflectors, TextureSetBuilder& textures, const EffectSet& effects,
                     const ReflectingSurfaces* reflecting)
       : reflectors_(reflectors), textures_(textures), effects_(effects), reflecting_(reflecting) {}
 
-  /// The index of the first surface of a mesh; the others follow in the mesh's order. The axis is that of
+  /// Returns the index of the first surface of a mesh; the others follow in the mesh's order. For `axis` see
   /// CompiledSurface.
   std::uint32_t add(const grf::Mesh& mesh, const grf::Scope& scope, const Vec3f& axis);
-  /// Those of a mesh light: their colour is what they emit.
+  /// The same for a mesh light, whose colour is its emission.
   std::uint32_t add_light(const grf::Mesh& mesh, const grf::Scope& scope);
   std::uint32_t add_light(const Rgb& radiance);
 

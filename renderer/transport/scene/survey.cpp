@@ -11,13 +11,13 @@ namespace {
 using grf::Box3d;
 using grf::Vec3d;
 
-/// A mesh of a few triangles takes less memory copied than an instance does.
+/// Copying a mesh of a few triangles takes less memory than an instance.
 constexpr std::size_t FewTriangles = 8;
 
 double largest_component(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 Vec3d origin_of(const Box3d& bounds) {
-  // Nearer than that, a shift would win no more than 4 bits.
+  // Below this distance, a shift would gain at most 4 bits.
   constexpr double FarAway = 16;
   if (bounds.isEmpty() || largest_component(bounds.center()) <= FarAway * largest_component(bounds.size())) {
     return Vec3d(0);

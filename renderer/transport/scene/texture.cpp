@@ -26,7 +26,7 @@ bool is_of_bytes(const Image& image) {
 
 half to_half(float value) { return {std::min(value, static_cast<float>(HALF_MAX))}; }
 
-/// What of one row or column of texels a texel of the half size covers.
+/// The texels of a row or column that a texel of the next mip level covers.
 struct Cover {
   int first = 0;
   std::vector<float> weights;
@@ -79,7 +79,7 @@ Image lowered(const Image& image) {
   return result;
 }
 
-/// Into [0, 1), whatever it was.
+/// Wraps any value to [0, 1).
 float wrapped(float x) {
   const float place = x - std::floor(x);
   return place >= 0 && place < 1 ? place : 0;

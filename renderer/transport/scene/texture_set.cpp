@@ -21,7 +21,7 @@ void read(const std::string& path, const grf::SourceLocation& asked_for_at, cons
           std::span<const TextureFile> before, Read& result) {
   TextureFile& file = result.file;
   file.path = grf::canonical_path(path);
-  std::error_code missing;  // which reading says
+  std::error_code missing;  // which reading reports
   file.changed = std::filesystem::last_write_time(file.path, missing);
   const auto known =
       std::ranges::find_if(before, [&](const TextureFile& one) { return !missing && one.is_same_as(file); });

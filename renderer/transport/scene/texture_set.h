@@ -14,7 +14,7 @@
 
 namespace transport {
 
-/// An image file as it was when it was read.
+/// An image file at the time when it was read.
 struct TextureFile {
   std::string path;
   std::filesystem::file_time_type changed;
@@ -23,17 +23,17 @@ struct TextureFile {
   bool is_same_as(const TextureFile& other) const { return path == other.path && changed == other.changed; }
 };
 
-/// Collects the images that faces name, and then reads them: each file once.
+/// Collects the image files that surfaces name, and reads each once.
 class TextureSetBuilder {
  public:
   TextureSetBuilder(const ImageReader& read_image, grf::Diagnostics& diagnostics)
       : read_image_(read_image), diagnostics_(diagnostics) {}
 
-  /// Which texture a surface will have.
+  /// Returns the index that a surface's texture will have.
   std::uint32_t index_of(const grf::Texture& texture);
 
-  /// Reads all files, in parallel, but for those that were read before and have not changed. One that cannot
-  /// be read is an error where it is named first, and leaves a white texture.
+  /// Reads all files, in parallel, except those that were read before and have not changed. One that cannot
+  /// be read is an error at its first use, and leaves a white texture.
   std::vector<TextureFile> build(std::span<const TextureFile> before = {});
 
  private:

@@ -9,18 +9,18 @@
 
 namespace transport {
 
-/// The vertices of a mesh that its faces use, in the mesh's order. Others are not compiled: a mesh may have
-/// many more of them than faces, and stand at many places.
+/// The vertices that faces of a mesh use, in the mesh's order. Others are not compiled: a mesh may have many
+/// more vertices than faces, and be placed many times.
 class UsedVertices {
  public:
   explicit UsedVertices(const grf::Mesh& mesh);
 
   std::size_t count() const { return count_; }
-  /// The vertex of the mesh that is the used one of a number.
+  /// Returns the mesh's vertex for an index among the used ones.
   std::uint32_t operator[](std::size_t number) const {
     return are_all() ? static_cast<std::uint32_t>(number) : vertices_[number];
   }
-  /// The number of a vertex that is used.
+  /// Returns the index of a used vertex among the used ones.
   std::uint32_t number_of(std::uint32_t vertex) const {
     if (are_all()) return vertex;
     const auto place = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);

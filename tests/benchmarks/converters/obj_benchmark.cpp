@@ -1,6 +1,6 @@
-// Reading an OBJ file of a million triangles, with normals and texture coordinates, beside Assimp's Importer
-// reading the same file without post-processing. Each reading has a process of its own, so that none finds
-// memory that another left, and the two kinds come in turn.
+// Reading an OBJ file of a million triangles, with normals and texture coordinates, compared with Assimp's
+// Importer without post-processing. Each reading has its own process, so that none reuses freed memory, and
+// the two kinds alternate.
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -23,7 +23,7 @@
 namespace convert {
 namespace {
 
-/// Of a height field of a million triangles.
+/// The side of a height field of a million triangles.
 constexpr std::uint32_t Side = 709;
 
 struct Cost {
@@ -35,8 +35,8 @@ double seconds_of(const struct timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-/// What it costs to read the file in a process of its own: processor time, which other programs disturb less
-/// than they do the clock, and peak memory.
+/// The cost of reading the file in its own process: processor time, which other programs disturb less than
+/// wall time, and peak memory.
 template <class Read>
 Cost cost_of(const Read& read) {
   const pid_t child = ::fork();
@@ -79,7 +79,7 @@ bool read_by_converter(const std::string& path) {
 void read_obj(benchmark::State& state) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("mesh.obj");
-  // In a process of its own too: its memory would count as that of each reading.
+  // Also in a separate process, or its memory would count in each reading.
   cost_of([&] {
     make_file(path);
     return true;

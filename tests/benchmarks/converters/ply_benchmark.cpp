@@ -1,5 +1,5 @@
-// How fast a binary PLY file of a million triangles is read, bytes per second, and the memory that it takes
-// at its peak: through `convert::read`, and by OpenMesh into its mesh.
+// Throughput and peak memory of reading a binary PLY file of a million triangles, through `convert::read` and
+// by OpenMesh into its mesh.
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -17,10 +17,10 @@
 namespace convert {
 namespace {
 
-/// Of a height field of a million triangles.
+/// The side of a height field of a million triangles.
 constexpr std::uint32_t Side = 708;
 
-/// The file, without normals; with face colours as floats, if asked for.
+/// The file, without normals, and with face colours as floats on request.
 std::string make_file(const test::TemporaryFolder& folder, bool with_colours) {
   grf::MeshDraft mesh(grf::height_field(Side));
   mesh.normals = {};
@@ -33,7 +33,7 @@ std::string make_file(const test::TemporaryFolder& folder, bool with_colours) {
   return path;
 }
 
-/// Runs what reads the file, and counts bytes and memory.
+/// Runs a reader on the file, and measures bytes and memory.
 template <class Read>
 void measure(benchmark::State& state, bool with_colours, const Read& read) {
   const test::TemporaryFolder folder;

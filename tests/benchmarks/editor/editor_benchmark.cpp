@@ -1,5 +1,5 @@
-// How long the editor's window is busy with an edit of a large scene, how long until the view draws it, how
-// much memory steps of undo take, and how long it takes to open a scene.
+// Latency of edits of a large scene: how long the editor's window is busy, how long until the view draws it,
+// how much memory undo steps take, and how long opening a scene takes.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QProcess>
@@ -29,7 +29,7 @@ namespace {
 
 using test::Minute;
 
-/// How many times an action is tried.
+/// The number of repetitions of an action.
 constexpr int Tries = 7;
 
 double milliseconds(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; }
@@ -40,7 +40,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Bytes that were asked for and not given back.
+/// Bytes that are allocated and not freed.
 double allocated() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);
@@ -54,7 +54,7 @@ grf::Shared<grf::Mesh> knot(const std::string& folder, int faces) {
   return std::get<grf::Shared<grf::Mesh>>(scene->contents.blocks.front().content);
 }
 
-/// Moved to a place of its own on a grid.
+/// Translated to its own position on a grid.
 grf::Block at_place(int number, grf::Block block) {
   const auto place = grf::Vec3f(static_cast<float>(number % 40), 0, static_cast<float>(number / 40)) * 3.0F;
   grf::Transform transform;
@@ -90,7 +90,7 @@ grf::Scene meshes(const std::string& folder) {
   const grf::Shared<grf::Mesh> shape = knot(folder, 500);
   grf::Scene scene;
   for (int i = 0; i < 2'000; ++i) {
-    // Each has vertices of its own, as those of a file.
+    // Each has its own vertices, as in a file.
     grf::Mesh mesh = *shape;
     mesh.name = "knot" + std::to_string(i);
     mesh.geometry = grf::SharedGeometry(grf::Geometry(*mesh.geometry));
@@ -153,9 +153,9 @@ class Stage {
   test::Watchdog watchdog_;
 };
 
-/// Times an action: what it takes itself, with all that its signals do and what these leave to the next turn
-/// of the event loop, in which the view hands the frame to its thread; and the longest time for which the
-/// window did not answer until all had settled.
+/// Times an action: the action itself, with all that its signals do and leave to the next turn of the event
+/// loop, in which the view hands the frame to its thread; and the longest time for which the window did not
+/// respond until all had settled.
 void time(
     benchmark::State& state, Stage& stage, const std::function<void()>& action,
     const std::function<void()>& before = [] {}) {
@@ -236,8 +236,8 @@ void redo(benchmark::State& state, Stage& stage) {
       [&] { stage.document().undo_stack().undo(); });
 }
 
-/// The memory that 100 steps which change surfaces take, in percent of the scene's: of a document alone,
-/// since what else allocates in a window comes and goes.
+/// The memory of 100 undo steps that change surfaces, in percent of the scene's: measured on a document
+/// without a window, whose other allocations come and go.
 void remember(benchmark::State& state, const grf::Scene& scene, double scene_bytes) {
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
     Document document;
@@ -255,7 +255,7 @@ void remember(benchmark::State& state, const grf::Scene& scene, double scene_byt
   }
 }
 
-/// From the command to the first picture that has all of the scene.
+/// The time from the command to the first picture with the whole scene.
 void open(benchmark::State& state, Stage& stage) {
   stage.document().clear();
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
@@ -273,7 +273,7 @@ void open(benchmark::State& state, Stage& stage) {
   }
 }
 
-/// The stage of the scene whose turn it is: one at a time.
+/// The current stage of the scene: one at a time.
 class Theatre {
  public:
   void close() {

@@ -1,4 +1,4 @@
-// Renders scenes that are prone to artefacts by bpt, and by Blender's Cycles if it is there: see
+// Renders scenes that are prone to artefacts with bpt, and with Blender's Cycles if it is installed: see
 // tests/benchmarks/README.md.
 #include <algorithm>
 #include <cmath>
@@ -42,8 +42,8 @@ Image render(const SceneFiles& scene, Renderer renderer, const Arguments& argume
 
 float brightness(const Image& image, std::size_t pixel) { return reflectance::mean(image.pixels[pixel]); }
 
-/// Pixels of the scene `terminator` about the end of light, away from the outline, which is another one for
-/// a mesh of few triangles. The picture shows 1.1 times the sphere, whose light is at +x.
+/// Pixels around the terminator in the scene `terminator`, away from the silhouette, which differs for a
+/// coarse mesh. The picture shows 1.1 times the sphere, whose light is at +x.
 std::vector<std::size_t> terminator_band(int size) {
   std::vector<std::size_t> band;
   const auto place = [&](int i) { return 1.1 * (2 * (i + 0.5) / size - 1); };
@@ -56,7 +56,7 @@ std::vector<std::size_t> terminator_band(int size) {
   return band;
 }
 
-/// Of the differences in brightness in the band.
+/// The RMS difference in brightness within the band.
 double root_mean_square(const Image& image, const Image& reference) {
   double sum = 0;
   const auto band = terminator_band(image.width);
@@ -79,8 +79,8 @@ std::size_t count_pixels(const Image& image, const std::function<bool(std::size_
   return count;
 }
 
-/// Pixels where the image has light and not even the neighbours have any in the other: the outlines of
-/// shadows may differ by a pixel.
+/// Counts lit pixels whose neighbourhood is unlit in the other image: the outlines of shadows may differ by a
+/// pixel.
 std::size_t lit_alone(const Image& image, const Image& other) {
   const auto is_dark_around = [&](std::size_t i) {
     const int x = static_cast<int>(i) % other.width;
@@ -95,11 +95,11 @@ std::size_t lit_alone(const Image& image, const Image& other) {
   return count_pixels(image, [&](std::size_t i) { return brightness(image, i) > 0 && is_dark_around(i); });
 }
 
-/// What is said of the images of each renderer; the first are bpt's.
+/// Reports on the images of each renderer; the first are bpt's.
 void report(const std::vector<Renderer>& renderers, const std::vector<std::vector<Image>>& images) {
   fmt::print(
       "| renderer | terminator: RMS difference to the fine mesh | closed room: brightest pixel, "
-      "lit pixels | contact: pixels lit here alone |\n|---|--:|--:|--:|\n");
+      "lit pixels | contact: pixels lit only here |\n|---|--:|--:|--:|\n");
   for (std::size_t i = 0; i < renderers.size(); ++i) {
     const Image& room = images[i][2];
     const std::size_t lit = count_pixels(room, [&](std::size_t k) { return brightness(room, k) > 0; });
@@ -133,12 +133,11 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Compares bpt with Cycles where renderers show artefacts; fails if light leaks into bpt's room");
+  CLI::App app("Compares bpt with Cycles on scenes prone to artefacts; fails if light leaks into bpt's room");
   Arguments arguments;
-  app.add_option("--folder", arguments.folder, "where scenes and images go")->capture_default_str();
+  app.add_option("--folder", arguments.folder, "folder for scenes and images")->capture_default_str();
   app.add_option("--size", arguments.size, "width and height, pixels")->check(CLI::Range(8, 8192));
-  app.add_option("--samples", arguments.samples, "a pixel")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--samples", arguments.samples, "samples per pixel")->check(CLI::Range(1, 1'000'000));
   app.add_option("--threads", arguments.threads)->check(CLI::Range(1, 1024));
   try {
     app.parse(argc, argv);

@@ -137,7 +137,7 @@ def reflectance_at_normal(n, k):
 
 
 def add_brdf(nodes, links, brdfs, name):
-    """The socket of a BRDF's closure."""
+    """Returns the output socket of a BRDF's closure."""
     brdf = brdfs[name]
     if isinstance(brdf, list):
         total = nodes.new("ShaderNodeAddShader")
@@ -206,7 +206,7 @@ def add_light(radiance, corner, edge1, edge2):
 
 
 def add_visible_light(radiance, corner, edge1, edge2):
-    """What the camera sees in the place of an area light, which in Cycles it does not see."""
+    """Adds a quad that only the camera sees, since area lights are invisible to it in Cycles."""
     material = bpy.data.materials.new("light")
     material.use_nodes = True
     material.cycles.sample_as_light = False
@@ -256,7 +256,7 @@ def read_op(path):
 
 
 def set_up(options, size, samples, seed, threads):
-    """The estimator that bpt has too: every pixel the mean over its square, all light, nothing cut off."""
+    """Sets up the same estimator as bpt's: a box filter, all light paths, no clamping."""
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.render.resolution_x = scene.render.resolution_y = size
@@ -269,7 +269,7 @@ def set_up(options, size, samples, seed, threads):
     cycles.samples, cycles.seed = samples, seed
     cycles.use_adaptive_sampling = cycles.use_denoising = False
     cycles.light_sampling_threshold = 0
-    # bpt counts scattering events: 1 is direct light, which Cycles has at 0 bounces.
+    # In bpt direct light counts as a bounce: depth 1 is 0 bounces of Cycles.
     bounces = int(options["BPT_Depth"][0]) - 1
     cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = bounces
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
@@ -303,6 +303,6 @@ def main(op_file, image, size, samples, seed, threads):
 
 try:
     main(*sys.argv[sys.argv.index("--") + 1 :])
-except Exception as error:  # Blender itself would go on and end with 0
+except Exception as error:  # Blender itself would continue and exit with 0
     print(f"cycles_scene.py: {error!r}", file=sys.stderr)
     sys.exit(1)

@@ -1,7 +1,7 @@
-// A library to be loaded in front of a renderer that uses Embree (LD_PRELOAD): it measures the time that all
-// threads together spend in Embree's queries, and writes `queries seconds cost` to the file that EMBREE_METER
-// names when the program ends. `cost` is what the measuring itself adds to a query, in seconds; `seconds` is
-// without it. A renderer's own callbacks, which Embree calls, count as Embree.
+// A library to be preloaded into a renderer that uses Embree (LD_PRELOAD): it measures the time that all
+// threads spend in Embree's queries, and on exit writes `queries seconds cost` to the file that EMBREE_METER
+// names. `cost` is the overhead of measuring a query, in seconds, which `seconds` does not include. A
+// renderer's callbacks, which Embree calls, count as Embree.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -16,12 +16,12 @@
 
 namespace {
 
-/// Of one thread, on cache lines of its own.
+/// Counters of one thread, on cache lines of their own.
 struct alignas(128) Counter {
   std::atomic<std::uint64_t> queries = 0;
   std::atomic<std::uint64_t> ticks = 0;
 
-  /// One thread alone writes, so that no locked instruction is needed.
+  /// Only one thread writes, so no atomic read-modify-write is needed.
   void add(std::uint64_t more_ticks) {
     queries.store(queries.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     ticks.store(ticks.load(std::memory_order_relaxed) + more_ticks, std::memory_order_relaxed);

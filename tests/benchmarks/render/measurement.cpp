@@ -20,7 +20,7 @@ using transport::Image;
 constexpr int ReferenceFactor = 64;
 constexpr std::uint32_t ReferenceSeed = 1000;
 
-/// Tells contents of files apart (FNV-1a), so that a changed scene does not meet its old reference.
+/// Hashes the contents of files (FNV-1a), so that a changed scene is not compared with its old reference.
 std::uint64_t fingerprint(const fs::path& folder) {
   std::vector<fs::path> files(fs::directory_iterator(folder), {});
   std::sort(files.begin(), files.end());
@@ -37,7 +37,7 @@ std::uint64_t fingerprint(const fs::path& folder) {
 transport::ImageError error_of_file(const fs::path& path, const Image& reference) {
   const Image image = read_picture(path);
   if (image.width != reference.width || image.height != reference.height) {
-    throw std::runtime_error(path.string() + " has not the size of its reference");
+    throw std::runtime_error(path.string() + " differs in size from its reference");
   }
   const transport::ImageError error = transport::error_of(image, reference);
   if (error.nan_pixels > 0) throw std::runtime_error(path.string() + " has pixels that are not finite");

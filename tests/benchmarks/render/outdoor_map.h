@@ -4,8 +4,8 @@
 
 namespace benchmark {
 
-/// An environment map of 1024x512: a clear sky that brightens towards the horizon and a strong sun, half a
-/// degree in radius and 50 degrees high, over darker ground. Latitude-longitude as `bpt` reads it.
+/// A latitude-longitude environment map of 1024x512: a clear sky that brightens towards the horizon and a
+/// strong sun, half a degree in radius and 50 degrees high, over darker ground.
 transport::Image outdoor_map();
 
 }  // namespace benchmark

@@ -7,10 +7,10 @@
 
 namespace benchmark {
 
-/// Throws if there is none that can be read.
+/// Reads an image; throws if it cannot be read.
 transport::Image read_picture(const std::filesystem::path& path);
 
-/// Images of one height, from the left to the right. Throws if the file cannot be written.
+/// Writes images of equal height side by side. Throws if the file cannot be written.
 void write_side_by_side(const std::vector<transport::Image>& images, const std::filesystem::path& path);
 
 }  // namespace benchmark

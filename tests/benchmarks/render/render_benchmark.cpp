@@ -1,5 +1,5 @@
-// Renders the four scenes of the benchmark by bpt, and on request by Blender's Cycles in turn with it, and
-// says how fast and how exact they are: see tests/benchmarks/README.md.
+// Renders the benchmark's four scenes with bpt, and on request with Blender's Cycles in turn, and reports
+// their speed and accuracy: see tests/benchmarks/README.md.
 #include <algorithm>
 #include <exception>
 #include <string>
@@ -27,35 +27,35 @@ struct Arguments {
 
 void add_options(CLI::App& app, Arguments& arguments) {
   benchmark::Settings& settings = arguments.settings;
-  app.add_option("--folder", arguments.folder, "where scenes, images, references and results go")
+  app.add_option("--folder", arguments.folder, "folder for scenes, images, references and results")
       ->capture_default_str();
   app.add_option("--scenes", arguments.scenes,
-                 "cornell_box, glossy_sphere, coated_knot, environment; all if left out")
+                 "cornell_box, glossy_sphere, coated_knot, environment; all by default")
       ->delimiter(',');
   app.add_option("--size", settings.size, "width and height, pixels")
       ->check(CLI::Range(1, 8192))
       ->capture_default_str();
-  app.add_option("--samples", settings.samples, "a pixel; references have 64 times as many")
+  app.add_option("--samples", settings.samples, "samples per pixel; references have 64 times as many")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  app.add_option("--rounds", settings.rounds, "of each measurement, each with a seed of its own")
+  app.add_option("--rounds", settings.rounds, "repetitions of each measurement, each with its own seed")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--threads", settings.threads)->check(CLI::Range(1, 1024))->capture_default_str();
-  app.add_flag("--cycles", arguments.cycles, "Blender's Cycles too, in turn with bpt");
-  app.add_flag("--fresh", settings.fresh, "render references anew: after a change of what bpt computes");
+  app.add_flag("--cycles", arguments.cycles, "also measure Blender's Cycles, in turn with bpt");
+  app.add_flag("--fresh", settings.fresh, "render the references again, after a change of what bpt computes");
   app.add_flag("--without-embree-share", arguments.without_embree, "do not measure the time spent in Embree");
-  app.add_flag("--quick", arguments.quick, "tiny meshes, images and references: only to see that it works");
+  app.add_flag("--quick", arguments.quick, "tiny meshes, images and references: a smoke test");
 }
 
-/// The scenes that were asked for; throws if one is not there.
+/// Returns the requested scenes; throws if one does not exist.
 std::vector<SceneFiles> selected(std::vector<SceneFiles> scenes, const std::vector<std::string>& names) {
   if (names.empty()) return scenes;
   std::vector<SceneFiles> wanted;
   for (const std::string& name : names) {
     const auto found = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const SceneFiles& scene) { return scene.name == name; });
-    if (found == scenes.end()) throw std::runtime_error("there is no scene '" + name + "'");
+    if (found == scenes.end()) throw std::runtime_error("unknown scene '" + name + "'");
     wanted.push_back(*found);
   }
   return wanted;
@@ -95,7 +95,7 @@ int run(Arguments arguments) {
         measure(scene, settings, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     measurements.insert(measurements.end(), of_scene.begin(), of_scene.end());
   }
-  fmt::print("{}x{} pixels, {} samples a pixel, {} threads, {} rounds\n\n{}", settings.size, settings.size,
+  fmt::print("{}x{} pixels, {} samples per pixel, {} threads, {} rounds\n\n{}", settings.size, settings.size,
              settings.samples, settings.threads, settings.rounds, to_markdown(measurements));
   return keep(arguments.folder, measurements) ? 0 : 1;
 }

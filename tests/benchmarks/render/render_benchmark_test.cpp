@@ -22,7 +22,7 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
   const test::TemporaryFolder folder;
   std::vector<std::string> command = {GRANADA_BIN_DIR "/render_benchmark", "--quick", "--folder",
                                       folder.path("run")};
-  // A library that is loaded in front of the sanitizers' own keeps them from starting.
+  // A library that is preloaded before the sanitizers' own prevents them from starting.
   if (test::HasSanitizers) command.emplace_back("--without-embree-share");
   const test::Outcome outcome = test::run(command);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -58,7 +58,7 @@ TEST(OutdoorMap, HasASunThatIsMostOfItsLight) {
   for (const auto& pixel : map.pixels) brightest = std::max(brightest, pixel.x);
   EXPECT_EQ(map.pixels.size(), 1024U * 512);
   EXPECT_EQ(brightest, 9000);
-  // Half a degree in radius covers a share of 1.9e-5 of the sphere, here stretched by 1/sin(theta).
+  // Half a degree in radius covers a fraction of 1.9e-5 of the sphere, here stretched by 1/sin(theta).
   const auto suns = std::count_if(map.pixels.begin(), map.pixels.end(),
                                   [&](const auto& pixel) { return pixel.x == brightest; });
   EXPECT_NEAR(static_cast<double>(suns), 9.8, 4);
@@ -80,7 +80,7 @@ TEST(Report, ComparesWithCyclesSceneByScene) {
   const std::vector<Measurement> alone = {ours};
   const std::string both = to_markdown({ours, theirs});
   EXPECT_NE(both.find("| box | 6.00 | 2.00 | 3.00 | 20.0 |\n"), std::string::npos) << both;
-  EXPECT_EQ(to_markdown(alone).find("over Cycles"), std::string::npos);
+  EXPECT_EQ(to_markdown(alone).find("Ratios of bpt to Cycles"), std::string::npos);
   EXPECT_NE(to_csv(alone).find("box,bpt,3e+06,,,2,0.01,50,0,0\n"), std::string::npos) << to_csv(alone);
   EXPECT_TRUE(to_json(alone)[0].at("embree_share").is_null());
 }

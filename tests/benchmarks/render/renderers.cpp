@@ -38,7 +38,7 @@ EmbreeTime embree_time(const Job& job, double render_seconds) {
   double cost = 0;
   std::ifstream file(meter_file_of(job));
   if (!(file >> time.queries >> time.seconds >> cost) || !(time.queries > 0)) {
-    throw std::runtime_error("the meter of Embree saw no query");
+    throw std::runtime_error("the Embree meter recorded no query");
   }
   time.share = time.seconds / (job.threads * render_seconds - time.queries * cost);
   return time;
@@ -55,15 +55,15 @@ Outcome render_by_bpt(const Job& job) {
   return {seconds, summary.at("peak_memory_bytes"), rays_per_second * seconds, {}};
 }
 
-/// The number behind a text in a log.
+/// Returns the number that follows a text in a log.
 double number_after(const std::string& log, const std::string& text) {
   std::smatch found;
   if (std::regex_search(log, found, std::regex(text + " *([0-9.]+)"))) return std::stod(found[1]);
-  throw std::runtime_error("Blender did not say '" + text + "': " + log);
+  throw std::runtime_error("no '" + text + "' in Blender's log: " + log);
 }
 
-// The wall time of "Path Tracing" in Cycles' own report: without synchronisation of the scene, acceleration
-// structure and files, as bpt's render_seconds.
+// The wall time of "Path Tracing" in Cycles' own report: without scene synchronisation, acceleration
+// structures and files, as bpt's render_seconds.
 Outcome render_by_cycles(const Job& job) {
   const auto ran =
       run(job, {"/usr/bin/blender", "--background", "--factory-startup", "--debug-cycles", "--python",

@@ -18,17 +18,17 @@ struct Job {
   std::filesystem::path op;
   std::filesystem::path image;  ///< EXR, to be written
   int size = 0;                 ///< width and height, pixels
-  int samples = 0;              ///< a pixel
+  int samples = 0;              ///< per pixel
   std::uint32_t seed = 0;
   int threads = 0;
-  bool measures_embree = false;  ///< slower: its seconds are no measure of the renderer
+  bool measures_embree = false;  ///< slower, so its seconds do not measure the renderer
 };
 
-/// What all threads did in Embree.
+/// The time that all threads spent in Embree.
 struct EmbreeTime {
   double queries = 0;
   double seconds = 0;
-  double share = 0;  ///< of the threads' time while the renderer traced paths
+  double share = 0;  ///< fraction of the threads' time while the renderer traced paths
 };
 
 struct Outcome {
@@ -38,10 +38,10 @@ struct Outcome {
   std::optional<EmbreeTime> embree;  ///< if the job measures it
 };
 
-/// Runs the renderer as a process of its own. Throws if it fails or does not say what it should.
+/// Runs the renderer in its own process. Throws if it fails or its output is incomplete.
 Outcome render(Renderer renderer, const Job& job);
 
-/// What `blender --version` says first; nothing if there is none.
+/// The first line of `blender --version`; empty if it is not installed.
 std::optional<std::string> blender_version();
 
 }  // namespace benchmark

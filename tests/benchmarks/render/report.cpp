@@ -39,7 +39,7 @@ std::string comparison(const std::vector<Measurement>& measurements) {
                         100 * largest_difference(ours.mean, theirs->mean));
   }
   if (text.empty()) return text;
-  return "\nbpt over Cycles: how many times as efficient, as fast in paths, and as exact for a path\n\n"
+  return "\nRatios of bpt to Cycles: efficiency, paths per second, and accuracy per path\n\n"
          "| scene | efficiency | paths/s | relMSE | means differ by, % |\n|---|--:|--:|--:|--:|\n" +
          text;
 }

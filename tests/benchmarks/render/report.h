@@ -9,17 +9,17 @@
 
 namespace benchmark {
 
-/// Numbers that are not known are null.
+/// The results as JSON. Unknown numbers are null.
 nlohmann::json to_json(const std::vector<Measurement>& measurements);
 
-/// A heading line, then a line for each measurement; what is not known is empty.
+/// The results as CSV: a heading line, then a line per measurement; unknown values are empty.
 std::string to_csv(const std::vector<Measurement>& measurements);
 
-/// A table of all measurements, and, where there are two renderers, one of bpt's efficiency over the other's
-/// and of the largest difference between the means of the images' channels.
+/// A table of all measurements, and, with two renderers, one of bpt's efficiency relative to the other's and
+/// of the largest difference between the means of the images' channels.
 std::string to_markdown(const std::vector<Measurement>& measurements);
 
-/// |a/b - 1| in the channel where it is largest.
+/// Returns the largest |a/b - 1| of the channels.
 double largest_difference(const reflectance::Rgb& a, const reflectance::Rgb& b);
 
 }  // namespace benchmark

@@ -38,7 +38,7 @@ void make_environment_map(const fs::path& file) {
   }
 }
 
-/// Copies SOURCE.grf and SOURCE.op into a folder of the scene's own, and makes its meshes there.
+/// Copies SOURCE.grf and SOURCE.op into the scene's own folder, and makes its meshes there.
 SceneFiles make_scene(const fs::path& own, const fs::path& source, const std::vector<Shape>& shapes,
                       bool small) {
   const std::string name = source.filename().string();

@@ -11,15 +11,15 @@ struct SceneFiles {
   std::filesystem::path op;  ///< the GRF scene is beside it
 };
 
-/// Makes the four scenes of the benchmark in a folder: the Cornell box of samples/, and those of scenes/ with
-/// their meshes. The environment map is Debian's forest.exr (package `blender-data`), or one of our own where
-/// that is not installed. Throws if a file cannot be made.
+/// Makes the benchmark's four scenes in a folder: the Cornell box of samples/, and those of scenes/ with
+/// their meshes. The environment map is Debian's forest.exr (package `blender-data`), or our own if that is
+/// not installed. Throws if a file cannot be written.
 ///
-/// `small` has meshes of 2,000 triangles.
+/// `small` limits meshes to 2,000 triangles.
 std::vector<SceneFiles> make_scenes(const std::filesystem::path& folder, bool small);
 
-/// Makes the scenes of artefacts/ in a folder: `terminator` with a sphere of few triangles, `fine_terminator`
-/// with one of many in its place, `closed_room` and `contact`. Throws if a file cannot be made.
+/// Makes the scenes of artefacts/ in a folder: `terminator` with a coarse sphere, `fine_terminator` with a
+/// fine one in its place, `closed_room` and `contact`. Throws if a file cannot be written.
 std::vector<SceneFiles> make_artefact_scenes(const std::filesystem::path& folder);
 
 }  // namespace benchmark

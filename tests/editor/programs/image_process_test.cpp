@@ -42,7 +42,7 @@ TEST_F(ImageProcesses, ReadWhatAFileHolds) {
 
 TEST_F(ImageProcesses, TellWhatTheDecoderSaysOfABrokenFile) {
   folder_.add("image.pfm", "PF\n2 1\n-1.0\n");
-  EXPECT_EQ(read(ImageProcess()), "cannot read the image: it is broken (it ends early)");
+  EXPECT_EQ(read(ImageProcess()), "cannot read the image: it is damaged (unexpected end of file)");
   EXPECT_EQ(diagnostics_.entries().front().location.file->path, folder_.path("image.pfm"));
   EXPECT_THAT(read(ImageProcess(), "--help"), HasSubstr("No such file"));
 }
