@@ -94,7 +94,7 @@ TEST_F(BptBake, TakesOptionsOfAnOpFile) {
   const std::string op = write("scene.op", "BPT_Scene scene.grf\nBPT_Samples 32\nBPT_Viewer 1 2 3\n");
   const Outcome outcome = bpt({"bake", op, "-o", path("a.igrf"), "--directions", "3", "--progress", "none"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("irradiance at 4 vertices, 32 samples a vertex"), std::string::npos)
+  EXPECT_NE(outcome.out.find("irradiance at 4 vertices, 32 samples per vertex"), std::string::npos)
       << outcome.out;
   const std::string text = test::bytes_of(path("a.igrf"));
   EXPECT_NE(text.find("begin list ray"), std::string::npos);

@@ -137,7 +137,7 @@ TEST_F(BptCost, WritesATableAReportAndAPicture) {
   }
   const auto svg = test::svg_of(test::bytes_of(path("study.svg")));
   EXPECT_EQ(test::lines(svg).size(), 2U * (3 + 3)) << "a line and its way to the name, over time and samples";
-  for (const char* part : {"render time, s", "samples a pixel", "error, sqrt(relMSE), %"}) {
+  for (const char* part : {"render time, s", "samples per pixel", "error, sqrt(relMSE), %"}) {
     const std::vector<std::string> words = test::texts(svg);
     EXPECT_NE(std::find(words.begin(), words.end(), part), words.end()) << part;
   }
@@ -206,11 +206,11 @@ TEST_F(BptCost, KeepsTheRowsSoFar) {
 }
 
 TEST_F(BptCost, SaysWhatIsWrong) {
-  expect_error({"--samples", "4,2"}, 2, "--samples: '2' is not expected");
-  expect_error({"--samples", "1,x"}, 2, "--samples: 'x' is not expected");
+  expect_error({"--samples", "4,2"}, 2, "--samples: found '2', expected ascending");
+  expect_error({"--samples", "1,x"}, 2, "--samples: found 'x', expected ascending");
   expect_error({"--pdf", "Own,nonsense"}, 2, "nonsense");
   expect_error({"--pdf", "Own,own"}, 2, "measured twice");
-  expect_error({"--pdf", "Own", "--trees", "3"}, 2, "--trees: no scheme of --pdf uses it");
+  expect_error({"--pdf", "Own", "--trees", "3"}, 2, "--trees: no scheme in --pdf uses it");
   expect_error({"--depth", "1,many"}, 2, "--depth: ");
   expect_error({"--rounds", "0"}, 2, "--rounds");
   expect_error({"--reference", path("none.exr")}, 1, "cannot read the file");

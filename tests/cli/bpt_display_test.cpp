@@ -60,9 +60,9 @@ class BptDisplay : public test::Bpt {
 TEST_F(BptDisplay, DoesWithoutAScreen) {
   add_viewer("bin", 0);
   ::setenv("DISPLAY", "", 1);
-  expect_warning("there is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set");
+  expect_warning("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set");
   ::unsetenv("DISPLAY");
-  expect_warning("there is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set");
+  expect_warning("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set");
   EXPECT_FALSE(fs::exists(path("started")));
 }
 
@@ -72,10 +72,10 @@ TEST_F(BptDisplay, DoesWithoutAProgram) {
 
 TEST_F(BptDisplay, TellsOfAProgramThatEnds) {
   add_viewer("other", 4);
-  expect_warning("`wannabe` has ended with exit code 4");
+  expect_warning("`wannabe` exited with code 4");
   EXPECT_EQ(test::bytes_of(path("started")), "--tool image\n");
   add_viewer("bin", 3);
-  expect_warning("`wannabe` has ended with exit code 3");
+  expect_warning("`wannabe` exited with code 3");
 }
 
 TEST_F(BptDisplay, StartsNothingWhereAnotherViewerIsMeant) {

@@ -130,7 +130,7 @@ TEST_F(BptOutput, HasLayersOnRequest) {
   const Outcome plain = bpt(
       {"render", scene_, "--size", "8x8", "--samples", "1", "--layers", "normal", "--output", path("a.png")});
   EXPECT_EQ(plain.exit_code, 0);
-  EXPECT_EQ(plain.err, "warning: BPT_Layers has no effect: of the types of image only exr has layers\n");
+  EXPECT_EQ(plain.err, "warning: BPT_Layers has no effect: only exr images have layers\n");
 }
 
 TEST_F(BptOutput, IsRefusedBeforeTheRenderWhereItCannotBe) {
@@ -141,10 +141,10 @@ TEST_F(BptOutput, IsRefusedBeforeTheRenderWhereItCannotBe) {
     return outcome.err;
   };
   EXPECT_EQ(error_of(path("a.jpg"), "65501x1"),
-            path("a.jpg") + ": error: files of this type have at most 65500 pixels a side\n");
+            path("a.jpg") + ": error: images of this type have at most 65500 pixels per side\n");
   const std::string pipe = path("pipe.png");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(error_of(pipe, "8x8"), pipe + ": error: cannot write the image: it is no regular file\n");
+  EXPECT_EQ(error_of(pipe, "8x8"), pipe + ": error: cannot write the image: it is not a regular file\n");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
