@@ -93,18 +93,18 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
             "3: BPT_EM_Projection has no effect: no BPT_EM_Background is given\n"
             "2: BPT_RIS has no effect: a backplate lights nothing\n");
   EXPECT_EQ(warnings_of("BPT_Pixel_Radial true\nBPT_Pixel_Random false\n"),
-            "3: BPT_Pixel_Random has no effect: the integrator 'path' spreads its samples by itself\n"
-            "2: BPT_Pixel_Radial has no effect: the integrator 'path' spreads its samples by itself\n");
+            "3: BPT_Pixel_Random has no effect: the integrator 'path' places its samples itself\n"
+            "2: BPT_Pixel_Radial has no effect: the integrator 'path' places its samples itself\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Pixel_Radial true\nBPT_Samples 4\n"),
             "4: BPT_Samples has no effect: the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Irradiance true\n"),
-            "3: BPT_Irradiance has no effect: the integrator 'naive' finds all light by its own rays\n");
+            "3: BPT_Irradiance has no effect: the integrator 'naive' does not use baked irradiance\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_RIS 8 2\nBPT_EM_Background sky.exr\n"),
-            "3: BPT_RIS has no effect: the integrator 'naive' samples no light\n");
+            "3: BPT_RIS has no effect: the integrator 'naive' does not sample lights\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Branches 3\n"),
             "3: BPT_Branches has no effect: the integrator 'naive' takes NSecRaysRoot^2\n");
   EXPECT_EQ(warnings_of("BPT_RayCasting true\nBPT_Depth 3\n"),
-            "3: BPT_Depth has no effect: BPT_RayCasting takes one ray a pixel\n");
+            "3: BPT_Depth has no effect: BPT_RayCasting traces one ray per pixel\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\n"), "2: BPT_RIS has no effect: no BPT_EM_Background is given\n");
 }
 
@@ -119,7 +119,7 @@ TEST_F(SchemeModel, KnowsWhatIsUnusedBeforeItIsGiven) {
   EXPECT_EQ(why(given, "BPT_Pdf_CDF_Res"), "");
   EXPECT_EQ(why(given, "BPT_EM_Projection"), "no BPT_EM_Background is given");
   EXPECT_EQ(why(given, "BPT_Depth"), "");
-  EXPECT_EQ(why(given, "BPT_Pixel_Radial"), "the integrator 'path' spreads its samples by itself");
+  EXPECT_EQ(why(given, "BPT_Pixel_Radial"), "the integrator 'path' places its samples itself");
 }
 
 }  // namespace
