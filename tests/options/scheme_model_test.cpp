@@ -85,10 +85,9 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
             "3: BPT_Pdf_LobeExponent has no effect: the scheme 'adaptive' does not use it\n"
             "4: BPT_Pdf_Factors_JK has no effect: the scheme 'adaptive' does not use it\n"
             "5: BPT_Pdf_Factors_File has no effect: the scheme 'adaptive' does not use it\n");
-  EXPECT_EQ(
-      warnings_of("BPT_QT_avgnmax 2\n"),
-      "2: BPT_QT_avgnmax has no effect: no BPT_Pdf_Name is given, and the scene's schemes have their own "
-      "parameters\n");
+  EXPECT_EQ(warnings_of("BPT_QT_avgnmax 2\n"),
+            "2: BPT_QT_avgnmax has no effect: no BPT_Pdf_Name is given, so the parameters of the scene's "
+            "schemes apply\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\nBPT_EM_Projection backplate\n"),
             "3: BPT_EM_Projection has no effect: no BPT_EM_Background is given\n"
             "2: BPT_RIS has no effect: a backplate lights nothing\n");

@@ -32,24 +32,25 @@ struct EffectInfo {
 };
 
 constexpr std::array EffectInfos = {
-    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing, and stand where they are"},
-    EffectInfo{Effect::Environment, "environment", "the constant background in place of the image around"},
-    EffectInfo{Effect::Background, "background", "black in place of the constant one and of a backplate"},
+    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing, but still occlude"},
+    EffectInfo{Effect::Environment, "environment", "the constant background replaces the environment map"},
+    EffectInfo{Effect::Background, "background", "black replaces the constant background and a backplate"},
     EffectInfo{Effect::DiffuseInterreflection, "diffuse_interreflection",
-               "faces with neither a glossy nor a mirror part reflect only where they are seen by the eye, "
+               "faces with neither a glossy nor a specular part reflect light only where the eye sees them, "
                "directly or in mirrors"},
     EffectInfo{Effect::GlossyInterreflection, "glossy_interreflection", "the same for all other faces"},
-    EffectInfo{Effect::MirrorReflection, "mirror_reflection", "the Dirac part of BRDFs reflects nothing"},
+    EffectInfo{Effect::MirrorReflection, "mirror_reflection",
+               "the specular (Dirac delta) part of BRDFs reflects nothing"},
     EffectInfo{Effect::Anisotropy, "anisotropy",
-               "the directions of lobes follow neither texture coordinates nor the axis of the object, but "
-               "the scene's axes"},
-    EffectInfo{Effect::Textures, "textures", "white: the colour of the face"},
-    EffectInfo{Effect::VertexColours, "vertex_colours", "white: the colour of the face"},
-    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals", "the normals of the polygons"},
+               "tangents follow the scene's axes instead of texture coordinates or the axis of the object"},
+    EffectInfo{Effect::Textures, "textures", "the face has its own colour only"},
+    EffectInfo{Effect::VertexColours, "vertex_colours", "the face has its own colour only"},
+    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals", "flat shading by the polygons' normals"},
     EffectInfo{Effect::MeasuredData, "measured_data",
-               "the diffuse BRDF of faces that have none, in place of each that reads a file"},
-    EffectInfo{Effect::Irradiance, "irradiance", "light that is estimated, as without BPT_Irradiance"},
-    EffectInfo{Effect::Instances, "instances", "a copy of the triangles for each place; the image stays"},
+               "the default diffuse BRDF replaces each BRDF that reads a file"},
+    EffectInfo{Effect::Irradiance, "irradiance",
+               "light is estimated by path tracing, as without BPT_Irradiance"},
+    EffectInfo{Effect::Instances, "instances", "each instance has its own triangles; the image is the same"},
 };
 
 constexpr std::string_view name_of(Effect effect) {
