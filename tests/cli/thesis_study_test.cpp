@@ -201,7 +201,7 @@ TEST(ThesisStudy, WritesWholeFiles) {
 TEST(ThesisStudy, SaysWhenItsCommandLineIsBad) {
   const auto outcome = test::run({GRANADA_BIN_DIR "/thesis_study", "--only", "phonk"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err.find("There is no scene or BRDF 'phonk' in the study: cornell_box"), 0U)
+  EXPECT_EQ(outcome.err.find("error: --only: found 'phonk', expected scenes or BRDFs: cornell_box"), 0U)
       << outcome.err;
 }
 
