@@ -23,8 +23,7 @@ using grf::ExitCode;
 using reflectance::ScatterSample;
 using reflectance::Vec3f;
 
-/// Writes samples as JSON. `pdfs` and `values` leave out the specular (delta) part, whose pdf is written as
-/// 0.
+/// Writes samples as JSON. `pdfs` and `values` leave out the specular (delta) part, with 0 as its pdf.
 nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
   auto directions = nlohmann::ordered_json::array();
   auto densities = nlohmann::ordered_json::array();
@@ -74,8 +73,7 @@ std::string renamed(const std::string& data_file, const grf::SourceLocation& nam
   return error ? path : relative.generic_string();
 }
 
-/// Makes a FIT file. Values are means of f over RGB, so that the points lie on the BRDF's plot; the specular
-/// part is left out.
+/// Makes a FIT file of non-specular samples. Values are means of f over RGB, to lie on the BRDF's plot.
 plot::FitFile fit_of(const SampledInstance& instance, const Angles& view, const DrawnSamples& drawn,
                      const std::string& path) {
   plot::FitFile fit;

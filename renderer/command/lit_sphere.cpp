@@ -19,8 +19,7 @@ constexpr int SamplesOfASubpixel = 24;
 constexpr float WindowRadiance = 12;
 constexpr float HalfWindow = 0.28F;  // half the side length, at distance 1
 
-/// Returns the direction to the window's centre: up, left and in front. x is to the right, y up, z towards
-/// the eye.
+/// Returns the direction to the window's centre: up, left and in front. x points right, y up, z to the eye.
 const Vec3f& to_window() {
   static const Vec3f direction = Vec3f(-0.55F, 0.65F, 0.6F).normalized();
   return direction;

@@ -70,8 +70,7 @@ class OpReader {
   void report_unknown(const std::vector<OpWord>& words, const grf::SourceLocation& place) {
     std::vector<std::string> keys;
     for (const OptionInfo& option : option_table()) keys.emplace_back(option.key);
-    // A key may be written with spaces: try all words up to the first number, and keep the longest near
-    // match.
+    // A key may be written with spaces: of the words up to a number, keep the longest that is near a key.
     std::string suggestion;
     std::string named = words[0].text;
     std::string key;

@@ -1,4 +1,4 @@
-// `bpt brdf sample`, and `bpt brdf plot --pdf`.
+// Tests of `bpt brdf sample` and `bpt brdf plot --pdf`.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -57,7 +57,7 @@ TEST_F(BptBrdfSample, CountsWhatCarriesNothing) {
   EXPECT_TRUE(black["directions"].empty());
 }
 
-// No number is the density of a direction that has a share of its own.
+// A specular (delta) direction has no finite pdf.
 TEST_F(BptBrdfSample, MarksTheMirrorDirectionByDensityZero) {
   const auto result =
       json({"sample", "specular ks=0.7", "--pdf", "specular", "--u", "0.6,0", "--count", "3"});
@@ -174,14 +174,15 @@ TEST_F(BptBrdfPlotOfSampling, HasARowForEachView) {
 
 TEST_F(BptBrdfPlotOfSampling, NamesItsColumns) {
   const auto svg = picture({"ward", "--pdf", "diffuse", "--u", "1"});
-  for (const char* words : {"Pdf and 1000 samples", "on the unit disc, per projected solid angle", "f cos / albedo",
-                            "the ideal pdf, in the same colours", "In the plane of incidence", "Weights f cos / pdf",
-                            "1 for perfect importance sampling"}) {
+  for (const char* words :
+       {"Pdf and 1000 samples", "on the unit disc, per projected solid angle", "f cos / albedo",
+        "the ideal pdf, in the same colours", "In the plane of incidence", "Weights f cos / pdf",
+        "1 for perfect importance sampling"}) {
     EXPECT_TRUE(says(svg, words)) << words;
   }
 }
 
-// A dark ring on a white one, which is wider, so that it is seen on all colours.
+// The view is marked by a dark ring on a wider white one, which is visible on all colours.
 TEST_F(BptBrdfPlotOfSampling, MarksTheView) {
   const auto svg = picture({"ward", "--pdf", "diffuse", "--u", "0.5,1"});
   std::vector<std::string> rings;
@@ -212,7 +213,7 @@ TEST_F(BptBrdfPlotOfSampling, TellsAPerfectScheme) {
               says(svg, "largest 1, mean 1.000"));
 }
 
-// All weights are 1: the steps of the histogram have one, about the line at 1.
+// All weights are 1, so the histogram has one non-empty bin, around the line at 1.
 TEST_F(BptBrdfPlotOfSampling, HasAHistogramOfWeights) {
   const auto svg = picture({"diffuse kd=0.8", "--pdf", "diffuse", "--u", "1"});
   int histograms = 0;

@@ -1,4 +1,4 @@
-// The commands `bpt brdf`, as their users meet them.
+// Tests of the command line of `bpt brdf`.
 #include "tests/cli/bpt_brdf.h"
 
 #include <algorithm>

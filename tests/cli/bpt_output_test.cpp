@@ -1,4 +1,4 @@
-// The images that `bpt render` leaves, and where.
+// Tests of the image files of `bpt render`, and where they are written.
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -148,7 +148,7 @@ TEST_F(BptOutput, IsRefusedBeforeTheRenderWhereItCannotBe) {
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
-/// Where a message says that the image was kept.
+/// Returns the fallback path of the image that a message names.
 std::string kept_in(const std::string& message) {
   const std::string start = "the image was kept as '";
   const std::size_t at = message.find(start);
@@ -178,7 +178,7 @@ TEST_F(BptOutput, IsKeptElsewhereIfItsFolderIsGone) {
 }
 
 TEST_F(BptOutput, IsKeptElsewhereIfTheDiskIsFull) {
-  // A file system of its own that is too small, which needs no rights but those over one's own name space.
+  // A separate file system that is too small, which needs no rights except in a private name space.
   const std::vector<std::string> alone = {"/usr/bin/unshare", "--user", "--map-root-user", "--mount"};
   std::vector<std::string> probe = alone;
   probe.emplace_back("/bin/true");
@@ -202,8 +202,8 @@ TEST_F(BptOutput, IsKeptElsewhereIfTheDiskIsFull) {
   EXPECT_EQ(read(kept).width, 64);
 }
 
-// The limit is on all files of the program, so nothing can be kept; but it comes to an end that says so, and
-// leaves what was there.
+// The limit applies to all files of the program, so no image can be written; but `bpt` reports this, and the
+// older file stays.
 TEST_F(BptOutput, IsNotTheEndOfTheProgramOverAFileSizeLimit) {
   const std::string output = write("image.pfm", "the older one");
   const Outcome outcome = test::run({"/bin/sh", "-c",

@@ -1,4 +1,4 @@
-// What `bpt render` does with its options, and what it says.
+// Tests of the options and messages of `bpt render`.
 #include "tests/cli/bpt.h"
 
 #include <filesystem>

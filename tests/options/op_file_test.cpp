@@ -17,7 +17,7 @@ class OpFile : public testing::Test {
     return options::read_op_file(folder_.add("test.op", text), diagnostics_);
   }
 
-  /// What is said of a text that is wrong, without the path.
+  /// Returns the error messages of an invalid text, without the path.
   std::string errors_of(const std::string& text) {
     EXPECT_FALSE(read(text));
     std::string errors = diagnostics_.to_text();
@@ -154,7 +154,7 @@ TEST_F(OpFile, AsksForAScene) {
 }
 
 TEST_F(OpFile, TakesTheOpFileOfTheThesis) {
-  // Table 6.1: its keys lost their underscores in print.
+  // Table 6.1 of the thesis, whose keys lost their underscores in print.
   const auto read_options = read(
       "BPT Scene escena.grf\nBPT Image Resolution 500 400\nBPT Output Image buzon.exr\n"
       "BPT Viewer 0.5 0.5 1\nBPT VLook 0.5 0.1 0\nBPT Pixel Radial false\nBPT Pixel Random true\n"

@@ -19,7 +19,7 @@ class SchemeModel : public testing::Test {
     return read_options.value_or(RenderOptions());
   }
 
-  /// The scheme as a scene would write it, of which everything is used.
+  /// Returns the scheme as a PDF of a scene; all its options must be used.
   std::string scheme_of(const std::string& text) {
     diagnostics_ = {};
     const RenderOptions read_options = read(text);
@@ -107,7 +107,7 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\n"), "2: BPT_RIS has no effect: no BPT_EM_Background is given\n");
 }
 
-// A form disables what would have no effect, before it is given.
+// Forms disable options that have no effect, whether or not they are given.
 TEST_F(SchemeModel, KnowsWhatIsUnusedBeforeItIsGiven) {
   const auto why = [](const RenderOptions& given, std::string_view key) {
     return options::why_unused(given, *options::find_option(key)).value_or("");

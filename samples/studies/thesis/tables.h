@@ -9,8 +9,8 @@
 
 namespace study {
 
-/// Returns whether a BRDF of table 5.5, or of a material, has a glossy lobe. Images with several BRDFs count
-/// as glossy.
+/// Returns whether a BRDF of table 5.5, or of a material, is glossy. Images with several BRDFs count as
+/// glossy.
 bool is_glossy(std::string_view brdf);
 
 /// The content of a table over sample counts.
