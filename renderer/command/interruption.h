@@ -9,7 +9,7 @@
 namespace command {
 
 /// Handles SIGINT and SIGTERM for its lifetime. During a render the first signal stops it, so that the image
-/// so far can be written; before a render, and the second time, the program exits at once with code 130.
+/// so far can be written; before a render, and at the second signal, the program exits with code 130.
 ///
 /// The signals are blocked in all threads started meanwhile, and one thread waits for them, so no system call
 /// is interrupted half done. SIGPIPE is blocked too: a reader that closed the pipe is no reason to lose an

@@ -81,7 +81,7 @@ struct RenderOptions : SchemeOptions {
   std::optional<IntegerPair> resampling;  ///< M and N of resampled importance sampling
   std::string integrator = "path";        ///< naive or path
   int depth = 5;                          ///< the most bounces of a path
-  int branches = 2;                       ///< split count at the first non-specular hit
+  int branches = 2;                       ///< directions from the first non-specular hit
   std::optional<int> samples;             ///< per pixel; see `samples_a_pixel`
   bool pixel_radial = false;
   bool pixel_random = true;
