@@ -33,7 +33,7 @@ plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
   draw(polar_lobe_chart(curves, {plot::Channel::Mean, true, false}), {{20, 50}, 460, 280}, svg);
   draw(lobe_chart(curves, {plot::Channel::Mean, false, true}), {{500, 50}, 460, 280}, svg);
   draw(albedo_chart(plot::albedo_curve(reflector, Samples)), {{20, 350}, 460, 290}, svg);
-  svg.text({562, 364}, "Sphere, lit by a bright window and a dim sky", {13, "#111", plot::Anchor::Start, 0});
+  svg.text({562, 364}, "Sphere, under a bright window and a dim sky", {13, "#111", plot::Anchor::Start, 0});
   svg.image({600, 385}, 220, 220, transport::encode_png({lit_sphere(reflector, SphereSide)}));
   return svg;
 }
