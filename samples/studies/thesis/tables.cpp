@@ -133,7 +133,7 @@ std::string material_times_table(const PrintedTable& printed, const Results& res
 
 std::string notes(const PrintedTable& printed) {
   std::string text;
-  for (const std::string& note : printed.notes) text += "- Misprint: " + note + "\n";
+  for (const std::string& note : printed.notes) text += "- In print: " + note + "\n";
   return text.empty() ? text : "\n" + text;
 }
 
