@@ -13,14 +13,14 @@ find_package(Boost REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(embree 3 REQUIRED)
 find_package(assimp REQUIRED)
-# Its CMake file names static libraries that the shared one has inside already. One of them, Draco, holds an older
-# tinygltf under the same names, which would take the place of the one that is meant.
+# Assimp's CMake file names static libraries that its shared library already contains. One of them, Draco, contains an
+# older tinygltf with the same symbols, which would replace ours.
 set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
 find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
-# The editor alone needs these: without Qt, all else is built and tested.
+# Only the editor needs these: without Qt, everything else is built and tested.
 find_package(Qt6 6.4 COMPONENTS Concurrent Network OpenGLWidgets PrintSupport Svg Test Widgets)
 if(Qt6_FOUND)
   find_package(QCustomPlotQt6 REQUIRED)

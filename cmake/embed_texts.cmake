@@ -1,5 +1,5 @@
 # cmake -D OUTPUT=file.cpp -D "FILES=a;b" -P embed_texts.cmake
-# Writes the contents of files, by their names without endings, as the table that glsl_texts.h declares.
+# Writes the contents of files as the table that glsl_texts.h declares, keyed by file name without extension.
 set(rows "")
 foreach(file IN LISTS FILES)
   get_filename_component(name ${file} NAME_WE)

@@ -1,24 +1,24 @@
-# What every target is compiled with: link granada_options.
+# Every target links granada_options for its compile options.
 add_library(granada_options INTERFACE)
 target_include_directories(granada_options INTERFACE ${PROJECT_SOURCE_DIR})
 
-# One stated baseline and no contraction or fast-math, so that an image depends on its seed alone and not on
-# what the compiler makes of an expression on one machine. Embree picks its own instruction set at run time.
+# One fixed x86-64 baseline without floating-point contraction or fast-math, so that an image depends only on its
+# seed and not on the machine. Embree picks its own instruction set at run time.
 target_compile_options(granada_options INTERFACE
   -march=x86-64-v3 -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
 
-# g++ 12 sees uninitialised members in copies of std::variant and std::optional that have none, and copies that
-# overlap in sums of std::string (GCC bug 105651). It takes the files of a unit for headers, in which types must not
-# hold what is in an unnamed namespace.
+# g++ 12 has false warnings of uninitialised members in copies of std::variant and std::optional, and of overlapping
+# copies in concatenations of std::string (GCC bug 105651). In unity builds it takes source files for headers, in which
+# types must not have members from an unnamed namespace.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(granada_options INTERFACE
     -Wno-maybe-uninitialized -Wno-restrict -Wno-subobject-linkage)
 endif()
 
-# A folder that asks for this is built in two thirds of the time: of use for what runs a few times a command. Where
-# files are read and written -O3 gains a few per cent, where rays are traced far more.
-# With RELEASE, builds for debugging and for sanitizers keep their own optimisation: of use where tests of large files
+# Compiles a folder with little optimisation, in two thirds of the time, for code that runs a few times per command. -O3
+# gains a few per cent in reading and writing files, and far more in ray tracing.
+# With RELEASE, builds for debugging and with sanitizers keep their own optimisation, where tests of large files would
 # take longer than the compiler saves.
 macro(granada_optimise_little)
   string(APPEND CMAKE_CXX_FLAGS_RELEASE " -O1")
@@ -27,16 +27,16 @@ macro(granada_optimise_little)
   endif()
 endmacro()
 
-# The linker lld takes less time than ld, which counts where there are many programs.
+# The linker lld is faster than ld, which matters with many programs.
 target_link_options(granada_options INTERFACE -fuse-ld=lld)
 
 if(GRANADA_SANITIZERS)
   add_compile_definitions(GRANADA_HAS_SANITIZERS)
-  # Of folders, so that tests can do without (tests/CMakeLists.txt).
+  # Options of folders, so that tests can disable them (tests/CMakeLists.txt).
   add_compile_options(-fsanitize=${GRANADA_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${GRANADA_SANITIZERS})
   if(GRANADA_SANITIZERS MATCHES address)
-    # AddressSanitizer finds accesses through null and past an object itself: these take a fifth of the build.
+    # AddressSanitizer itself finds null and out-of-bounds accesses; these checks take a fifth of the build time.
     add_compile_options(-fno-sanitize=null,object-size,vptr)
   endif()
   if(GRANADA_SANITIZERS MATCHES thread)

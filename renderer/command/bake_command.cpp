@@ -27,10 +27,10 @@ using transport::Bake;
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
-/// Whether the result can be kept, as far as can be told before there is one.
+/// Checks before a bake, as far as possible, that its result can be written.
 bool can_write(const std::string& output, const RenderOptions& render_options, Diagnostics& diagnostics) {
   if (!grf::is_igrf_name(output)) {
-    diagnostics.error(grf::whole_file(output), "expected the name of an IGRF file, which ends in '.igrf'");
+    diagnostics.error(grf::whole_file(output), "expected the name of an IGRF file, ending in '.igrf'");
     return false;
   }
   const std::string& checkpoint = render_options.checkpoint;
@@ -54,23 +54,23 @@ void warn(const Bake& bake, const transport::BakedScene& baked, const std::strin
   const grf::SourceLocation file = grf::whole_file(scene);
   if (baked.copies > 0) {
     diagnostics.warning(file,
-                        fmt::format("{} meshes are placed by 'use' more than once; what arrives differs "
-                                    "from place to place, so {} copies of them are written out",
+                        fmt::format("{} meshes are placed by 'use' more than once; the irradiance of each "
+                                    "instance differs, so {} copies of them are written",
                                     baked.shared_meshes, baked.copies));
   }
   if (const std::size_t without = bake.vertex_count() - bake.value_count(); without > 0) {
-    diagnostics.warning(file, fmt::format("{} vertices have no irradiance, because they have no face with "
-                                          "area, or because there was no time for them",
+    diagnostics.warning(file, fmt::format("{} vertices have no irradiance: they have no face with area, or "
+                                          "the bake was stopped before them",
                                           without));
   }
   if (const std::uint64_t rejected = bake.totals().rejected; rejected > 0) {
-    diagnostics.warning(file, fmt::format("{} samples were not finite and count as black; the first vertex "
-                                          "that has one is number {}",
+    diagnostics.warning(file, fmt::format("{} samples were not finite (NaN or infinite) and count as black; "
+                                          "the first is at vertex {}",
                                           rejected, bake.totals().first_rejected));
   }
 }
 
-/// The irradiance depends on no observer, but a file with irradiance says for whom it is.
+/// Writes the baked scene. An IGRF file names its observer, though irradiance does not depend on one.
 bool keep(const Bake& bake, job::BakeJob& job, const std::string& scene, const std::string& output) {
   Diagnostics diagnostics;
   transport::BakedScene baked = transport::with_irradiance(std::move(job.scene), bake);
@@ -95,7 +95,7 @@ void print_summary(const Bake& bake, const BakeArguments& arguments) {
   const bool has_lines = arguments.progress == "json";
   if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
   if (arguments.json || has_lines) return;
-  fmt::print("{}: irradiance at {} vertices, {:.4g} samples a vertex, in {}\n", arguments.output,
+  fmt::print("{}: irradiance at {} vertices, {:.4g} samples per vertex, in {}\n", arguments.output,
              bake.value_count(), bake.samples_per_vertex(), duration_text(bake.totals().seconds));
   if (error) fmt::print("  estimated error {:.2f} %\n", 100 * *error);
 }
@@ -106,7 +106,7 @@ ExitCode bake(const BakeArguments& arguments) {
   std::optional<job::BakeJob> job;
   std::optional<transport::BakePoints> points;
   std::optional<Bake> bake;
-  Interruption interruption;  // ends before the bake that it stops
+  Interruption interruption;  // destroyed before the bake that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   if (render_options) {
@@ -118,7 +118,7 @@ ExitCode bake(const BakeArguments& arguments) {
   if (job) points.emplace(job->scene, job->compiled, job->settings.threads);
   if (points && points->count() == 0) {
     diagnostics.error(grf::whole_file(render_options->scene),
-                      "the scene has no mesh, and lights get no irradiance");
+                      "the scene has no mesh to bake; lights get no irradiance");
   }
   print(diagnostics);
   if (!job || points->count() == 0) return ExitCode::BadInput;

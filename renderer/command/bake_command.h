@@ -7,18 +7,18 @@
 
 namespace command {
 
-/// What `bpt bake` was told.
+/// The command line of `bpt bake`.
 struct BakeArguments {
   std::string scene;  ///< an OP file, or a GRF scene
   std::string output;
   OptionFlags flags;
-  int directions = 0;  ///< 0: one value a vertex
+  int directions = 0;  ///< per vertex; 0: one irradiance value per vertex
   std::string progress = "bar";
   bool json = false;
 };
 
-/// Estimates the irradiance at the vertices of a scene and writes both as one IGRF file. SIGINT and SIGTERM
-/// end it early with what there is.
+/// Bakes the irradiance at the vertices of a scene and writes both as one IGRF file. SIGINT and SIGTERM stop
+/// the bake early; the estimate so far is written.
 grf::ExitCode bake(const BakeArguments& arguments);
 
 }  // namespace command

@@ -71,7 +71,7 @@ struct InterpolationError {
   double mean = 0;
 };
 
-/// Over directions up to 85 degrees from the normal: beyond, models rise without bound.
+/// Measures the error over directions up to 85 degrees from the normal: beyond, models are unbounded.
 InterpolationError interpolation_error(const reflectance::MerlTable& table, const Reflector& reflector) {
   constexpr std::uint32_t Count = 100'000;
   constexpr float LeastCosine = 0.0871557F;
@@ -117,7 +117,7 @@ nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
           {"not_continuous", model.not_continuous}};
 }
 
-/// The words on lines that a terminal shows unbroken.
+/// Wraps text to the width of a terminal.
 std::string wrapped(std::string_view words, std::string_view indent) {
   constexpr std::size_t Width = 100;
   std::string text;
@@ -197,10 +197,10 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
   Diagnostics diagnostics;
   std::string why_not;
   if (reflectance::is_anisotropic(reflector->brdf()))
-    why_not = "it is anisotropic, and the format is of isotropic ones";
-  if (reflectance::has_mirror(reflector->brdf())) why_not = "its mirror part is no finite value";
+    why_not = "it is anisotropic, and the MERL format holds isotropic BRDFs only";
+  if (reflectance::has_mirror(reflector->brdf())) why_not = "its specular (delta) part has no finite value";
   if (!why_not.empty())
-    diagnostics.error(grf::whole_file(arguments.output), "cannot write the BRDF: " + why_not);
+    diagnostics.error(grf::whole_file(arguments.output), "cannot export the BRDF: " + why_not);
   const auto value = [&](const Vec3f& u, const Vec3f& v) { return reflector->evaluate(u, v); };
   const auto table = why_not.empty() ? std::optional(reflectance::MerlTable(value)) : std::nullopt;
   const bool written = table && table->write(arguments.output, diagnostics);
@@ -213,7 +213,7 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
                                               {"mean_interpolation_error", error.mean}}
                            .dump());
   } else {
-    fmt::print("{}: between the cells, values are off by {:.2g} on average and {:.2g} at most, in 1/sr\n",
+    fmt::print("{}: the interpolation error is {:.2g} on average and {:.2g} at most, in 1/sr\n",
                arguments.output, error.mean, error.largest);
   }
   return ExitCode::Done;

@@ -14,7 +14,7 @@
 namespace command {
 namespace {
 
-/// A BRDF as data and as what can be evaluated.
+/// A BRDF as parsed, and made ready for evaluation.
 struct BrdfInstance {
   grf::BrdfModel model;
   reflectance::Brdf brdf;
@@ -61,7 +61,7 @@ std::optional<SampledInstance> sampled_instance_of(const std::string& text, cons
   return SampledInstance{instance->model, std::move(reflector), time.count()};
 }
 
-/// The result of a function that reads, once what it has to say is printed.
+/// Calls a function that reads, prints its diagnostics and returns its result.
 template <class Read>
 auto printed(const Read& read) {
   grf::Diagnostics diagnostics;

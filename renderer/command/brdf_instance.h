@@ -8,19 +8,19 @@
 
 namespace command {
 
-/// The BRDF that a text such as `ward sx=0.2` describes, or the file of that name holds, with its own
-/// sampler. After a mistake, which is printed, nothing.
+/// Reads a BRDF from a text such as `ward sx=0.2`, or from the file of that name, with its own sampler.
+/// Prints errors and then returns nothing.
 std::optional<reflectance::Reflector> read_instance(const std::string& instance);
 
-/// A BRDF with a scheme, and the time that its tables took to make.
+/// A BRDF with a sampling scheme.
 struct SampledInstance {
   grf::BrdfModel model;
   reflectance::Reflector reflector;
-  double build_seconds = 0;
+  double build_seconds = 0;  ///< build time of the scheme's tables
 };
 
-/// The BRDF with the scheme that a text such as `hemisphere exp=20` describes. After a mistake in either, or
-/// if the scheme refuses the BRDF, nothing; why is printed.
+/// Reads a BRDF and a sampling scheme from texts such as `ward sx=0.2` and `hemisphere exp=20`. Prints errors
+/// in either, or why the scheme does not support the BRDF, and then returns nothing.
 std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf);
 
 }  // namespace command

@@ -7,8 +7,8 @@
 
 namespace command {
 
-/// A BRDF in four views: polar and cartesian in the plane of incidence for several view angles, its albedo
-/// over the view angle, and a sphere of it under a bright window.
+/// Plots a BRDF in four panels: polar and cartesian in the plane of incidence for several view angles, albedo
+/// over the view angle, and a sphere lit by a bright window.
 plot::Svg picture_of(const reflectance::Reflector& reflector, const std::string& title);
 
 }  // namespace command

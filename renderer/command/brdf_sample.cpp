@@ -23,7 +23,7 @@ using grf::ExitCode;
 using reflectance::ScatterSample;
 using reflectance::Vec3f;
 
-/// `pdfs` and `values` are without the mirror part, whose density no number gives: 0 stands for it.
+/// Writes samples as JSON. `pdfs` and `values` leave out the specular (delta) part, with 0 as its pdf.
 nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
   auto directions = nlohmann::ordered_json::array();
   auto densities = nlohmann::ordered_json::array();
@@ -46,14 +46,14 @@ nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, 
           {"bytes", instance.reflector.bytes()}};
 }
 
-/// Comments and columns, as plotting programs take them.
+/// Prints comments and columns, the input of plotting programs.
 void print_text(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
-  fmt::print("# {} directions and {} samples that carry nothing\n", drawn.samples.size(), drawn.rejected);
-  fmt::print("# built in {:.3g} s, {} bytes of tables, {:.3g} % of the samples by cosine\n",
+  fmt::print("# {} directions and {} rejected samples\n", drawn.samples.size(), drawn.rejected);
+  fmt::print("# built in {:.3g} s, {} bytes of tables, {:.3g} % of the samples cosine-weighted\n",
              instance.build_seconds, instance.reflector.bytes(), 100 * instance.reflector.cosine_share());
-  fmt::print("# drawn in {:.3g} s, {:.0f} ns a sample\n", drawn.seconds,
+  fmt::print("# sampled in {:.3g} s, {:.0f} ns per sample\n", drawn.seconds,
              1e9 * drawn.seconds / static_cast<double>(drawn.count()));
-  fmt::print("# x y z, density in 1/sr (0: the mirror direction), f in 1/sr as red green blue\n");
+  fmt::print("# x y z, pdf in 1/sr (0: specular), f in 1/sr as red green blue\n");
   for (const ScatterSample& sample : drawn.samples) {
     const Vec3f& v = sample.direction;
     const reflectance::Rgb f = instance.reflector.evaluate(u, v);
@@ -61,7 +61,7 @@ void print_text(const SampledInstance& instance, const Vec3f& u, const DrawnSamp
   }
 }
 
-/// Of the same file, named in one of another folder.
+/// Rewrites a path to a data file relative to the folder of another file.
 std::string renamed(const std::string& data_file, const grf::SourceLocation& named_at,
                     const std::string& in) {
   namespace fs = std::filesystem;
@@ -73,7 +73,7 @@ std::string renamed(const std::string& data_file, const grf::SourceLocation& nam
   return error ? path : relative.generic_string();
 }
 
-/// Values are means of f over RGB, so that the points lie on the BRDF's own plot. The mirror part has none.
+/// Makes a FIT file of non-specular samples. Values are means of f over RGB, to lie on the BRDF's plot.
 plot::FitFile fit_of(const SampledInstance& instance, const Angles& view, const DrawnSamples& drawn,
                      const std::string& path) {
   plot::FitFile fit;

@@ -16,7 +16,7 @@ using grf::Diagnostics;
 using grf::ExitCode;
 using transport::ImageError;
 
-/// Nothing after an error.
+/// Returns nothing after an error.
 std::optional<ImageError> compare(const CompareArguments& arguments, Diagnostics& diagnostics) {
   const auto image = transport::read_image(arguments.image, diagnostics);
   const auto reference = transport::read_image(arguments.reference, diagnostics);

@@ -6,14 +6,14 @@
 
 namespace command {
 
-/// What `bpt compare` was told.
+/// The command line of `bpt compare`.
 struct CompareArguments {
   std::string image;
   std::string reference;
   bool json = false;
 };
 
-/// Prints how far an image is from a reference of the same size. Images that differ are no error.
+/// Prints the error metrics of an image against a reference of the same size. A large error is no failure.
 grf::ExitCode compare(const CompareArguments& arguments);
 
 }  // namespace command

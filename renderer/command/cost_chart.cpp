@@ -14,7 +14,7 @@
 namespace command {
 namespace {
 
-/// The next power of ten, or two or five of them, outwards.
+/// Rounds outwards to 1, 2 or 5 times a power of ten.
 double round_outwards(double value, bool upwards) {
   constexpr std::array<double, 4> Factors = {1, 2, 5, 10};
   const double decade = std::pow(10, std::floor(std::log10(value)));
@@ -40,7 +40,7 @@ void fit_ends(plot::Axis& axis, const std::vector<plot::Series>& series, double 
   axis.maximum = round_outwards(high, true);
 }
 
-/// Lines that differ by the integrator alone have one colour, and those of `naive` have dashes.
+/// The style of a line. Lines that differ only by the integrator share a colour; `naive` is dashed.
 struct Style {
   std::string_view colour;
   std::string_view dashes;
@@ -98,7 +98,7 @@ plot::Svg cost_chart(const CostResult& result) {
       fmt::format("{}, {}x{} pixels, {} thread{}", std::filesystem::path(result.scene).filename().string(),
                   result.width, result.height, result.threads, result.threads == 1 ? "" : "s");
   const plot::Chart over_samples = chart_of(
-      result, "samples a pixel", [](const CostRow& row) { return static_cast<double>(row.samples); });
+      result, "samples per pixel", [](const CostRow& row) { return static_cast<double>(row.samples); });
   draw(over_time, {{10, 10}, width, ChartHeight}, svg);
   draw(over_samples, {{20 + width, 10}, width, ChartHeight}, svg);
   return svg;

@@ -5,7 +5,7 @@
 
 namespace command {
 
-/// The error over the time, and over the samples: a line each, as the thesis' figures 5.9 to 5.16.
+/// Charts the error over render time, and over samples per pixel, as the thesis' figures 5.9 to 5.16.
 plot::Svg cost_chart(const CostResult& result);
 
 }  // namespace command

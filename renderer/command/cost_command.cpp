@@ -31,13 +31,13 @@ using transport::PixelPlacing;
 
 bool is_naive(const CostLine& line) { return line.options.integrator == "naive"; }
 
-/// Makes what is rendered of lines; those that need the same tables share a compiled scene.
+/// Makes the subjects of lines; lines that need the same tables share a compiled scene.
 class Subjects {
  public:
   Subjects(const grf::Scene& scene, bool has_centred_rays, Diagnostics& diagnostics)
       : scene_(scene), has_centred_rays_(has_centred_rays), diagnostics_(diagnostics) {}
 
-  /// Nothing after an error.
+  /// Returns nothing after an error.
   std::optional<CostSubject> of(const CostLine& line) {
     auto compile_settings = job::compile_settings_of(line.options, diagnostics_);
     if (!compile_settings) return std::nullopt;
@@ -70,12 +70,12 @@ class Subjects {
   bool has_centred_rays_;
   Diagnostics& diagnostics_;
   std::map<std::string, std::shared_ptr<const CompiledScene>> compiled_;
-  // What surrounds all lines alike, read once.
+  // Shared by all lines, so read once.
   std::shared_ptr<const transport::EnvironmentMap> environment_;
   std::shared_ptr<const transport::Image> backplate_;
 };
 
-/// The line of the reference: `path` with the best scheme of each BRDF, Sobol points, and the greatest depth.
+/// Returns the reference's line: `path`, the best scheme of each BRDF, Sobol points and the greatest depth.
 CostLine reference_line(const std::vector<CostLine>& lines, const RenderOptions& of_scene) {
   CostLine line;
   line.name = "reference";
@@ -90,7 +90,7 @@ CostLine reference_line(const std::vector<CostLine>& lines, const RenderOptions&
   return line;
 }
 
-/// What stays of the options of a single render: how much is rendered is the sweep's business.
+/// Clears the options that limit a single render: the sweep sets the sample counts.
 RenderOptions for_sweep(RenderOptions render_options) {
   render_options.samples.reset();
   render_options.target_error.reset();
@@ -105,7 +105,7 @@ bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& rend
   const auto scene = job::read_scene(render_options, diagnostics);
   if (!scene) return false;
   Subjects subjects(*scene, std::any_of(lines.begin(), lines.end(), is_naive), diagnostics);
-  // The first one that is made takes longer, with the start of threads: that is to be no line's.
+  // The first compilation takes longer, because threads start: no line is to be charged for that.
   auto reference = subjects.of(reference_line(lines, render_options));
   if (!reference) return false;
   plan.reference = std::move(*reference);
@@ -124,22 +124,21 @@ bool read_reference(const std::string& path, const options::ImageSize& size, Cos
   if (!plan.given) return false;
   if (plan.given->width == size.width && plan.given->height == size.height) return true;
   diagnostics.error(grf::whole_file(path),
-                    fmt::format("the reference has {} x {} pixels, expected {} x {} as the renders have",
+                    fmt::format("the reference has {} x {} pixels, expected {} x {}, the size of the renders",
                                 plan.given->width, plan.given->height, size.width, size.height));
   return false;
 }
 
-/// Of `naive`, each ray from the eye has as many secondary rays.
+/// Checks that sample counts of `naive` are multiples of its camera rays per pixel.
 bool can_divide(const std::vector<CostLine>& lines, const std::vector<int>& samples) {
   for (const CostLine& line : lines) {
     const int rays = line.options.pixel_samples.first * line.options.pixel_samples.second;
     for (const int count : samples) {
       if (!is_naive(line) || count % rays == 0) continue;
-      fmt::print(
-          stderr,
-          "error: --samples: {} is not expected with naive: multiples of {}, the rays from the eye for a "
-          "pixel (BPT_Pixel_SampleRes)\n",
-          count, rays);
+      fmt::print(stderr,
+                 "error: --samples: found {}, expected multiples of {} for naive, its camera rays per pixel "
+                 "(BPT_Pixel_SampleRes)\n",
+                 count, rays);
       return false;
     }
   }
@@ -227,7 +226,7 @@ int reference_samples_of(const CostArguments& arguments, int most_samples) {
 
 ExitCode cost(const CostArguments& arguments) {
   std::optional<CostSweep> sweep;
-  Interruption interruption;  // ends before the sweep that it stops
+  Interruption interruption;  // destroyed before the sweep that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   if (!render_options) {

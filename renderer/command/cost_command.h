@@ -8,22 +8,22 @@
 
 namespace command {
 
-/// What `bpt cost` was told.
+/// The command line of `bpt cost`.
 struct CostArguments {
   std::string scene;  ///< an OP file, or a GRF scene
-  OptionFlags flags;  ///< of all renders
+  OptionFlags flags;  ///< that all renders have in common
   Sweeps sweeps;
   std::string samples = "4,16,64,256";
-  std::string reference;      ///< path of an image; empty: it is rendered
-  int reference_samples = 0;  ///< 0: 16 times the most samples of the sweep
+  std::string reference;      ///< path of an image; empty: the reference is rendered
+  int reference_samples = 0;  ///< samples per pixel; 0: 16 times the most of the sweep
   int rounds = 2;
   std::string output;            ///< BASE; empty: the scene's name with -cost
   std::string progress = "bar";  ///< or `json`, or `none`
   bool json = false;
 };
 
-/// Renders a scene over and over, and writes what accuracy costs: a table, a picture and the fitted curves.
-/// SIGINT and SIGTERM end it early with the rows so far.
+/// Measures error against render time over a sweep of sample counts and settings, and writes a table, a chart
+/// and fitted curves. SIGINT and SIGTERM stop it early; the rows so far are written.
 grf::ExitCode cost(const CostArguments& arguments);
 
 }  // namespace command

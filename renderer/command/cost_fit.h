@@ -1,4 +1,4 @@
-// Curves through measured errors.
+// Power laws are fitted to measured errors.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace command {
 
-/// What was measured of one line of a sweep at one number of samples.
+/// A measurement of one line of a sweep at one sample count.
 struct CostPoint {
   double samples = 0;
-  double seconds = 0;  ///< of rendering
+  double seconds = 0;  ///< render time, without building tables
   double relmse = 0;
 };
 
@@ -20,22 +20,22 @@ struct PowerLaw {
   double exponent = 0;
 
   double at(double x) const;
-  /// Where y has that value; nothing if y does not fall.
+  /// Returns the x at which y has this value; nothing if y does not fall.
   std::optional<double> where(double y) const;
 };
 
-/// By least squares of the logarithms; nothing without two different x. All numbers must be over 0.
+/// Fits by least squares of the logarithms; nothing without two different x. All numbers must be over 0.
 std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const double> y);
 
-/// How the error, sqrt(relMSE), falls.
+/// The fitted convergence of the error, sqrt(relMSE).
 struct CostFit {
   std::optional<PowerLaw> over_seconds;
   std::optional<PowerLaw> over_samples;
-  std::vector<CostPoint> used;  ///< the points that counted
+  std::vector<CostPoint> used;  ///< the points that entered the fits
 };
 
-/// The reference's own error is taken off, by its relMSE, and only points with four times as much as that or
-/// more count.
+/// Fits the error after subtracting the reference's relMSE from each point's. Points with less than four
+/// times the reference's relMSE are left out.
 CostFit fit_cost(std::span<const CostPoint> points, double reference_relmse);
 
 }  // namespace command

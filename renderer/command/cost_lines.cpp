@@ -19,13 +19,13 @@ namespace {
 
 using options::RenderOptions;
 
-/// How an axis sets an option.
+/// The option that an axis sets.
 struct AxisOption {
   std::string_view flag;
   std::string_view key;
-  std::string_view scheme;     ///< that it belongs to; empty: none
-  std::string_view name_text;  ///< of a line, with {} for the value
-  std::string_view mode = {};  ///< of the scheme, where only one uses it
+  std::string_view scheme;     ///< the only scheme that uses it; empty: any
+  std::string_view name_text;  ///< format of a line's name, with {} for the value
+  std::string_view mode = {};  ///< the only mode of the scheme that uses it; empty: any
 };
 
 constexpr std::string_view PdfFlag = "--pdf";
@@ -50,7 +50,7 @@ std::vector<std::string> words_of(const options::OptionInfo& option, const std::
 
 void join(std::string& name, const std::string& part) { name += (name.empty() ? "" : ", ") + part; }
 
-/// The scheme of a line: as written, with what the options say of it besides.
+/// Returns the scheme of a line as given, completed by the options of that scheme.
 std::optional<grf::PdfModel> complete_scheme(const CostLine& line) {
   auto model = options::scheme_model(line.options);
   if (!model || !line.scheme) return model;
@@ -68,7 +68,7 @@ bool check_scheme(const grf::PdfModel& model, grf::Diagnostics& diagnostics) {
   return grf::check(model, reflectance::scheme_infos(), "PDF", diagnostics);
 }
 
-/// Sets the scheme that a word of the option, or a text as a scene has it, names.
+/// Sets the scheme of a line from a word of BPT_Pdf_Name or from the text of a PDF.
 bool set_scheme(const std::string& text, CostLine& line) {
   line.pdf = text;
   const options::OptionInfo& option = *options::find_option("BPT_Pdf_Name");
@@ -92,14 +92,14 @@ bool belongs_to(const AxisOption& axis, const CostLine& line) {
          });
 }
 
-/// What `--pdf` would have to be for the axes that were given; empty: anything.
+/// Returns the `--pdf` that the given axes imply; empty: any.
 std::string implied_scheme(const Sweeps& sweeps) {
   std::string implied;
   for (const AxisOption& axis : AxisOptions) {
     if (axis.scheme.empty() || sweeps.count(std::string(axis.flag)) == 0) continue;
     const std::string scheme =
         axis.mode.empty() ? std::string(axis.scheme) : fmt::format("{} mode={}", axis.scheme, axis.mode);
-    // A mode says more than the scheme alone.
+    // A scheme with a mode is more specific.
     if (implied.empty() || scheme.starts_with(implied)) {
       implied = scheme;
     } else if (!implied.starts_with(scheme)) {
@@ -124,7 +124,7 @@ bool divide_by_scheme(const std::string& list, Lines& lines) {
   return true;
 }
 
-/// A copy of the line for each value.
+/// Appends a copy of the line per value.
 bool divide(const AxisOption& axis, const std::vector<std::string>& values, const CostLine& line,
             Lines& divided) {
   const options::OptionInfo& option = *options::find_option(axis.key);
@@ -151,19 +151,19 @@ bool divide(const AxisOption& axis, const std::string& list, Lines& lines) {
     if (!divide(axis, values, line, divided)) return false;
   }
   if (!has_use) {
-    return fail(axis.flag, fmt::format("no scheme of --pdf uses it, expected {}{}", axis.scheme,
+    return fail(axis.flag, fmt::format("no scheme in --pdf uses it, expected {}{}", axis.scheme,
                                        axis.mode.empty() ? "" : fmt::format(" mode={}", axis.mode)));
   }
   lines = std::move(divided);
   return true;
 }
 
-/// The same line twice would be a mistake.
+/// Reports duplicate lines.
 bool are_different(const Lines& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (!grf::same_keyword(lines[i].name, lines[k].name)) continue;
-      fmt::print(stderr, "error: '{}' is to be measured twice\n", lines[i].name);
+      fmt::print(stderr, "error: '{}' would be measured twice: remove the duplicate\n", lines[i].name);
       return false;
     }
   }
@@ -175,15 +175,14 @@ bool are_different(const Lines& lines) {
 const std::vector<SweepAxis>& sweep_axes() {
   static const std::vector<SweepAxis> axes = {
       {PdfFlag, "A,B,...",
-       "sampling schemes: words of the option, or texts as in a scene, such as \"hemisphere exp=50\""},
-      {"--integrator", "naive,path",
-       "integrators; with naive, all rays from the eye go through the middles of pixels"},
-      {"--depth", "1,2,...", "depths; the reference has the greatest, or the scene's if that is greater"},
-      {"--points", "sobol,independent", "random numbers"},
-      {"--precision", "float,double", "precisions of the BRDFs' formulas"},
-      {"--trees", "30,90,...", "quadtrees over theta, of Disk (adaptive)"},
-      {"--resolution", "64,256,...", "cells of the disc's grid along an edge, of \"adaptive mode=reject\""},
-      {"--factors", "2x1,4x4,...", "numbers J and K of factors, of Factored"},
+       "sampling schemes: words of BPT_Pdf_Name, or PDFs as in a scene, such as \"hemisphere exp=50\""},
+      {"--integrator", "naive,path", "integrators; with naive, all camera rays go through pixel centres"},
+      {"--depth", "1,2,...", "path depths; the reference has the greatest of these and the scene's"},
+      {"--points", "sobol,independent", "samplers"},
+      {"--precision", "float,double", "precisions of BRDF evaluation"},
+      {"--trees", "30,90,...", "numbers of quadtrees over theta, for Disk (adaptive)"},
+      {"--resolution", "64,256,...", "cells along an edge of the disc's grid, for \"adaptive mode=reject\""},
+      {"--factors", "2x1,4x4,...", "numbers of factors J and K, for Factored"},
   };
   return axes;
 }
@@ -231,7 +230,7 @@ std::optional<std::vector<int>> sample_counts(const std::string& list) {
     const bool is_number = error == std::errc() && end == word.data() + word.size() && count > 0;
     if (!is_number || (!counts.empty() && count <= counts.back())) {
       fail("--samples",
-           fmt::format("'{}' is not expected: whole numbers over 0 that grow, with commas", word));
+           fmt::format("found '{}', expected ascending whole numbers over 0, separated by commas", word));
       return std::nullopt;
     }
     counts.push_back(count);

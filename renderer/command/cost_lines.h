@@ -1,4 +1,4 @@
-// What a study of cost compares: its command line taken apart.
+// The lines of a cost study are the combinations of settings that `bpt cost` compares.
 #pragma once
 
 #include <map>
@@ -13,37 +13,37 @@
 
 namespace command {
 
-/// Something that a line of the chart may have of its own: the flag of a list of values.
+/// A setting that may differ between lines of the chart: a flag that takes a list of values.
 struct SweepAxis {
   std::string_view flag;
-  std::string_view values;  ///< what the list is of
+  std::string_view values;  ///< placeholder of the list in `--help`
   std::string_view meaning;
 };
 
-/// The axes besides samples.
+/// Returns the axes of a sweep besides samples.
 const std::vector<SweepAxis>& sweep_axes();
 
-/// Lists by their flags, as they were given.
+/// Lists of values by flag, as on the command line.
 using Sweeps = std::map<std::string, std::string>;
 
-/// What is the same in all renders of one line; only samples and seeds differ.
+/// The settings that all renders of one line share; only samples and seeds differ.
 struct CostLine {
-  std::string name;  ///< what tells it from the others, such as `Disk, depth 2`
-  std::string pdf;   ///< the scheme as it was asked for; `scene` where each BRDF has its own
+  std::string name;  ///< distinguishes the line from the others, such as `Disk, depth 2`
+  std::string pdf;   ///< the scheme as on the command line; `scene` where each BRDF has its own
   options::RenderOptions options;
   std::optional<grf::PdfModel> scheme;  ///< checked; nothing where each BRDF has its own
 };
 
-/// The words of a list, divided by commas that are not in parentheses.
+/// Splits a list at commas outside parentheses.
 std::vector<std::string> split_list(const std::string& text);
 
-/// One line for each combination of values. An axis that belongs to a scheme (`--trees`) divides the lines of
-/// that scheme alone; without `--pdf` it is of all of them. Prints what is wrong with the lists, and returns
-/// nothing then.
+/// Returns one line per combination of values. An axis that belongs to a scheme (`--trees`) splits only the
+/// lines of that scheme; without `--pdf` it implies the scheme. Prints errors in the lists and then returns
+/// nothing.
 std::optional<std::vector<CostLine>> cost_lines(const Sweeps& sweeps,
                                                 const options::RenderOptions& render_options);
 
-/// Whole numbers, each over 0 and over the one before. Prints what is wrong.
+/// Parses whole numbers over 0 in ascending order. Prints errors and then returns nothing.
 std::optional<std::vector<int>> sample_counts(const std::string& list);
 
 }  // namespace command

@@ -68,32 +68,32 @@ ordered_json json_of_reference(const CostResult& result) {
   return json;
 }
 
-// Words.
+// Reports as text and Markdown.
 
 std::string percent(const std::optional<double>& share) {
   return share ? fmt::format("{:.3g} %", 100 * *share) : "none";
 }
 
-/// Studies of small images are about less than a tenth of a second.
+/// Formats times with two digits below a second: studies of small images take less than a tenth of one.
 std::string time_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.2g} s", seconds) : duration_text(seconds);
 }
 
-/// What a fit says to people.
+/// Describes a fit as text.
 std::string words_of(const CostLineResult& result) {
   const auto& law = result.fit.over_seconds;
-  if (!law) return "too few rows for a fit.";
+  if (!law) return "too few rows to fit a curve.";
   const auto seconds = law->where(OnePercent);
   if (!seconds) return "the error does not fall with time.";
-  std::string words = fmt::format("half the error costs {:.1f} times the time; 1 % takes about {}",
+  std::string words = fmt::format("half the error costs {:.1f} times the time; 1 % error takes about {}",
                                   std::pow(2, 1 / law->exponent), time_text(*result.seconds_for_1_percent()));
   words += " on this machine";
   if (result.build_seconds >= OnePercent * *seconds) {
-    words += fmt::format(", {} of that for tables", time_text(result.build_seconds));
+    words += fmt::format(", {} of that for building tables", time_text(result.build_seconds));
   }
   const double first = result.rows.front().render_seconds;
   const double last = result.rows.back().render_seconds;
-  if (*seconds < first || *seconds > last) words += " (beyond what was measured)";
+  if (*seconds < first || *seconds > last) words += " (extrapolated)";
   return words + fmt::format(". error = {:.3g} t^-{:.3f}", law->factor, law->exponent) +
          (result.fit.over_samples
               ? fmt::format(", and N^-{:.3f} over samples", result.fit.over_samples->exponent)
@@ -103,13 +103,14 @@ std::string words_of(const CostLineResult& result) {
 
 std::string words_of_reference(const CostResult& result) {
   if (!result.reference_path.empty()) {
-    return fmt::format("The reference is {}, whose own error is not known and not taken off.",
+    return fmt::format("The reference is {}, whose own error is unknown and not subtracted.",
                        std::filesystem::path(result.reference_path).filename().string());
   }
   return fmt::format(
-      "The reference has {} samples a pixel by `path` with other seeds, depth {}; its own error is {}, which "
-      "is "
-      "taken off before curves are fitted, and rows with less than twice that error do not count in them.",
+      "The reference has {} samples per pixel by `path` with other seeds, depth {}; its own error is {}, "
+      "which is subtracted before curves are fitted, and rows with less than twice that error are left out "
+      "of "
+      "the fits.",
       result.reference_samples, result.reference_depth, percent(result.reference_error));
 }
 
@@ -118,14 +119,14 @@ std::string words_of_measures(const CostResult& result) {
                                   result.threads == 1 ? "" : "s");
   words += result.rounds == 1
                ? "each row rendered once. "
-               : fmt::format("each row rendered {} times: the least time, the mean of the errors. ",
+               : fmt::format("each row rendered {} times: the minimum of the times, the mean of the errors. ",
                              result.rounds);
   words += words_of_reference(result);
-  if (result.has_centred_rays) words += " All rays from the eye go through the middles of pixels.";
+  if (result.has_centred_rays) words += " All camera rays go through pixel centres.";
   return words;
 }
 
-/// A row's cells, as text and Markdown have them.
+/// Returns the cells of a row, for text and Markdown.
 std::vector<std::string> cells_of(const CostLineResult& result, const CostRow& row) {
   const auto number = [](double value) { return fmt::format("{:.4g}", value); };
   return {result.line.name,
@@ -138,12 +139,12 @@ std::vector<std::string> cells_of(const CostLineResult& result, const CostRow& r
           number(row.efficiency()),
           fmt::format("{}", result.bytes)};
 }
-const std::vector<std::string> Titles = {"line",       "samples",    "tables s",
+const std::vector<std::string> Titles = {"line",       "samples",    "build s",
                                          "sampling s", "render s",   "average relative error",
                                          "error",      "efficiency", "bytes"};
 
 std::string markdown_of(const CostResult& result, const std::string& picture) {
-  std::string text = fmt::format("# What accuracy costs: {}\n\n{}\n\n![error over time]({})\n\n",
+  std::string text = fmt::format("# Error against render time: {}\n\n{}\n\n![error over time]({})\n\n",
                                  std::filesystem::path(result.scene).filename().string(),
                                  words_of_measures(result), picture);
   for (const CostLineResult& one : result.lines) {
@@ -155,10 +156,10 @@ std::string markdown_of(const CostResult& result, const std::string& picture) {
     for (const CostRow& row : one.rows) text += fmt::format("| {} |\n", fmt::join(cells_of(one, row), " | "));
   }
   return text +
-         "\nSamples are those of a pixel; of `naive`, paths. The error is sqrt(relMSE), the efficiency 1 / "
-         "(relMSE x "
-         "render s), and the time for 1 % that of rendering and of building tables. `sampling s` is what all "
-         "threads together spend in drawing directions, measured in a render of its own.\n";
+         "\nSamples are per pixel; for `naive`, they are paths. The error is sqrt(relMSE), the efficiency 1 "
+         "/ "
+         "(relMSE x render s), and the time to 1 % error includes building tables. `sampling s` is the time "
+         "that all threads together spend sampling directions, measured in a separate render.\n";
 }
 
 std::string quoted(const std::string& text) {

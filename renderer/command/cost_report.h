@@ -1,4 +1,4 @@
-// What a study of cost has found, for people and for programs.
+// The results of a cost study are reported as text, Markdown, CSV, JSON and a chart.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace command {
 
 struct CostLineResult {
   CostLine line;
-  double build_seconds = 0;  ///< of the scheme's tables
-  std::size_t bytes = 0;     ///< that they hold
+  double build_seconds = 0;  ///< build time of the scheme's tables
+  std::size_t bytes = 0;     ///< size of these tables
   std::vector<CostRow> rows;
   CostFit fit;
 
-  /// Rendering and building tables until the error is 1 %; nothing if the error does not fall.
+  /// Time to an error of 1 %, building tables included; nothing if the error does not fall.
   std::optional<double> seconds_for_1_percent() const;
 };
 
@@ -29,19 +29,19 @@ struct CostResult {
   int height = 0;
   int threads = 0;
   int rounds = 0;
-  bool has_centred_rays = false;  ///< all rays from the eye go through the middles of pixels
-  std::string reference_path;     ///< empty: it was rendered
+  bool has_centred_rays = false;  ///< all camera rays go through pixel centres
+  std::string reference_path;     ///< empty: the reference was rendered
   int reference_samples = 0;
   int reference_depth = 0;
   double reference_seconds = 0;
-  std::optional<double> reference_error;  ///< sqrt(relMSE); nothing if that is not known
+  std::optional<double> reference_error;  ///< sqrt(relMSE); nothing if unknown
   std::vector<CostLineResult> lines;
 };
 
-/// One object, as `--json` prints it; after lines of progress in one line.
+/// Returns the JSON object of `--json`, on one line for streams of JSON lines.
 std::string json_of(const CostResult& result, bool is_one_line);
 
-/// The rows in columns and the fits in words.
+/// Returns the rows in columns and the fits in words.
 std::string text_of(const CostResult& result);
 
 /// Writes BASE.csv, BASE.md and BASE.svg.

@@ -73,7 +73,7 @@ void CostSweep::run() {
   }
 }
 
-/// False if it came to an early end.
+/// Returns false if the sweep was stopped.
 bool CostSweep::render(const Piece& piece) {
   const CostSubject& what = subject(piece.subject);
   RenderSettings settings = with_samples(what.settings, piece.samples);
@@ -148,7 +148,7 @@ transport::RenderProgress CostSweep::progress() const {
     progress.seconds_left = 0;
     return progress;
   }
-  // Until all were warmed up, nobody knows how long they take.
+  // Before the warm-up is over, the time per sample is unknown.
   if (pieces_[next_].purpose == Purpose::WarmUp) return progress;
   double left = 0;
   for (std::size_t i = next_; i < pieces_.size(); ++i)

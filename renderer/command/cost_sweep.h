@@ -1,4 +1,4 @@
-// Many renders of one scene, and how far each is from a reference.
+// A cost sweep renders one scene many times and measures each image's error against a reference.
 #pragma once
 
 #include <cstdint>
@@ -13,73 +13,73 @@
 
 namespace command {
 
-/// What is rendered of a line.
+/// The compiled scene and settings of a line.
 struct CostSubject {
   std::shared_ptr<const transport::CompiledScene> scene;
-  /// But for samples and seed. Of `naive`, `samples` are the rays from the eye for a pixel.
+  /// All but samples and seed. For `naive`, `samples` are the camera rays per pixel.
   transport::RenderSettings settings;
 };
 
 struct CostPlan {
   std::vector<CostSubject> lines;
-  std::vector<int> samples;               ///< a pixel; of `naive`, paths: a multiple of the rays from the eye
-  std::optional<transport::Image> given;  ///< the reference, if it is not to be rendered
-  CostSubject reference;                  ///< what to render for it
+  std::vector<int> samples;               ///< per pixel; for `naive`, paths: a multiple of the camera rays
+  std::optional<transport::Image> given;  ///< the reference image, if it is not to be rendered
+  CostSubject reference;                  ///< renders the reference image
   int reference_samples = 0;
-  int rounds = 1;  ///< in which each row is rendered, each time with another seed
+  int rounds = 1;  ///< renders per row, each with another seed
   std::uint32_t seed = 0;
 };
 
 struct CostReference {
   transport::Image image;
   double seconds = 0;
-  double relmse = 0;  ///< its own, as its two halves say; 0 if it was given
+  double relmse = 0;  ///< its own relMSE, estimated from its two halves; 0 if it was given
 };
 
-/// What was measured of one line at one number of samples.
+/// The measurements of one line at one sample count.
 struct CostRow {
   std::size_t line = 0;
   int samples = 0;
   std::vector<std::uint32_t> seeds;                   ///< of the rounds so far
-  double render_seconds = 0;                          ///< the least of the rounds: what others do only adds
-  double sampling_seconds = 0;                        ///< of all threads together, see `CostSweep`
-  double relmse = 0;                                  ///< the mean of the rounds
+  double render_seconds = 0;                          ///< minimum over rounds: other load only adds time
+  double sampling_seconds = 0;                        ///< sum over threads, see `CostSweep`
+  double relmse = 0;                                  ///< mean over rounds
   std::optional<double> average_relative_error = {};  ///< likewise; nothing if the reference is black
 
   double error() const;       ///< sqrt(relMSE)
   double efficiency() const;  ///< 1 / (relMSE x render seconds)
 };
 
-/// Renders each line at each number of samples afresh, round after round, so that what else the machine does
-/// meets all of them alike.
+/// Renders each line at each sample count afresh, round after round, so that other load on the machine
+/// affects all rows alike.
 ///
-/// Before that, each line is rendered once at the middle number of samples: that warms it up, and measures
-/// the time in which directions are drawn, which reading the clock makes slower. The rows' sampling seconds
-/// are in proportion to that.
+/// Before that, each line is rendered once at the median sample count. This warm-up also measures the time
+/// spent sampling directions, which reading the clock makes slower; the rows' sampling seconds are scaled
+/// from it.
 class CostSweep {
  public:
-  /// At least one line and one number of samples.
+  /// The plan needs at least one line and one sample count.
   explicit CostSweep(CostPlan plan);
 
-  /// Called once. Throws what a render throws.
+  /// Runs the sweep, once. Throws what a render throws.
   void run();
-  /// Has `run` return soon, with what there is; from any thread.
+  /// Makes `run` return soon with the rows so far; from any thread.
   void stop();
 
   transport::RenderProgress progress() const;
 
-  // Once `run` has returned.
+  // Results, valid after `run` has returned.
 
-  /// Those that were rendered at least once, line by line.
+  /// Returns the rows that were rendered at least once, line by line.
   std::vector<CostRow> rows() const;
-  /// Nothing if it came to an early end.
+  /// Returns the reference; nothing if the sweep stopped before it was rendered.
   const std::optional<CostReference>& reference() const { return reference_; }
 
  private:
   enum class Purpose { WarmUp, Reference, Row };
   struct Piece {
     Purpose purpose = Purpose::Row;
-    std::size_t subject = 0;  ///< the last one is the reference
+    std::size_t subject = 0;  ///< index of a line; the last index is the reference
     int samples = 0;
     std::size_t row = 0;
   };
@@ -93,13 +93,13 @@ class CostSweep {
   CostPlan plan_;
   std::vector<Piece> pieces_;
   std::vector<CostRow> rows_;
-  std::vector<double> sampling_rates_;  ///< seconds a sample of a pixel
+  std::vector<double> sampling_rates_;  ///< sampling seconds per sample per pixel, of each subject
   std::optional<CostReference> reference_;
   const std::chrono::steady_clock::time_point start_;
 
-  mutable std::mutex lock_;    ///< of what follows
-  std::vector<double> rates_;  ///< seconds a sample of a pixel, of each subject
-  std::size_t next_ = 0;       ///< the piece that is rendered
+  mutable std::mutex lock_;    ///< guards the members below
+  std::vector<double> rates_;  ///< render seconds per sample per pixel, of each subject
+  std::size_t next_ = 0;       ///< index of the current piece
   transport::Render* current_ = nullptr;
   bool is_stopped_ = false;
 };

@@ -9,7 +9,7 @@
 
 namespace command {
 
-// In double, so that a direction at the horizon is there and not beside it.
+// Computed in double, so that a direction at the horizon is exactly there.
 reflectance::Vec3f direction_of(const Angles& angles) {
   const double sine = std::sin(angles.theta);
   return {static_cast<float>(sine * std::cos(angles.phi)), static_cast<float>(sine * std::sin(angles.phi)),
@@ -35,7 +35,7 @@ std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t
 std::optional<Angles> angles_option(const std::string& text, const char* option) {
   const auto angles = numbers_of(text, 1, 2);
   if (!angles) {
-    fmt::print(stderr, "error: {}: '{}' is no direction, expected theta,phi in radians\n", option, text);
+    fmt::print(stderr, "error: {}: '{}' is not a direction, expected theta,phi in radians\n", option, text);
     return std::nullopt;
   }
   return Angles{angles->front(), angles->size() > 1 ? angles->back() : 0};

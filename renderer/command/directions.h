@@ -1,4 +1,4 @@
-// Directions as people write them: two angles in radians.
+// Directions are given on the command line as two angles in radians.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +18,10 @@ struct Angles {
 
 reflectance::Vec3f direction_of(const Angles& angles);
 
-/// Numbers that commas or blanks separate, or nothing if there is anything else or another count of them.
+/// Parses numbers separated by commas or blanks; nothing on other text, or a count outside [least, most].
 std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most);
 
-/// `theta,phi`, where phi may be left out. What is wrong with the option of that name is printed.
+/// Parses `theta,phi`, where phi may be left out. Prints an error that names the option.
 std::optional<Angles> angles_option(const std::string& text, const char* option);
 
 }  // namespace command

@@ -1,4 +1,4 @@
-// Functions of a direction on the unit disc: v is at (v.x, v.y), the normal in the middle.
+// Functions of a direction are plotted on the unit disc: v is at (v.x, v.y), the normal at the centre.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,15 @@ class DiscMap {
  public:
   explicit DiscMap(const std::function<double(const reflectance::Vec3f&)>& function);
 
-  // Over the pixels inside the disc; 0 where there is nothing over 0.
-  double least() const { return least_; }  ///< over 0
+  // Extremes over the pixels inside the disc; 0 if no value is positive.
+  double least() const { return least_; }  ///< the least positive value
   double largest() const { return largest_; }
 
   /// Pixels along a side.
   static constexpr int Side = 240;
   struct Pixel {
-    float value = 0;    ///< mean over what is inside
-    float covered = 0;  ///< the share that is inside
+    float value = 0;    ///< mean over the part inside the disc
+    float covered = 0;  ///< fraction of the pixel inside the disc
   };
   const std::vector<Pixel>& pixels() const { return pixels_; }
 
@@ -36,11 +36,11 @@ class DiscMap {
 
 void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place& place, plot::Svg& svg);
 
-/// A dot for each.
+/// Draws a dot per direction.
 void draw_directions(std::span<const reflectance::Vec3f> directions, const plot::Place& place,
                      std::string_view colour, plot::Svg& svg);
 
-/// A ring where the viewer is.
+/// Draws a ring at the view direction.
 void mark_view(const reflectance::Vec3f& u, const plot::Place& place, plot::Svg& svg);
 
 }  // namespace command

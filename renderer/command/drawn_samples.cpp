@@ -9,7 +9,7 @@ namespace command {
 
 DrawnSamples draw_samples(const reflectance::Reflector& reflector, const reflectance::Vec3f& u,
                           std::uint32_t count, std::uint32_t seed) {
-  // Before the clock runs.
+  // Random numbers are made before the clock starts.
   std::vector<reflectance::Uniforms> points;
   points.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {

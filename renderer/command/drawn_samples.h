@@ -8,28 +8,28 @@
 
 namespace command {
 
-/// What a reflector drew for one view.
+/// Samples of a reflector for one view direction.
 struct DrawnSamples {
-  std::vector<reflectance::ScatterSample> samples;  ///< those that carry something
-  std::size_t rejected = 0;                         ///< the others
-  double seconds = 0;                               ///< of drawing alone
+  std::vector<reflectance::ScatterSample> samples;  ///< with non-zero weight
+  std::size_t rejected = 0;                         ///< number of samples with zero weight
+  double seconds = 0;                               ///< time spent sampling only
 
   std::size_t count() const { return samples.size() + rejected; }
 };
 
-/// Draws by points that fill space evenly, as paths do (scrambled Sobol points). The seed chooses the points.
+/// Draws samples by scrambled Sobol points, as the path tracer does. The seed chooses the scrambling.
 DrawnSamples draw_samples(const reflectance::Reflector& reflector, const reflectance::Vec3f& u,
                           std::uint32_t count, std::uint32_t seed);
 
-/// What the weights f cos / density of samples tell of an estimate by them. All are means over RGB, and in
-/// albedos: those of a perfect scheme are 1.
+/// Statistics of the sample weights f cos / pdf. All are means over RGB, in units of the albedo: the weights
+/// of perfect importance sampling are 1.
 struct WeightStatistics {
-  double albedo = 0;    ///< of the BRDF, mirror part included
-  double mean = 0;      ///< 1 but for noise, or the scheme is biased
-  double variance = 0;  ///< samples that carry nothing count as 0
+  double albedo = 0;    ///< of the BRDF, specular part included
+  double mean = 0;      ///< 1 up to noise, unless the scheme is biased
+  double variance = 0;  ///< rejected samples count as 0
   double largest = 0;
-  double mirrored = 0;  ///< share of the samples that are the mirror part's
-  double rejected = 0;  ///< share of the samples that carry nothing
+  double mirrored = 0;  ///< fraction of samples from the specular (delta) part
+  double rejected = 0;  ///< fraction of samples with zero weight
 };
 
 WeightStatistics statistics_of(const DrawnSamples& drawn, double albedo);

@@ -8,11 +8,11 @@
 
 namespace command {
 
-/// What SIGINT and SIGTERM do while there is one of these. During a render the first one stops it, so that
-/// the image so far can be kept; before, and the second time, the program ends at once with exit code 130.
+/// Handles SIGINT and SIGTERM for its lifetime. During a render the first signal stops it, so that the image
+/// so far can be written; before a render, and at the second signal, the program exits with code 130.
 ///
-/// The signals are held back from all threads that start meanwhile, and one thread waits for them: nothing is
-/// interrupted half done. A broken pipe is held back too: a reader that went away is no reason to lose an
+/// The signals are blocked in all threads started meanwhile, and one thread waits for them, so no system call
+/// is interrupted half done. SIGPIPE is blocked too: a reader that closed the pipe is no reason to lose an
 /// image.
 class Interruption {
  public:
@@ -21,7 +21,7 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  /// Has the first signal stop this render or bake, which must outlive this object.
+  /// Makes the first signal stop this render or bake, which must outlive this object.
   template <class Work>
   void stops(Work& work) {
     const std::lock_guard lock(stop_lock_);
@@ -38,7 +38,7 @@ class Interruption {
   std::function<void()> stop_;
   std::atomic<bool> has_come_ = false;
   std::atomic<bool> ended_ = false;
-  std::thread thread_;  ///< the last member: it uses the others
+  std::thread thread_;  ///< declared last, because it uses the other members
 };
 
 }  // namespace command

@@ -1,4 +1,4 @@
-// Values of JSON that several commands print.
+// JSON values that several commands print.
 #pragma once
 
 #include <cmath>

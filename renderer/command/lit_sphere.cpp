@@ -17,15 +17,15 @@ using reflectance::Vec3f;
 constexpr int SphereSubpixels = 2;  // along each side of a pixel
 constexpr int SamplesOfASubpixel = 24;
 constexpr float WindowRadiance = 12;
-constexpr float HalfWindow = 0.28F;  // of its sides, at distance 1
+constexpr float HalfWindow = 0.28F;  // half the side length, at distance 1
 
-/// The window's centre: up, left and in front. x is to the right, y up, z towards the eye.
+/// Returns the direction to the window's centre: up, left and in front. x points right, y up, z to the eye.
 const Vec3f& to_window() {
   static const Vec3f direction = Vec3f(-0.55F, 0.65F, 0.6F).normalized();
   return direction;
 }
 
-/// The window's own axes.
+// The window's own axes.
 Vec3f across() { return Vec3f(0, 1, 0).cross(to_window()).normalized(); }
 Vec3f upwards() { return to_window().cross(across()); }
 
@@ -49,7 +49,7 @@ Rgb radiance_from(const Vec3f& direction) {
   return Rgb(0.12F, 0.12F, 0.13F) * (1 - sky) + Rgb(0.45F, 0.5F, 0.6F) * sky;
 }
 
-/// A number in [0,1) that nothing but the pixel and the dimension decide (splitmix64).
+/// Hashes a pixel and a dimension to a number in [0,1) (splitmix64).
 float hashed(std::uint32_t pixel, std::uint32_t dimension) {
   std::uint64_t x = (std::uint64_t{pixel} << 2U | dimension) * 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -57,7 +57,7 @@ float hashed(std::uint32_t pixel, std::uint32_t dimension) {
   return static_cast<float>((x ^ (x >> 31U)) >> 40U) * 0x1p-24F;
 }
 
-/// Points of a pixel, shifted from those of its neighbours.
+/// Returns a sample of a pixel, decorrelated from its neighbours by a Cranley-Patterson rotation.
 Uniforms point_of_pixel(std::uint32_t pixel, std::uint32_t sample) {
   const Uniforms even = reflectance::even_point(sample);
   const auto shifted = [pixel](float a, std::uint32_t dimension) {
@@ -67,7 +67,8 @@ Uniforms point_of_pixel(std::uint32_t pixel, std::uint32_t sample) {
   return {{shifted(even.direction.x, 0), shifted(even.direction.y, 1)}, shifted(even.choice, 2)};
 }
 
-/// What the window and the sky give, by both ways of finding the window, weighted by their densities.
+/// Estimates the reflected radiance of window and sky. The window is sampled by BRDF and by area, combined by
+/// multiple importance sampling (balance heuristic).
 Rgb reflected(const Reflector& reflector, const reflectance::Frame& frame, const Vec3f& u,
               const Uniforms& xi) {
   Rgb sum(0);
@@ -97,14 +98,14 @@ reflectance::Frame frame_at(const Vec3f& normal) {
   return frame;
 }
 
-/// What is shown of a radiance: all of it where it is dim, and less the brighter it is, as on film.
+/// Tone maps a radiance by an exponential curve: linear where it is dim, saturating where it is bright.
 Rgb toned(const Rgb& radiance) {
   constexpr float Exposure = 1.3F;
   return Rgb(-std::expm1(-Exposure * radiance.x), -std::expm1(-Exposure * radiance.y),
              -std::expm1(-Exposure * radiance.z));
 }
 
-/// One of side x side squares of the picture; the background is white.
+/// Renders one of the side x side squares of the image; the background is white.
 Rgb subpixel(const Reflector& reflector, int column, int row, int side) {
   const float radius = 0.47F * static_cast<float>(side);
   const float centre = 0.5F * static_cast<float>(side);

@@ -5,9 +5,8 @@
 
 namespace command {
 
-/// A sphere of one BRDF on white, seen from afar under a bright window at the upper left and a dim sky:
-/// direct light alone, in which highlights saturate softly. Its
-/// tangents go around the vertical axis.
+/// Renders a sphere of one BRDF on white by direct light only, in an orthographic view, under a bright window
+/// at the upper left and a dim sky. Highlights are tone mapped. Tangents go around the vertical axis.
 transport::Image lit_sphere(const reflectance::Reflector& reflector, int side);
 
 }  // namespace command

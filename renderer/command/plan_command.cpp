@@ -38,7 +38,7 @@ Json tables_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnost
                       {"pdf", table.scheme},
                       {"bytes", known != bytes.end() ? Json(known->second) : Json(nullptr)},
                       {"needed", table.is_needed},
-                      {"why", table.is_needed ? "a path can meet it" : table.why}});
+                      {"why", table.is_needed ? "paths can reach it" : table.why}});
   }
   return tables;
 }
@@ -51,7 +51,7 @@ Json textures_of(const Plan& plan) {
     textures.push_back({{"file", texture.file},
                         {"file_bytes", missing ? Json(nullptr) : Json(bytes)},
                         {"needed", texture.is_needed},
-                        {"why", texture.is_needed ? "on faces that a path can meet" : texture.why}});
+                        {"why", texture.is_needed ? "on faces that paths can reach" : texture.why}});
   }
   return textures;
 }
@@ -97,12 +97,12 @@ void print_text(const Json& report) {
                std::filesystem::path(texture["file"].get<std::string>()).filename().string(),
                texture["file_bytes"].is_null() ? "no such file" : bytes_text(texture["file_bytes"]),
                texture["why"].get<std::string>(),
-               texture["needed"].get<bool>() ? "" : "; a render does not ask whether the file is there");
+               texture["needed"].get<bool>() ? "" : "; a render does not check that the file exists");
   }
   fmt::print("depth {}: {}\n", report["depth"].get<int>(), report["why_depth"].get<std::string>());
   const Json& saved = report["saved"];
   fmt::print(
-      "saved: {} bytes of tables (built here to know them), {} bytes of texture files, {} scatterings\n",
+      "saved: {} bytes of tables (built here only to measure them), {} bytes of texture files, {} bounces\n",
       saved["table_bytes"].get<std::uint64_t>(), saved["texture_file_bytes"].get<std::uint64_t>(),
       saved["scatterings"].get<int>());
 }

@@ -7,15 +7,15 @@
 
 namespace command {
 
-/// What `bpt plan` was told: as `bpt render`.
+/// The command line of `bpt plan`; flags are those of `bpt render`.
 struct PlanArguments {
   std::string scene;  ///< an OP file, or a GRF scene
   OptionFlags flags;
   bool json = false;
 };
 
-/// Prints what a render would do, what it would leave out, and why. Builds the tables of sampling schemes,
-/// also those that a render would not, to know their bytes; reads no image.
+/// Prints which effects a render would use, which it would leave out, and why. Builds all tables of sampling
+/// schemes to report their size, also those that a render would leave out; reads no image.
 grf::ExitCode plan(const PlanArguments& arguments);
 
 }  // namespace command

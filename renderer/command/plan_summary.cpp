@@ -17,7 +17,7 @@ nlohmann::json entry(const std::string& name, const std::string& why) {
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Of the files that are there.
+/// Sums the sizes of the textures that are left out; missing files count as 0.
 std::uintmax_t left_out_texture_bytes(const transport::Plan& plan) {
   std::uintmax_t sum = 0;
   for (const transport::PlannedTexture& texture : plan.textures) {
@@ -47,7 +47,7 @@ void add_plan(const transport::Plan& plan, nlohmann::json& summary) {
   }
   if (plan.depth < plan.asked_depth) {
     left_out.push_back(
-        entry(fmt::format("scatterings {} to {}", plan.depth + 1, plan.asked_depth), plan.why_depth));
+        entry(fmt::format("bounces {} to {}", plan.depth + 1, plan.asked_depth), plan.why_depth));
   }
   summary["effects"] = std::move(effects);
   summary["left_out"] = std::move(left_out);
@@ -62,10 +62,9 @@ std::string left_out_line(const nlohmann::json& summary) {
   for (const nlohmann::json& one : summary["left_out"]) names.push_back(one["name"]);
   if (names.empty()) return "nothing left out";
   const nlohmann::json& saved = summary["saved"];
-  return fmt::format(
-      "left out: {}; that saved {} tables, {} bytes of texture files and {} scatterings of a path",
-      fmt::join(names, ", "), saved["tables"].get<int>(), saved["texture_file_bytes"].get<std::uint64_t>(),
-      saved["scatterings"].get<int>());
+  return fmt::format("left out: {}; this saved {} tables, {} bytes of texture files and {} bounces per path",
+                     fmt::join(names, ", "), saved["tables"].get<int>(),
+                     saved["texture_file_bytes"].get<std::uint64_t>(), saved["scatterings"].get<int>());
 }
 
 }  // namespace command

@@ -1,4 +1,4 @@
-// What a plan leaves out, in words and as JSON.
+// Summaries of a render plan, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace command {
 
-/// Adds `effects`, the names of those in use; `left_out`, what the render does without, as name and why; and
-/// `saved`, what that comes to. How large a table would be is known once it is made: `bpt plan` does that.
+/// Adds to a JSON summary: `effects`, the names of the effects in use; `left_out`, with name and why; and
+/// `saved`, the cost of those. The size of tables is unknown until they are built, as `bpt plan` does.
 void add_plan(const transport::Plan& plan, nlohmann::json& summary);
 
-/// The names of `left_out` and what is in `saved`, of a summary that has them.
+/// Formats `left_out` and `saved` of a summary as one line of text.
 std::string left_out_line(const nlohmann::json& summary);
 
 }  // namespace command

@@ -13,7 +13,7 @@ namespace {
 
 using options::RenderOptions;
 
-/// A flag's words: `800x600` are two.
+/// Splits the value of a flag into words: `800x600` is two.
 std::vector<std::string> words_of(const options::OptionInfo& option, const std::string& text) {
   const std::size_t x = text.find('x');
   if (options::word_count(option) != 2 || x == std::string::npos) return {text};
@@ -37,7 +37,7 @@ bool apply_flags(const OptionFlags& flags, RenderOptions& render_options) {
     const auto problem = set_option(render_options, option, words_of(option, given->second));
     if (problem) fmt::print(stderr, "error: {}: {}\n", option.flag, *problem);
     right = right && !problem;
-    render_options.locations.erase(option.key);  // it is no longer what the file says
+    render_options.locations.erase(option.key);  // the value is no longer that of the file
   }
   return right;
 }

@@ -1,4 +1,4 @@
-// How the words of a command line become the options of a render or of a bake.
+// Command-line flags override the render options of an OP file.
 #pragma once
 
 #include <map>
@@ -11,16 +11,16 @@
 
 namespace command {
 
-/// Options of the table by their flags, as `--samples`.
+/// Values by flag, such as `--samples`.
 using OptionFlags = std::map<std::string, std::string>;
 
-/// What an OP file says; a GRF file says which scene alone. Nothing after an error.
+/// Reads an OP file; for a GRF file, returns default options for that scene. Nothing after an error.
 std::optional<options::RenderOptions> read_options(const std::string& path, grf::Diagnostics& diagnostics);
 
-/// Sets what flags say, over what a file says. Prints what is wrong; false if anything is.
+/// Applies flags on top of the options of a file. Prints errors; returns false if there are any.
 bool apply_flags(const OptionFlags& flags, options::RenderOptions& render_options);
 
-/// Of the words `bar`, `json` and `none`.
+/// Parses one of the words `bar`, `json` and `none`.
 ProgressStyle progress_style_of(const std::string& word);
 
 }  // namespace command

@@ -31,7 +31,7 @@ using grf::ExitCode;
 using options::RenderOptions;
 using transport::CompiledScene;
 
-/// Where the image goes: what the command line says, else what the file says, else the scene's name.
+/// Returns the output images: those of the command line, else that of the OP file, else the scene's name.
 std::vector<std::string> outputs_of(const RenderArguments& arguments, const RenderOptions& render_options) {
   if (!arguments.outputs.empty()) return arguments.outputs;
   if (!render_options.output.empty()) return {render_options.output};
@@ -44,7 +44,7 @@ std::size_t peak_memory_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Tiles may differ by some samples when a render was stopped.
+/// Returns an integer if the mean is whole: tiles of a stopped render may differ by some samples.
 nlohmann::json whole_if_exact(double number) {
   const auto whole = static_cast<std::int64_t>(number);
   return static_cast<double>(whole) == number ? nlohmann::json(whole) : nlohmann::json(number);
@@ -79,9 +79,9 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
   if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
   if (arguments.json || has_lines) return;
   const auto number = [&](const char* name) { return summary[name].get<double>(); };
-  fmt::print("{}: {}x{} pixels, {:.4g} samples a pixel\n", summary["output"].get<std::string>(),
+  fmt::print("{}: {}x{} pixels, {:.4g} samples per pixel\n", summary["output"].get<std::string>(),
              summary["width"].get<int>(), summary["height"].get<int>(), number("samples"));
-  fmt::print("  setup {}, render {} ({:.2f} million paths and {:.2f} million rays a second)\n",
+  fmt::print("  setup {}, render {} ({:.2f} million paths and {:.2f} million rays per second)\n",
              duration_text(number("setup_seconds")), duration_text(number("render_seconds")),
              number("paths_per_second") / 1e6, number("rays_per_second") / 1e6);
   if (!summary["estimated_error"].is_null()) {
@@ -96,7 +96,7 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
-/// What was not finite, on which BRDF and where in the world.
+/// Describes which term was not finite, on which BRDF and where in the world.
 std::string cause_text(const transport::NotFinite& cause, const CompiledScene& scene) {
   if (cause.term.empty()) return "a product of finite terms is too large for a float";
   std::string text = fmt::format("the {} is not finite", cause.term);
@@ -107,7 +107,7 @@ std::string cause_text(const transport::NotFinite& cause, const CompiledScene& s
   return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", place.x, place.y, place.z);
 }
 
-/// Keeps the image and what else is to be kept, and says what went wrong.
+/// Writes the image and the reports, and prints errors.
 bool keep(const transport::Render& render, const CompiledScene& scene, const transport::View& view,
           const RenderOptions& render_options, const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
@@ -115,8 +115,8 @@ bool keep(const transport::Render& render, const CompiledScene& scene, const tra
   if (totals.rejected > 0) {
     const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
-        {}, fmt::format("{} samples were not finite and count as black; the first pixel that "
-                        "has one is ({}, {}): {}",
+        {}, fmt::format("{} samples were not finite (NaN or infinite) and count as black; the first is in "
+                        "pixel ({}, {}): {}",
                         totals.rejected, totals.first_rejected % width, totals.first_rejected / width,
                         cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
@@ -162,7 +162,7 @@ grf::ExitCode render(const RenderArguments& arguments) {
   const auto start = Clock::now();
   std::optional<job::RenderJob> job;
   std::optional<transport::Render> render;
-  Interruption interruption;  // ends before the render that it stops
+  Interruption interruption;  // destroyed before the render that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   std::vector<std::string> outputs;

@@ -8,16 +8,17 @@
 
 namespace command {
 
-/// What `bpt render` was told.
+/// The command line of `bpt render`.
 struct RenderArguments {
   std::string scene;  ///< an OP file, or a GRF scene
   OptionFlags flags;
-  std::vector<std::string> outputs;  ///< images to write, of one type each; empty: what the file says
+  std::vector<std::string> outputs;  ///< images to write, one per file type; empty: that of the OP file
   std::string progress = "bar";      ///< or `json`, or `none`
   bool json = false;
 };
 
-/// Renders, writes the image and a summary. SIGINT and SIGTERM end it early with the image so far.
+/// Renders a scene, writes the image and prints a summary. SIGINT and SIGTERM stop the render early; the
+/// image so far is written.
 grf::ExitCode render(const RenderArguments& arguments);
 
 }  // namespace command

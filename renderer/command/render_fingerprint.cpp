@@ -9,7 +9,7 @@
 namespace command {
 namespace {
 
-/// These change nothing of what a sample is. Files count by what they hold, wherever they lie.
+/// Options that do not change the value of a sample. Files count by content, not by path.
 constexpr std::array<std::string_view, 17> Indifferent = {
     "BPT_Scene",          "BPT_Output_Image",  "BPT_EM_Background",    "BPT_Pdf_Factors_File",
     "BPT_Samples",        "BPT_TargetError",   "BPT_MaxTime",          "BPT_Checkpoint",
@@ -21,7 +21,7 @@ std::uint32_t sum_of_file(std::uint32_t before, const std::string& path) {
   grf::Diagnostics unheard;  // the file was read a moment ago
   const auto bytes = grf::read_file(path, unheard);
   const std::uint64_t size = bytes ? bytes->size() : 0;
-  // The size keeps files apart that follow each other.
+  // The size separates consecutive files.
   before = transport::check_sum(before, {reinterpret_cast<const char*>(&size), sizeof(size)});
   return bytes ? transport::check_sum(before, *bytes) : before;
 }
@@ -37,12 +37,12 @@ transport::Fingerprint fingerprint_of(const options::RenderOptions& render_optio
     for (const std::string& word : options::option_words(render_options, option)) line += " " + word;
     fingerprint.options = transport::check_sum(fingerprint.options, line + "\n");
   }
-  // A first render makes these and a second one reads them.
+  // The first render writes these files, and the next one reads them.
   if (!render_options.factors_file.empty()) {
     for (const char* ending : {".txt", "_cdf.txt"}) files.insert(render_options.factors_file + ending);
   }
   for (const std::string& path : files) {
-    // An OP file counts by what it says.
+    // An OP file counts by its options, which were hashed above.
     if (!path.ends_with(".op")) fingerprint.files = sum_of_file(fingerprint.files, path);
   }
   fingerprint.program = sum_of_file(0, "/proc/self/exe");

@@ -8,8 +8,8 @@
 
 namespace command {
 
-/// Of all that the image depends on: the options but those that only say how much is rendered, on how many
-/// threads and what is written; what is in the files that were read; and this program.
+/// Computes the fingerprint of all that determines the image: the contents of the files that were read, this
+/// program, and the options except those for how much is rendered, the thread count and the outputs.
 transport::Fingerprint fingerprint_of(const options::RenderOptions& render_options,
                                       std::set<std::string> files);
 

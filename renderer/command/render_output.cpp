@@ -24,7 +24,7 @@ bool can_write(const std::string& output, const options::ImageSize& size, Diagno
     return can_write_file(output, "image", diagnostics);
   }
   diagnostics.error(grf::whole_file(output),
-                    fmt::format("files of this type have at most {} pixels a side", format->largest_side));
+                    fmt::format("images of this type have at most {} pixels per side", format->largest_side));
   return false;
 }
 
@@ -93,9 +93,9 @@ bool can_write_file(const std::string& path, std::string_view what, Diagnostics&
   if (std::filesystem::is_directory(status))
     return fail(fmt::format("cannot write the {}: it is a directory", what));
   if (!std::filesystem::exists(status)) return true;
-  // Replacing a device or a pipe would take it away from everybody.
+  // Replacing a device or a pipe would remove it for everybody.
   if (!std::filesystem::is_regular_file(status)) {
-    return fail(fmt::format("cannot write the {}: it is no regular file", what));
+    return fail(fmt::format("cannot write the {}: it is not a regular file", what));
   }
   return ::access(path.c_str(), W_OK) == 0 ||
          fail(fmt::format("cannot write the {}: the file is read-only", what));
@@ -110,7 +110,7 @@ bool can_write(const std::vector<std::string>& outputs, const RenderOptions& ren
   }
   if (!render_options.layers.empty() && !holds_layers) {
     diagnostics.warning(render_options.locations.of("BPT_Layers"),
-                        "BPT_Layers has no effect: of the types of image only exr has layers");
+                        "BPT_Layers has no effect: only exr images have layers");
   }
   return true;
 }

@@ -1,4 +1,4 @@
-// What a render leaves behind: its image, with what is known of it.
+// The image file of a render holds layers and attributes besides the image.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace command {
 
-/// Whether images of these options can go to these files, as far as can be told: an image that cannot be kept
-/// is better known before the render than after it.
+/// Checks before a render, as far as possible, that its images can be written to these files. Reports an
+/// error and returns false if not.
 bool can_write(const std::vector<std::string>& outputs, const options::RenderOptions& render_options,
                grf::Diagnostics& diagnostics);
 
-/// The same for any file; `what` it is goes into messages.
+/// Checks likewise that a file can be written; messages name its kind, `what`.
 bool can_write_file(const std::string& path, std::string_view what, grf::Diagnostics& diagnostics);
 
-/// The image of a render that has ended, with the layers that the options ask for, and with attributes: each
-/// option by its key (of the eye and the samples what they came to), the camera, the program's version, the
-/// seconds, the samples a pixel and the estimated error.
+/// Returns the image of a finished render with the requested layers and with attributes: each option by its
+/// key (for camera and samples, the values used), the camera, the program's version, the render time in
+/// seconds, the samples per pixel and the estimated error.
 transport::ImageFile image_file_of(const transport::Render& render, const transport::CompiledScene& scene,
                                    const transport::View& view, const options::RenderOptions& render_options);
 

@@ -34,7 +34,7 @@ void print_json(const RenderProgress& progress, const nlohmann::json& image) {
   line["seconds_left"] = json_of(progress.seconds_left);
   line["estimated_error"] = json_of(progress.estimated_error);
   line["image"] = image;
-  // Not fmt::print, which throws: that nobody reads any more is no reason to stop.
+  // Not fmt::print, which throws: a reader that closed the pipe is no reason to stop.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   std::fputs((line.dump(-1, ' ', false, replace) + "\n").c_str(), stdout);
   std::fflush(stdout);
@@ -48,7 +48,7 @@ ProgressReport::ProgressReport(ProgressStyle style) : style_(style) {
 
 ProgressReport::~ProgressReport() { clear(); }
 
-/// The line is left empty for what comes next.
+// Clears the line for the next output.
 void ProgressReport::clear() {
   if (style_ == ProgressStyle::Bar) fmt::print(stderr, "\r\x1b[K");
 }
@@ -58,7 +58,7 @@ void ProgressReport::show(const RenderProgress& progress) {
   if (style_ == ProgressStyle::None || now < next_) return;
   next_ = now + Interval;
   if (style_ == ProgressStyle::Json) {
-    // That it is done, the last line says, once the image is there.
+    // The last line reports that the render is done, once the image is written.
     if (progress.done < 1) print_json(progress, nullptr);
     return;
   }

@@ -9,12 +9,12 @@
 namespace command {
 
 enum class ProgressStyle {
-  Bar,   ///< on standard error, where that is a terminal
-  Json,  ///< one JSON object a line on standard output
+  Bar,   ///< a progress bar on standard error, if that is a terminal
+  Json,  ///< JSON lines on standard output, one object per line
   None
 };
 
-/// Shows how far a render is.
+/// Shows the progress of a render.
 class ProgressReport {
  public:
   explicit ProgressReport(ProgressStyle style);
@@ -22,10 +22,10 @@ class ProgressReport {
   ProgressReport(const ProgressReport&) = delete;
   ProgressReport& operator=(const ProgressReport&) = delete;
 
-  /// May be called as often as one likes: shows it four times a second.
+  /// Shows the progress at most four times a second, however often it is called.
   void show(const transport::RenderProgress& progress);
 
-  /// The last time, with where the image was written.
+  /// Shows the final progress, with the path of the image that was written.
   void finish(const transport::RenderProgress& progress, const std::string& image);
 
  private:
@@ -35,7 +35,7 @@ class ProgressReport {
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
 };
 
-/// A duration as people say it: `12.3 s`, `4 min 05 s`, `2 h 07 min`.
+/// Formats a duration: `12.3 s`, `4 min 05 s`, `2 h 07 min`.
 std::string duration_text(double seconds);
 
 }  // namespace command

@@ -10,7 +10,7 @@
 namespace command {
 namespace {
 
-/// Columns are separated by tabs, because texts of BRDFs have spaces and quotes.
+/// Writes a table with tabs between columns, because texts of BRDFs have spaces and quotes.
 std::string memory_report(const std::vector<transport::TableInfo>& tables) {
   std::string text = "# brdf\tpdf\tbytes\n";
   std::size_t sum = 0;

@@ -28,10 +28,10 @@ class CheckpointKeeper {
     const auto start = Clock::now();
     grf::Diagnostics problems;
     if (!write_checkpoint(settings_.checkpoint, settings_.fingerprint, work_, problems)) {
-      // The result is worth more than the checkpoint: the work goes on.
+      // The result is worth more than the checkpoint, so the work continues.
       for (const auto& problem : problems.entries()) diagnostics.warning(problem.location, problem.message);
     }
-    // One of a huge image takes long: it must not be all that is done.
+    // A checkpoint of a huge image takes long: it may take 1/20 of the time at most.
     const auto end = Clock::now();
     due_ = end + std::max<Clock::duration>(Interval, 20 * (end - start));
   }
@@ -49,7 +49,7 @@ void say_problem(std::optional<transport::DisplayClient>& display) {
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
 }
 
-/// A short render ends before the viewer is there that was started for it.
+/// Waits for the image viewer, which may start more slowly than a short render takes.
 void await_viewer(const transport::DisplayClient& display, const Interruption& interruption) {
   while (display.is_connecting() && !interruption.has_come()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

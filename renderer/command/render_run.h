@@ -16,27 +16,27 @@
 
 namespace command {
 
-/// What goes on beside a render.
+/// Settings of a run besides those of the render itself.
 struct RunSettings {
   std::string checkpoint;  ///< path; empty: none
   transport::Fingerprint fingerprint;
   std::optional<transport::DisplayAddress> display;
-  transport::ViewerCare viewer_care;  ///< of a viewer that is started if none listens there; empty: none is
+  transport::ViewerCare viewer_care;  ///< starts an image viewer if none listens there; empty: starts none
   std::string title;                  ///< of the displayed image
 };
 
-/// Runs a render to its end, or to a signal: resumes it from its checkpoint, keeps that up to date every
-/// minute and at the end, and shows progress and the image. False if the checkpoint cannot be resumed from:
-/// nothing has then been rendered. That a checkpoint cannot be written, or that there is no viewer, is a
-/// warning.
+/// Runs a render to its end or until a signal: resumes it from its checkpoint, updates the checkpoint every
+/// minute and at the end, and shows progress and the image. Returns false, with nothing rendered, if it
+/// cannot resume from the checkpoint. A checkpoint that cannot be written, or a missing image viewer, is only
+/// a warning.
 bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
-/// The same for a bake, which has no image.
+/// Runs a bake likewise; there is no image to show.
 bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
-/// Runs any work, to its end or to a signal, and calls `watch` every moment meanwhile. Throws what it throws.
+/// Runs any work to its end or until a signal, and polls `watch` every 10 ms. Rethrows the work's exceptions.
 template <class Work, class Watch>
 void run_watched(Work& work, Interruption& interruption, const Watch& watch) {
   std::atomic<bool> ended = false;

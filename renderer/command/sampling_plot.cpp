@@ -27,26 +27,26 @@ constexpr double Left = 24;
 constexpr double HeaderHeight = 118;
 constexpr double RowHeight = 268;
 constexpr double DiscSide = 200;
-// Where the columns begin.
+// Left edges of the columns.
 constexpr double DensityAt = Left;
 constexpr double ScaleAt = DensityAt + DiscSide + 14;
 constexpr double IdealAt = ScaleAt + 66;
 constexpr double PolarAt = IdealAt + DiscSide + 26;
 constexpr double WeightsAt = PolarAt + 312;
 
-/// Of views that nobody chose: on the left, where the plane of incidence has them.
+/// Azimuth of the default views: on the left, as in plots of the plane of incidence.
 constexpr double DefaultAzimuth = std::numbers::pi;
 
 constexpr std::string_view SchemeColour = "#d55e00";
 constexpr std::string_view IdealColour = "#0072b2";
 constexpr std::string_view Dashes = "6 3";
 
-/// Of the light's angle in the plane of incidence, in degrees; the view is on the left.
+/// Returns the light direction at an angle in degrees in the plane of incidence; the view is on the left.
 Vec3f light_at(double degrees, const Angles& view) {
   return direction_of({degrees * std::numbers::pi / 180, view.phi + std::numbers::pi});
 }
 
-/// One view with what is drawn of it.
+/// A row of the plot: one view direction with its samples.
 struct Row {
   const SampledInstance& instance;
   Angles view;
@@ -64,7 +64,7 @@ struct Row {
 Row row_of(const SampledInstance& instance, const Angles& view) {
   constexpr std::uint32_t Samples = 1U << 15U;
   const Vec3f u = direction_of(view);
-  // By the BRDF's own sampler: the scheme is on trial.
+  // The albedo is estimated by the BRDF's own sampler, independently of the scheme.
   const reflectance::Reflector own(instance.reflector.brdf(), reflectance::OwnScheme());
   const double albedo = reflectance::mean(reflectance::albedo(own, u));
   DrawnSamples drawn = draw_samples(instance.reflector, u, Samples, 0);
@@ -73,7 +73,7 @@ Row row_of(const SampledInstance& instance, const Angles& view) {
 }
 
 void draw_discs(const Row& row, double top, plot::Svg& svg) {
-  // On the disc's area, where a cosine is in the measure: even dots mean an even colour.
+  // Pdfs are per area of the disc, i.e. per projected solid angle: even dots mean an even colour.
   const auto on_area = [](double per_solid_angle, const Vec3f& v) { return per_solid_angle / v.z; };
   const DiscMap density([&](const Vec3f& v) { return on_area(row.density(v), v); });
   const DiscMap ideal([&](const Vec3f& v) { return on_area(row.ideal(v), v); });
@@ -116,12 +116,12 @@ plot::PolarChart polar_of(const Row& row) {
   if (shorter > 0 && longer > TooLong * shorter) {
     chart.maximum = Longest * shorter;
     chart.note = fmt::format("cut: {} reaches {:.3g}",
-                             peak_of(ideal) > peak_of(density) ? "f cos / albedo" : "the density", longer);
+                             peak_of(ideal) > peak_of(density) ? "f cos / albedo" : "the pdf", longer);
   }
   return chart;
 }
 
-/// Shares of all samples in bins of weights, as a line of steps. The outermost bins have what is beyond them.
+/// Makes a histogram of the sample weights, as a step curve. The outermost bins include all weights beyond.
 plot::Chart histogram_of(const Row& row) {
   constexpr int BinsOfADecade = 15;
   constexpr int Decades = 4;
@@ -141,7 +141,7 @@ plot::Chart histogram_of(const Row& row) {
     steps.points.emplace_back(edge(bin + 1), shares[static_cast<std::size_t>(bin)]);
   }
   plot::Chart chart{{},
-                    {"weight in albedos; the ends have what is beyond", true, 0.01, 100, 0},
+                    {"weight / albedo (end bins include all beyond)", true, 0.01, 100, 0},
                     {"% of samples", false, 0, {}, 0},
                     {}};
   chart.y.maximum = std::max(1.0, 1.05 * peak_of(steps));
@@ -149,7 +149,7 @@ plot::Chart histogram_of(const Row& row) {
   return chart;
 }
 
-/// As labels have it.
+/// Formats an angle for labels.
 std::string degrees_text(double radians) {
   return fmt::format("{:.4g}\u00B0", radians * 180 / std::numbers::pi);
 }
@@ -163,8 +163,8 @@ std::string facts_of(const Row& row) {
   const auto add = [&](double share, const char* what) {
     if (share > 0) text += fmt::format("   \u00B7   {:.3g} % of samples {}", 100 * share, what);
   };
-  add(statistics.rejected, "carry nothing");
-  add(statistics.mirrored, "are the mirror part's");
+  add(statistics.rejected, "rejected");
+  add(statistics.mirrored, "specular");
   return text;
 }
 
@@ -203,7 +203,7 @@ std::string costs_of(const SampledInstance& instance, const std::vector<Row>& ro
   if (const std::size_t bytes = instance.reflector.bytes(); bytes > 0) {
     tables = fmt::format("tables: {}, built in {}", memory_text(bytes), time_text(instance.build_seconds));
   }
-  return fmt::format("{}   \u00B7   a sample: {:.0f} ns   \u00B7   drawn by cosine: {:.3g} %", tables,
+  return fmt::format("{}   \u00B7   {:.0f} ns per sample   \u00B7   cosine-weighted: {:.3g} %", tables,
                      1e9 * seconds / static_cast<double>(std::max<std::size_t>(1, count)),
                      100 * instance.reflector.cosine_share());
 }
@@ -222,12 +222,12 @@ void draw_header(const std::string& brdf, const std::string& pdf, const std::str
     svg.text({x, Y}, words, {13, "#111", Anchor::Start, 0});
     svg.text({x, Y + 17}, meaning, {11, "#666", Anchor::Start, 0});
   };
-  heading(DensityAt, "Density, and 1000 samples", "on the unit disc, per area of it");
-  heading(IdealAt, "f cos / albedo", "in the same colours");
+  heading(DensityAt, "Pdf and 1000 samples", "on the unit disc, per projected solid angle");
+  heading(IdealAt, "f cos / albedo", "the ideal pdf, in the same colours");
   heading(PolarAt, "In the plane of incidence", "");
-  heading(WeightsAt + 62, "Weights f cos / density", "a perfect scheme has weight 1 alone");
+  heading(WeightsAt + 62, "Weights f cos / pdf", "1 for perfect importance sampling");
   svg.line({PolarAt, Y + 13}, {PolarAt + 22, Y + 13}, {SchemeColour, 2, Dashes});
-  svg.text({PolarAt + 27, Y + 17}, "density", {11, "#333", Anchor::Start, 0});
+  svg.text({PolarAt + 27, Y + 17}, "pdf", {11, "#333", Anchor::Start, 0});
   svg.line({PolarAt + 88, Y + 13}, {PolarAt + 110, Y + 13}, {IdealColour, 2});
   svg.text({PolarAt + 115, Y + 17}, "f cos / albedo", {11, "#333", Anchor::Start, 0});
 }

@@ -9,10 +9,10 @@
 
 namespace command {
 
-/// How a scheme samples a BRDF, a row for each view: on the unit disc the scheme's density with samples of it
-/// and, in the same colours, f cos over the albedo, which a perfect scheme has for density; both in the plane
-/// of incidence; the distribution of the weights. And what the scheme's tables cost. Without views, for three
-/// polar angles.
+/// Plots how a scheme samples a BRDF, in one row per view: its pdf on the unit disc with samples and, in the
+/// same colours, f cos / albedo, the pdf of perfect importance sampling; both in the plane of incidence; and
+/// a histogram of the sample weights. The header has the cost of the scheme's tables. Without views, three
+/// polar angles are shown.
 plot::Svg picture_of_sampling(const SampledInstance& instance, const std::string& brdf,
                               const std::string& pdf, const std::vector<Angles>& views);
 

@@ -28,7 +28,7 @@ std::filesystem::path own_folder() {
   return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
 }
 
-/// How a process starts that has nothing of this one: no terminal, no open files, no signals held back.
+/// Attributes of a detached process: no terminal, no open files, no blocked signals.
 class Detached {
  public:
   Detached() {
@@ -67,7 +67,7 @@ std::optional<std::string> ViewerProgram::keep() { return process_ == 0 ? start(
 
 std::optional<std::string> ViewerProgram::start() {
   if (!is_given("DISPLAY") && !is_given("WAYLAND_DISPLAY")) {
-    return "there is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set";
+    return "there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set";
   }
   const std::filesystem::path folder = own_folder();
   const std::string beside = (folder / Name).string();
@@ -89,8 +89,8 @@ std::optional<std::string> ViewerProgram::start() {
 std::optional<std::string> ViewerProgram::ending() const {
   int status = 0;
   if (::waitpid(process_, &status, WNOHANG) != process_) return std::nullopt;
-  return WIFEXITED(status) ? fmt::format("`{}` has ended with exit code {}", Name, WEXITSTATUS(status))
-                           : fmt::format("`{}` was ended by signal {}", Name, WTERMSIG(status));
+  return WIFEXITED(status) ? fmt::format("`{}` exited with code {}", Name, WEXITSTATUS(status))
+                           : fmt::format("`{}` was killed by signal {}", Name, WTERMSIG(status));
 }
 
 }  // namespace command

@@ -17,7 +17,7 @@ using transport::Render;
 using transport::RenderSettings;
 using Clock = std::chrono::steady_clock;
 
-/// Between images of one render; images that take long to make are shown less often.
+/// The time between images of one render; images that take long to make are sent less often.
 constexpr std::chrono::milliseconds Interval(80);
 
 }  // namespace
@@ -50,7 +50,7 @@ PreviewRender::~PreviewRender() {
   thread_.join();
 }
 
-/// Has the thread leave what it is at.
+/// Makes the thread abandon its request.
 void PreviewRender::replace_locked() {
   ++number_;
   next_.reset();
@@ -96,7 +96,7 @@ void PreviewRender::work() {
       show(number, request);
     } catch (const std::exception& failure) {
       grf::Diagnostics diagnostics;
-      diagnostics.error({}, std::string("the preview cannot go on: ") + failure.what());
+      diagnostics.error({}, std::string("the preview failed: ") + failure.what());
       listener_.diagnostics(number, diagnostics);
       listener_.state(number, PreviewState::Failed);
     }
@@ -126,8 +126,8 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
   listener_.state(number, PreviewState::Done);
 }
 
-/// A pause ends a render and keeps what it had, of which another one is made when it goes on. False if the
-/// request was replaced.
+/// Runs a stage to its end. A pause stops the render and saves its film, from which a new render resumes.
+/// Returns false if the request was replaced.
 bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool is_last) {
   Kept kept;
   while (true) {
@@ -149,7 +149,7 @@ bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool i
   }
 }
 
-/// Runs a render until it ends or is to be left, and shows it meanwhile.
+/// Runs a render until it ends, is paused or is replaced, and sends images meanwhile.
 PreviewRender::Left PreviewRender::watch(int number, Render& render, bool is_last) {
   std::exception_ptr failure;
   has_ended_ = false;

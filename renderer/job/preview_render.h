@@ -1,4 +1,4 @@
-// A preview: a render that begins coarse, refines, and begins anew whenever what it shows has changed.
+// A preview is a progressive render: it starts coarse, refines, and restarts whenever the scene changes.
 #pragma once
 
 #include <condition_variable>
@@ -21,10 +21,10 @@ enum class PreviewState {
   Failed,  ///< the diagnostics say why
 };
 
-/// Who hears of a preview. All are called by its thread, with the number of the request that they are about;
-/// something may still be said of a request that was just replaced or stopped.
+/// Callbacks of a preview. All are called from its thread, with the number of their request; calls for a
+/// request that was just replaced or stopped may still arrive.
 struct PreviewListener {
-  /// An image, at first smaller than asked for. Progress is that of the image in its whole size.
+  /// Receives an image, at first of lower resolution. Progress is that of the full resolution.
   std::function<void(int request, std::shared_ptr<const transport::Image> image,
                      const transport::RenderProgress& progress)>
       image;
@@ -32,17 +32,17 @@ struct PreviewListener {
   std::function<void(int request, PreviewState state)> state;
 };
 
-/// Shows one request after the other, in a thread of its own. All functions return at once, and may be called
-/// from any thread.
+/// Renders previews in a thread of its own, of which the latest request replaces the one before. All
+/// functions return at once and may be called from any thread.
 class PreviewRender {
  public:
   explicit PreviewRender(PreviewListener listener, StoppableImageReader image_reader = {});
   PreviewRender(const PreviewRender&) = delete;
   PreviewRender& operator=(const PreviewRender&) = delete;
-  /// Stops, and waits for the thread.
+  /// Stops the render and joins the thread.
   ~PreviewRender();
 
-  /// Shows this in place of what was shown; returns its number. A preview that was paused goes on.
+  /// Replaces the current request and returns the number of the new one. Ends a pause.
   int start(PreviewRequest request);
   void stop();
   void pause();
@@ -51,7 +51,7 @@ class PreviewRender {
  private:
   /// Why a render was left.
   enum class Left { AtItsEnd, ForAPause, ForAnother };
-  /// What a paused render had.
+  /// The film and totals of a paused render.
   struct Kept;
 
   void work();
@@ -65,19 +65,19 @@ class PreviewRender {
 
   const PreviewListener listener_;
   PreviewScene scene_;
-  /// Of the stage before, and of the current one.
+  /// The image of the last finished stage.
   std::shared_ptr<const transport::Image> shown_;
 
-  std::mutex lock_;  ///< of what follows
+  std::mutex lock_;  ///< guards the members below
   std::condition_variable changed_;
   std::optional<PreviewRequest> next_;
   int number_ = 0;
   bool is_paused_ = false;
   bool ends_ = false;
-  bool has_ended_ = false;  ///< the render that is watched
+  bool has_ended_ = false;  ///< the current render has finished
   std::stop_source preparing_;
 
-  std::thread thread_;  ///< the last member: it uses the others
+  std::thread thread_;  ///< declared last, because it uses the other members
 };
 
 }  // namespace job

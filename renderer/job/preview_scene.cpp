@@ -78,7 +78,7 @@ bool PreviewScene::compile(const PreviewRequest& request, const CompileSettings&
   return true;
 }
 
-/// Those that were read for the last request, if this one names the same.
+/// Reuses the environment map or backplate of the last request if this one has the same.
 void PreviewScene::keep_surroundings(const options::RenderOptions& render_options,
                                      RenderSettings& settings) const {
   const bool are_known = last_ && last_->options.environment == render_options.environment &&

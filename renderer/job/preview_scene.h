@@ -14,35 +14,34 @@
 
 namespace job {
 
-/// What a preview is to show. The scene is one in memory: the options' own scene and output count for
-/// nothing.
+/// A request for a preview of a scene in memory; the options' scene and output paths are ignored.
 struct PreviewRequest {
   grf::Scene scene;
-  std::string path;  ///< of the scene's file, from whose folder it names others; empty: the current folder
+  std::string path;  ///< of the scene's file, for relative paths; empty: the current folder
   options::RenderOptions options;
-  std::optional<transport::View> view;  ///< in place of that of the options
+  std::optional<transport::View> view;  ///< overrides that of the options
 };
 
-/// Reads images as transport::ImageReader does, and gives that up once it is asked to stop.
+/// Reads images as transport::ImageReader does, and cancels when stop is requested.
 using StoppableImageReader = std::function<std::optional<transport::Image>(
     const std::string& path, grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at,
     const std::stop_token& stop)>;
 
-/// What previews need of a scene, kept from one to the next as far as it is the same: where only the view
-/// changes nothing is compiled, and where only surfaces change, what casts rays is kept.
+/// The compiled scene of previews, reused between requests as far as possible: where only the view changes
+/// nothing is compiled, and where only surfaces change, the acceleration structure is reused.
 class PreviewScene {
  public:
-  /// An empty reader: images are read in this process.
+  /// Images are read in this process if the reader is empty.
   explicit PreviewScene(StoppableImageReader image_reader = {}) : image_reader_(std::move(image_reader)) {}
 
-  /// Makes ready for a request. What is wrong with it is an error, and nothing is returned; nor after it was
-  /// asked to stop. A request that is no other than the last one reads its files anew.
+  /// Compiles the scene and loads the images of a request. Reports errors, and then returns nothing, as after
+  /// a requested stop. A request equal to the last one reads its files again.
   std::optional<transport::RenderSettings> prepare(const PreviewRequest& request, const std::stop_token& stop,
                                                    grf::Diagnostics& diagnostics);
 
-  /// That of the last request that could be prepared.
+  /// The compiled scene of the last request that was prepared successfully.
   const transport::CompiledScene& compiled() const { return *compiled_; }
-  /// How often a scene was compiled.
+  /// Number of compilations so far.
   int compilations() const { return compilations_; }
 
  private:

@@ -1,4 +1,4 @@
-// How a preview comes to its image: from coarse to fine.
+// The stages of a preview go from coarse to fine.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace job {
 
-/// The renders that a preview makes one after the other, the last of which is the one asked for. Those before
-/// it have an eighth, a quarter and half of its pixels a side and one sample each, unless they would be only
-/// a few pixels wide.
+/// Returns the settings of a preview's successive renders, of which the last is the one asked for. Those
+/// before it have an eighth, a quarter and half of its resolution and one sample per pixel; stages that would
+/// be less than 12 pixels across are skipped.
 std::vector<transport::RenderSettings> preview_stages(const transport::RenderSettings& whole);
 
-/// The image so far, with what another image of the same view shows where there is no sample yet.
+/// Returns the image so far; tiles without samples are filled from `before`, an image of the same view.
 transport::Image completed(const transport::Render& render, const transport::Image& before);
 
 }  // namespace job

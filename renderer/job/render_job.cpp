@@ -23,7 +23,7 @@ using transport::CompiledScene;
 using transport::Integrator;
 using transport::PixelPlacing;
 
-/// The scheme that the options name, checked; false after an error.
+/// Sets the sampling scheme that the options name, checked; returns false after an error.
 bool override_scheme(const RenderOptions& render_options, transport::CompileSettings& settings,
                      Diagnostics& diagnostics) {
   options::warn_of_unused_options(render_options, diagnostics);
@@ -91,7 +91,7 @@ bool load_surroundings(const RenderOptions& render_options, transport::RenderSet
 
 namespace {
 
-/// Where samples lie in a pixel, and how many there are of them.
+/// Sets the number of samples and their pattern in a pixel.
 void place_samples(const RenderOptions& render_options, transport::RenderSettings& settings) {
   settings.samples = render_options.samples_a_pixel();
   if (settings.integrator.integrator == Integrator::Path) return;
@@ -180,7 +180,7 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
 
 bool has_direction(const transport::View& view, Diagnostics& diagnostics) {
   if (view.eye != view.target) return true;
-  diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: there is no direction to look in");
+  diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: the view direction is undefined");
   return false;
 }
 
@@ -198,7 +198,7 @@ bool has_something(const CompiledScene& scene, const RenderOptions& render_optio
                    Diagnostics& diagnostics) {
   if (scene.triangle_count() > 0) return true;
   diagnostics.error(grf::whole_file(render_options.scene),
-                    "the scene has nothing to render, expected a mesh or a light");
+                    "the scene has nothing to render: it needs a mesh or a light");
   return false;
 }
 
@@ -210,7 +210,7 @@ std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnos
     planned = render_plan(*scene, *compile_settings, render_options, diagnostics);
   if (!planned) {
     transport::RenderSettings unused;
-    load_surroundings(render_options, unused, diagnostics);  // says all that is wrong at once
+    load_surroundings(render_options, unused, diagnostics);  // to report all errors at once
     return std::nullopt;
   }
   auto compiled = transport::compile(std::move(*scene), diagnostics, planned->compile_settings);

@@ -1,4 +1,4 @@
-// What the options of a render and a scene come to: all that rays need.
+// A render job is made from render options and the scene that they name.
 #pragma once
 
 #include <optional>
@@ -11,66 +11,65 @@
 
 namespace job {
 
-/// What a render needs, once its files have been read.
+/// The inputs of a render, with all files read.
 struct RenderJob {
   transport::CompiledScene scene;
   transport::RenderSettings settings;
   transport::Plan plan;
 };
 
-/// Reads and compiles the scene that the options name, with all that they say of it; nothing after an error.
+/// Reads, plans and compiles the scene that the options name; nothing after an error.
 std::optional<RenderJob> render_job(const options::RenderOptions& render_options,
                                     grf::Diagnostics& diagnostics);
 
-// The parts of which `render_job` is made; nothing, or false, after an error.
+// The steps of `render_job` return nothing, or false, after an error.
 
-/// The scene as its author wrote it, checked.
+/// Reads and checks the scene that the options name.
 std::optional<grf::Scene> read_scene(const options::RenderOptions& render_options,
                                      grf::Diagnostics& diagnostics);
-/// An error unless its models are known and right, and its names mean something.
+/// Reports unknown models, bad values and undefined names.
 bool check(const grf::Scene& scene, grf::Diagnostics& diagnostics);
-/// What the options say of compiling, before a plan.
+/// Returns the compile settings that the options ask for, before a plan.
 std::optional<transport::CompileSettings> compile_settings_of(const options::RenderOptions& render_options,
                                                               grf::Diagnostics& diagnostics);
 
-/// What a render will do, before anything costly is made.
+/// The plan of a render, made before any expensive work.
 struct RenderPlan {
   transport::CompileSettings compile_settings;
   transport::RenderSettings settings;
   transport::Plan plan;
 };
 
-/// Looks at what a render of a scene calls for. Its settings are without surroundings.
+/// Plans which effects a render of a scene needs. The settings have no environment map or backplate yet.
 std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::CompileSettings compile_settings,
                                       const options::RenderOptions& render_options,
                                       grf::Diagnostics& diagnostics);
-/// Reads the image around or behind the scene into the settings, if the plan needs it; what is there already
-/// is kept.
+/// Loads the environment map or backplate into the settings if the plan needs it, unless it is there already.
 bool load_surroundings(const options::RenderOptions& render_options, RenderPlan& planned,
                        grf::Diagnostics& diagnostics);
-/// What the options say of a render of what is in this box, without surroundings.
+/// Returns the settings for a scene of these bounds, without environment map or backplate.
 transport::RenderSettings settings_of(const options::RenderOptions& render_options, const grf::Box3d& bounds);
-/// An error if the eye is where it looks at.
+/// Reports an error if the eye and the look-at point coincide.
 bool has_direction(const transport::View& view, grf::Diagnostics& diagnostics);
-/// Reads the image around or behind the scene into the settings; what is there already is kept.
+/// Loads the environment map or backplate into the settings, unless it is there already.
 bool load_surroundings(const options::RenderOptions& render_options, transport::RenderSettings& settings,
                        grf::Diagnostics& diagnostics,
                        const transport::ImageReader& image_reader = transport::read_image);
-/// Whether samples are counted: time and error decide how many there are, unless their number was given.
+/// Returns whether the number of samples is limited: not if only a target error or a time limit is given.
 bool counts_samples(const options::RenderOptions& render_options);
-/// An error if there is nothing to render.
+/// Reports an error if the scene has nothing to render.
 bool has_something(const transport::CompiledScene& scene, const options::RenderOptions& render_options,
                    grf::Diagnostics& diagnostics);
 
-/// What a bake needs, once its files have been read.
+/// The inputs of an irradiance bake, with all files read.
 struct BakeJob {
-  grf::Scene scene;  ///< flat
+  grf::Scene scene;  ///< flattened
   transport::CompiledScene compiled;
   transport::BakeSettings settings;
-  grf::Vec3f eye;  ///< in the world
+  grf::Vec3f eye;  ///< in world coordinates
 };
 
-/// The same for a bake, by the integrator `path` whatever the options say.
+/// Prepares a bake likewise, always with the integrator `path`.
 std::optional<BakeJob> bake_job(options::RenderOptions render_options, int directions,
                                 grf::Diagnostics& diagnostics);
 

@@ -31,7 +31,7 @@ class OpReader {
     }
     if (options_.scene.empty() && !diagnostics_.has_errors()) {
       diagnostics_.error({file_, 0, 0},
-                         "no scene is named, expected a line 'BPT_Scene' and the path of a GRF file");
+                         "no scene is given, expected a line 'BPT_Scene' with the path of a GRF file");
     }
     if (diagnostics_.has_errors()) return std::nullopt;
     return options_;
@@ -45,14 +45,14 @@ class OpReader {
       return grf::SourceLocation{file_, line_, op_column(line, word.begin)};
     };
     if (words.back().is_open) {
-      diagnostics_.error(at(words.back()), "a quote that is not closed, expected another one in this line");
+      diagnostics_.error(at(words.back()), "unclosed quote, expected another one on this line");
       return;
     }
     const auto [option, key_words] = op_key(words);
     if (option == nullptr) return report_unknown(words, at(words[0]));
     if (const auto [first, is_new] = lines_.emplace(option, line_); !is_new) {
       diagnostics_.error(at(words[0]),
-                         fmt::format("{} is given twice, first in line {}", option->key, first->second));
+                         fmt::format("{} is given twice, first on line {}", option->key, first->second));
       return;
     }
     std::vector<std::string> values;
@@ -70,7 +70,7 @@ class OpReader {
   void report_unknown(const std::vector<OpWord>& words, const grf::SourceLocation& place) {
     std::vector<std::string> keys;
     for (const OptionInfo& option : option_table()) keys.emplace_back(option.key);
-    // A key may be written with spaces: of the words up to a number, as many as are near a key.
+    // A key may be written with spaces: of the words up to a number, keep the longest that is near a key.
     std::string suggestion;
     std::string named = words[0].text;
     std::string key;
@@ -107,7 +107,7 @@ std::optional<RenderOptions> read_op_file(const std::string& path, grf::Diagnost
 std::optional<RenderOptions> read_op_text(const std::string& path, std::shared_ptr<const std::string> text,
                                           grf::Diagnostics& diagnostics) {
   if (text->empty()) {
-    diagnostics.error(grf::whole_file(path), "the file is empty, expected options, one a line");
+    diagnostics.error(grf::whole_file(path), "the file is empty, expected options, one per line");
     return std::nullopt;
   }
   return OpReader(path, std::move(text), diagnostics).run();

@@ -9,11 +9,11 @@
 
 namespace options {
 
-/// Reads an OP file: a key and its values on each line, `#` and `//` for comments. Paths become relative to
-/// the folder of the file. If anything is wrong, all of it is in the diagnostics and nothing is returned.
+/// Reads an OP file: a key and its values per line, `#` and `//` for comments. Paths are taken relative to
+/// the folder of the file. Reports all errors in the diagnostics and then returns nothing.
 std::optional<RenderOptions> read_op_file(const std::string& path, grf::Diagnostics& diagnostics);
 
-/// The same of a text that the file has, or would have.
+/// Parses the text of an OP file likewise; `path` need not exist.
 std::optional<RenderOptions> read_op_text(const std::string& path, std::shared_ptr<const std::string> text,
                                           grf::Diagnostics& diagnostics);
 

@@ -47,7 +47,7 @@ OpKey op_key(const std::vector<OpWord>& words) {
 }
 
 std::uint32_t op_column(std::string_view line, std::size_t at) {
-  // Bytes that continue a character do not count.
+  // Continuation bytes of UTF-8 do not count.
   const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   return 1 + static_cast<std::uint32_t>(std::count_if(
                  line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), starts_character));

@@ -1,4 +1,4 @@
-// The words of a line of an OP file, and the option that they are about.
+// A line of an OP file is split into words, of which the first are the key of an option.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,23 @@ namespace options {
 
 struct OpWord {
   std::string text;       ///< without quotes
-  std::size_t begin = 0;  ///< in bytes of the line, with its quotes
+  std::size_t begin = 0;  ///< byte offset in the line, quotes included
   std::size_t end = 0;
-  bool is_open = false;  ///< its second quote is missing
+  bool is_open = false;  ///< the closing quote is missing
 };
 
-/// Up to the comment, if there is one: it starts the line or follows white space, so that `a#b` and
-/// `http://x` are words. A quoted word may contain spaces.
+/// Splits a line into words, up to a comment. A comment starts the line or follows white space, so that `a#b`
+/// and `http://x` are words. A quoted word may contain spaces.
 std::vector<OpWord> op_words(std::string_view line);
 
-/// What a line is about, and how many of its words are the key: underscores may be spaces. Null if it is no
-/// option.
+/// The option that a line sets.
 struct OpKey {
-  const OptionInfo* option = nullptr;
-  std::size_t word_count = 0;
+  const OptionInfo* option = nullptr;  ///< null if the key is unknown
+  std::size_t word_count = 0;          ///< words of the key: spaces may stand for underscores
 };
 OpKey op_key(const std::vector<OpWord>& words);
 
-/// The column of a byte of UTF-8 text, in characters from 1.
+/// Returns the column of a byte of UTF-8 text, in characters from 1.
 std::uint32_t op_column(std::string_view line, std::size_t at);
 
 }  // namespace options

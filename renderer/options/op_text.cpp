@@ -10,7 +10,7 @@
 namespace options {
 namespace {
 
-/// Where values start in a new file, so that they stand under each other: behind the longest key.
+/// The column of values in a new file, after the longest key, so that values are aligned.
 constexpr std::size_t ValueColumn = 22;
 
 bool needs_quotes(const std::string& word) {
@@ -36,10 +36,10 @@ bool is_default(const OptionInfo& option, const std::vector<std::string>& words)
   return !set_option(options, option, words) && options == RenderOptions();
 }
 
-/// How a line of options is laid out, for another one like it.
+/// The layout of a line, to copy to a new line.
 struct Layout {
   std::string indentation;
-  std::size_t column = ValueColumn;  ///< of the value, in bytes behind the indentation
+  std::size_t column = ValueColumn;  ///< of the value, in bytes after the indentation
   bool has_tab = false;              ///< between key and value
 };
 
@@ -138,14 +138,13 @@ const OptionInfo* OpText::option_at(std::uint32_t line) const {
 
 RenderOptions OpText::options() const {
   RenderOptions options;
-  for (std::size_t i = lines_.size();
-       i-- > 0;) {  // the first of those that are given twice is the last one here
+  for (std::size_t i = lines_.size(); i-- > 0;) {  // backwards, so that the first of duplicate keys wins
     const std::vector<OpWord> all = op_words(lines_[i].text);
     const auto [option, key_words] = op_key(all);
     if (option == nullptr) continue;
     std::vector<std::string> words;
     for (std::size_t k = key_words; k < all.size(); ++k) words.push_back(all[k].text);
-    set_option(options, *option, words);  // leaves what it is if the words are wrong
+    set_option(options, *option, words);  // keeps the value if the words are invalid
   }
   return options;
 }
@@ -179,7 +178,7 @@ void OpText::replace(std::size_t line, const std::vector<std::string>& words) {
     text.insert(all.back().end, " " + written(words));
     return;
   }
-  // Word by word, so that the spaces between them stay; unless two of them touch.
+  // Replace word by word to keep the spaces between them, unless two words touch.
   bool has_gaps = all.size() - key_words == words.size();
   for (std::size_t i = key_words + 1; i < all.size(); ++i) has_gaps &= all[i].begin > all[i - 1].end;
   if (!has_gaps) {
@@ -194,7 +193,7 @@ void OpText::replace(std::size_t line, const std::vector<std::string>& words) {
   }
 }
 
-/// The line behind which a new one belongs: the last of its group, or of the groups before.
+/// Returns the line after which a new one is inserted: the last of its group, or of the groups before.
 std::optional<std::size_t> OpText::neighbour_of(const OptionInfo& option) const {
   std::optional<std::size_t> neighbour;
   OptionGroup nearest = OptionGroup::Image;

@@ -1,4 +1,4 @@
-// The text of an OP file that is being edited: options change, and all else stays as its author wrote it.
+// An OP file is edited as text: options change, and comments and layout stay as their author wrote them.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace options {
 
-/// Comments, order, spacing, line ends, the spelling of keys and lines that are wrong are kept byte for byte.
-/// Where a key is given twice, the first one counts.
+/// The text of an OP file. Edits keep comments, order, spacing, line ends, the spelling of keys and invalid
+/// lines byte for byte. Of duplicate keys, the first one counts.
 class OpText {
  public:
   OpText() = default;
@@ -21,33 +21,33 @@ class OpText {
 
   std::string text() const;
 
-  /// Without a byte order mark, and with `\n` at the end of each line, as text fields have it.
+  /// Returns the text without a byte order mark and with `\n` line ends, for text fields.
   std::string plain_text() const;
-  /// Takes such a text. Lines that stay, before and behind what was changed, keep their own ends.
+  /// Sets the text from a text field. Unchanged lines at the beginning and end keep their own line ends.
   void set_plain_text(std::string_view text);
 
-  /// The words behind an option's key, without quotes; nothing if the key is not there.
+  /// Returns the words after an option's key, without quotes; nothing if the key is not there.
   std::optional<std::vector<std::string>> words_of(const OptionInfo& option) const;
-  /// The number of the line, from 1; 0: the key is not there.
+  /// Returns the line number of an option, from 1; 0 if the key is not there.
   std::uint32_t line_of(const OptionInfo& option) const;
-  /// What a line is about, or null.
+  /// Returns the option that a line sets, or null.
   const OptionInfo* option_at(std::uint32_t line) const;
 
-  /// What can be made of the text: values that are wrong count as not given. Paths are as they stand.
+  /// Parses the text leniently: invalid values are ignored. Paths are not resolved.
   RenderOptions options() const;
 
-  /// Gives an option these words, right or wrong, in place of those that it has; a key that is missing comes
-  /// behind the last one of its group. An option that comes to its default is removed. False, and nothing
-  /// happens, if a word cannot be written: with a line end, or with a quote where it needs quotes itself.
+  /// Sets an option's words, valid or not; a missing key is added after the last one of its group. An option
+  /// that has its default value is removed. Returns false and changes nothing if a word cannot be written:
+  /// one with a line end, or with a quote where the word itself needs quotes.
   bool set(const OptionInfo& option, const std::vector<std::string>& words);
 
-  /// Takes the option away; a comment behind it stays, as a line of its own.
+  /// Removes the option; a comment after it stays, as a line of its own.
   void remove(const OptionInfo& option);
 
  private:
   struct Line {
     std::string text;
-    std::string end;  ///< `\n`, `\r\n`, or nothing
+    std::string end;  ///< `\n`, `\r\n`, or empty
   };
 
   std::vector<std::size_t> lines_of(const OptionInfo& option) const;
@@ -56,7 +56,7 @@ class OpText {
   std::optional<std::size_t> neighbour_of(const OptionInfo& option) const;
   void remove_line(std::size_t line);
 
-  std::string mark_;  ///< the byte order mark, if there is one
+  std::string mark_;  ///< the byte order mark, or empty
   std::vector<Line> lines_;
 };
 

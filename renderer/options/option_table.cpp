@@ -1,4 +1,4 @@
-// The table, and what a key means in it.
+// The table of render options, and the lookup of keys.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -11,14 +11,14 @@ namespace {
 
 constexpr float Largest = std::numeric_limits<float>::max();
 
-/// `BPT_Pixel_SampleRes`, `BPT Pixel SampleRes` and `Pixel_SampleRes` are the same key.
+/// Normalises a key: `BPT_Pixel_SampleRes`, `BPT Pixel SampleRes` and `Pixel_SampleRes` are the same.
 std::string canonical(std::string_view key) {
   std::string plain = grf::lower_case(key);
   std::replace(plain.begin(), plain.end(), ' ', '_');
   return plain.starts_with("bpt_") ? plain.substr(4) : plain;
 }
 
-/// Of the scene and its image.
+/// Options of the scene and its image.
 std::vector<OptionInfo> image_options() {
   using Options = RenderOptions;
   constexpr float MostStops = 100;
@@ -30,126 +30,132 @@ std::vector<OptionInfo> image_options() {
       {"BPT_Output_Image", "--output",
        PathOption{&Options::output, false, {"exr", "hdr", "pfm", "raw", "png", "jpg", "tga"}, true}, "path",
        "the scene's name with .exr",
-       "the image; the extension says the type: exr, hdr, pfm or raw keep radiance, png, jpg or tga have 8 "
-       "bits and are encoded in sRGB"},
+       "output image; its extension selects the type: exr, hdr, pfm and raw store linear radiance, png, jpg "
+       "and tga 8-bit sRGB"},
       {"BPT_Exposure", "--exposure", NumberOption<float>{&Options::exposure, -MostStops, MostStops}, "float",
-       "0", "stops by which 8-bit outputs are brightened; the others stay radiance"},
+       "0", "exposure compensation of 8-bit outputs, in stops; the other types store radiance"},
       {"BPT_Layers", "--layers",
        ListOption{&Options::layers, {"albedo", "normal", "depth", "variance", "samples"}}, "list", "none",
-       "what an exr output holds besides, with commas between: albedo, normal, depth (of the first hit), "
-       "variance (of the pixel's mean), samples (how many it has); or all, or none"},
+       "layers (AOVs) of an exr output, comma-separated: albedo, normal, depth (of the first hit), variance "
+       "(of the pixel's mean), samples (per pixel); or all, or none"},
   };
 }
 
-/// Of the eye and the light.
+/// Options of the camera, the environment and baked light.
 std::vector<OptionInfo> view_options() {
   using Options = RenderOptions;
   return {
       {"BPT_Viewer", "", PlaceOption{&Options::viewer}, "x y z", "framed to the scene",
-       "the eye, in world coordinates"},
-      {"BPT_VLook", "", PlaceOption{&Options::target}, "x y z", "the scene's centre", "the point looked at"},
+       "camera position (eye), in world coordinates"},
+      {"BPT_VLook", "", PlaceOption{&Options::target}, "x y z", "the scene's centre",
+       "look-at point of the camera, in world coordinates"},
       {"BPT_Up", "", VectorOption{&Options::up, -Largest}, "x y z", "0 1 0",
-       "the direction up; where it is parallel to the view, the z axis"},
+       "up vector of the camera; the z axis is used if it is parallel to the view direction"},
       {"BPT_FieldOfView", "", NumberOption<float>{&Options::field_of_view, 0, 180, true}, "float", "45",
        "vertical field of view in degrees"},
       {"BPT_Background", "", VectorOption{&Options::background, 0}, "r g b", "0 0 0",
-       "radiance that comes from where nothing is, W/(sr m2)"},
+       "constant background radiance where rays leave the scene, W/(sr m2)"},
       {"BPT_EM_Background", "--environment",
        PathOption{&Options::environment, true, {"exr", "hdr", "pfm", "raw", "png", "jpg", "tga"}}, "path",
        "none",
-       "environment map or background image: exr, hdr, pfm, raw, png, jpg or tga, the 8-bit ones in sRGB"},
+       "environment map or backplate image: exr, hdr, pfm, raw, png, jpg or tga, the 8-bit ones in sRGB"},
       {"BPT_EM_Projection", "", WordOption{&Options::projection, {"latlong", "backplate"}}, "word", "latlong",
-       "latlong: light from all around, y up, the image's centre looks down -z, its right is +x; backplate: "
-       "a plain image behind the scene that lights nothing"},
+       "latlong: equirectangular environment map that lights the scene, y up, the image's centre looks down "
+       "-z, its right is +x; backplate: background image that lights nothing"},
       {"BPT_RIS", "--ris", PairOption<std::optional<IntegerPair>>{&Options::resampling, 1, 65536, true},
        "int int", "off",
-       "M and N of resampled importance sampling with an environment map: N of M directions that follow the "
-       "BRDF are chosen by the light from them"},
+       "M and N of resampled importance sampling (RIS) with an environment map: of M directions sampled from "
+       "the BRDF, N are resampled by the radiance of the map"},
       {"BPT_Irradiance", "--irradiance", BooleanOption<bool>{&Options::uses_irradiance}, "bool", "false",
-       "take the irradiance that an IGRF scene carries as the light at a path's first diffuse hit"},
+       "use the baked irradiance of an IGRF scene as the light at a path's first diffuse hit"},
   };
 }
 
-/// Of the estimator and its samples.
+/// Options of the integrator and its samples.
 std::vector<OptionInfo> estimator_options() {
   using Options = RenderOptions;
   constexpr int LargestInt = std::numeric_limits<int>::max();
   constexpr std::uint32_t LargestSeed = std::numeric_limits<std::uint32_t>::max();
   return {
       {"BPT_Integrator", "--integrator", WordOption{&Options::integrator, {"naive", "path"}}, "word", "path",
-       "path: lights and BRDFs are sampled and combined by multiple importance sampling; naive: the thesis' "
-       "estimator, secondary rays by the scheme alone and no light sampling"},
+       "path: path tracing with next-event estimation, lights and BRDFs combined by multiple importance "
+       "sampling (MIS); naive: the thesis' estimator, secondary rays by the sampling scheme only, without "
+       "light sampling"},
       {"BPT_Depth", "--depth", NumberOption<int>{&Options::depth, 0, LargestInt}, "int", "5",
-       "the most scattering events on a path: 0 emission only, 1 direct light only"},
+       "maximum number of bounces (scattering events) of a path: 0 emission only, 1 direct light only"},
       {"BPT_Branches", "--branches", NumberOption<int>{&Options::branches, 1, 1024}, "int", "2",
-       "directions in which a path goes on from its first hit that does more than mirror, for path; 1: paths "
-       "do not split"},
+       "split count: directions in which a path continues from its first hit that is not purely specular, "
+       "for path; 1: no splitting"},
       {"BPT_Samples", "--samples", NumberOption<int, std::optional<int>>{&Options::samples, 1, LargestInt},
-       "int", "Pixel_SampleRes product x NSecRaysRoot^2", "samples a pixel, for path"},
+       "int", "Pixel_SampleRes product x NSecRaysRoot^2", "samples per pixel, for path"},
       {"BPT_Pixel_SampleRes", "", PairOption<IntegerPair>{&Options::pixel_samples, 1, 4096}, "int int", "1 1",
-       "primary rays a pixel, across and down, for naive"},
+       "primary rays per pixel, across and down, for naive"},
       {"BPT_Pixel_Random", "", BooleanOption<bool>{&Options::pixel_random}, "bool", "true",
-       "naive places primary rays at random in their part of the pixel; if this and BPT_Pixel_Radial are "
-       "false, in the pixel's centre"},
+       "jitter primary rays within their cell of the pixel, for naive; if this and BPT_Pixel_Radial are "
+       "false, they go through the pixel's centre"},
       {"BPT_Pixel_Radial", "", BooleanOption<bool>{&Options::pixel_radial}, "bool", "false",
-       "naive places primary rays regularly; wins over BPT_Pixel_Random"},
+       "primary rays on a regular grid in the pixel, for naive; overrides BPT_Pixel_Random"},
       {"BPT_RE_NSecRaysRoot", "", NumberOption<int>{&Options::secondary_rays_root, 1, 10000}, "int", "10",
-       "square root of the number of secondary rays for each primary hit, for naive"},
+       "square root of the number of secondary rays per primary hit, for naive"},
       {"BPT_RayCasting", "", BooleanOption<bool>{&Options::ray_casting}, "bool", "false",
-       "one ray a pixel, its colour the normal at the nearest hit"},
+       "ray casting: one ray per pixel, coloured by the normal at the nearest hit"},
       {"BPT_Points", "--points", WordOption{&Options::points, {"sobol", "independent"}}, "word", "sobol",
-       "random numbers of a pixel's samples: sobol, well spread together, so that errors are smaller; "
-       "independent, which studies compare with"},
+       "sampler: sobol, low-discrepancy points, so that errors are smaller; independent, uniform random "
+       "numbers, for comparison"},
       {"BPT_Precision", "--precision", WordOption{&Options::precision, {"float", "double"}}, "word", "float",
-       "of the BRDFs' formulas: double shows what float loses, which is next to nothing, and takes longer"},
+       "floating-point precision of BRDF evaluation: double shows the rounding error of float, which is "
+       "negligible, and is slower"},
       {"BPT_Seed", "--seed", NumberOption<std::uint32_t>{&Options::seed, 0, LargestSeed}, "int", "0",
-       "the same seed gives the same image, bit for bit"},
+       "random seed; the same seed gives the same image, bit for bit"},
   };
 }
 
-/// Of what is in the image, and what of the program makes it.
+/// Options that switch effects on and off.
 std::vector<OptionInfo> effect_options() {
   using Options = RenderOptions;
   return {
       {"BPT_Only", "--only", ListOption{&Options::only, transport::effect_words()}, "list", "all",
-       "the effects that may be in the image, with commas between: names of renderer/EFFECTS.md, or groups "
-       "of "
-       "them, such as direct"},
+       "effects to render, comma-separated: names of renderer/EFFECTS.md, or groups of them, such as direct"},
       {"BPT_Without", "--without", ListOption{&Options::without, transport::effect_words()}, "list", "none",
-       "those of them that are left out all the same"},
+       "effects to leave out of these, comma-separated"},
       {"BPT_Kernel", "--kernel", WordOption{&Options::kernel, {"auto", "full"}}, "word", "auto",
-       "auto: build, load and run only what the scene, the options and the view call for, as `bpt plan` "
-       "tells; full: all, for the same image in more time"},
+       "auto: build, load and run only what the scene, the options and the view need, as `bpt plan` shows; "
+       "full: everything, for the same image in more time"},
   };
 }
 
-/// Of how long a render goes on, and who sees it.
+/// Options of termination, checkpoints, threads and display.
 std::vector<OptionInfo> running_options() {
   using Options = RenderOptions;
   using Limit = NumberOption<float, std::optional<float>>;
   return {
       {"BPT_TargetError", "--target-error", Limit{&Options::target_error, 0, 1000, true}, "float", "none",
-       "stop once the estimated error, sqrt(relMSE) of the image, is no more than this: 0.02 is 2 %; without "
-       "BPT_Samples, after as many samples as that takes"},
+       "stop when the estimated error, sqrt(relMSE) of the image, is at most this: 0.02 is 2 %; without "
+       "BPT_Samples, the number of samples is unlimited"},
       {"BPT_Adaptive", "--adaptive", BooleanOption<bool>{&Options::adaptive}, "bool", "false",
-       "more samples where the error is, without bias: BPT_Samples is then the mean over pixels"},
+       "adaptive sampling, without bias: more samples where the error is larger; BPT_Samples is then the "
+       "mean "
+       "over pixels"},
       {"BPT_MaxTime", "--time", Limit{&Options::max_seconds, 0, 1e9F, true}, "float", "none",
-       "stop after so many seconds of rendering, with what there is; without BPT_Samples, not before"},
+       "time limit: stop after this many seconds of rendering and keep the image so far; without "
+       "BPT_Samples, "
+       "the number of samples is unlimited"},
       {"BPT_Checkpoint", "--checkpoint", PathOption{&Options::checkpoint, true, {}, true}, "path", "none",
-       "where to keep what a render resumes from, every minute and at its end: the same command goes on from "
-       "it, "
-       "and with more samples from a finished one too"},
+       "checkpoint file, written every minute and at the end: the same command resumes from it, and with "
+       "more samples also continues a finished render"},
       {"BPT_Threads", "--threads", NumberOption<int>{&Options::threads, 0, 4096}, "int", "0",
-       "threads to use; 0: all"},
+       "number of threads; 0: all"},
       {"BPT_DisplayWindow", "", BooleanOption<bool>{&Options::shows_window}, "bool", "false",
-       "show the image as it forms, in the viewer that listens at 127.0.0.1:14158; if none does, `wannabe "
-       "--tool image` is started"},
+       "show the image while it renders, in the image viewer that listens at 127.0.0.1:14158; if none does, "
+       "start `wannabe --tool image`"},
       {"BPT_DisplayServer", "--display-server", AddressOption{&Options::display_server}, "HOST:PORT", "none",
-       "show the image as it forms in that viewer, which speaks tev's network protocol; none is started"},
+       "show the image while it renders, in the image viewer at this address, by tev's network protocol; "
+       "none "
+       "is started"},
   };
 }
 
-/// Of the sampling schemes.
+/// Options of the sampling schemes.
 std::vector<OptionInfo> scheme_options() {
   using Options = RenderOptions;
   using Real = NumberOption<float, std::optional<float>>;
@@ -163,53 +169,53 @@ std::vector<OptionInfo> scheme_options() {
                   {"Diffuse", "Specular", "Hemisphere", "Sphere", "Anisotropic", "Disk", "Adaptive",
                    "Factored", "CascadeCDF", "Reject", "Own", "Auto"}},
        "word", "the scene's, else Auto",
-       "the sampling scheme of all BRDFs, in place of the scene's: Diffuse, Specular, Hemisphere, Sphere, "
+       "sampling scheme of all BRDFs, overriding the scene's: Diffuse, Specular, Hemisphere, Sphere, "
        "Anisotropic, Disk (or Adaptive), Factored, CascadeCDF, Reject, Own (the BRDF's sampler) or Auto"},
       {"BPT_Pdf_LobeExponent", "", Real{&Options::lobe_exponent, 0, LargestExponent}, "float",
-       "the BRDF's own", "exponent for Hemisphere and Sphere"},
+       "the BRDF's own", "exponent of the cosine lobe, for Hemisphere and Sphere"},
       {"BPT_Pdf_AnisoNu", "", Real{&Options::anisotropic_nu, 0, LargestExponent}, "float", "the BRDF's own",
-       "exponent along x for Anisotropic"},
+       "exponent along x, for Anisotropic"},
       {"BPT_Pdf_AnisoNv", "", Real{&Options::anisotropic_nv, 0, LargestExponent}, "float", "the BRDF's own",
-       "exponent along y for Anisotropic"},
+       "exponent along y, for Anisotropic"},
       {"BPT_Pdf_memstat", "", BooleanOption<bool>{&Options::writes_memory}, "bool", "false",
-       "write the bytes that the tables of the schemes hold to `mem.op` beside the image"},
+       "write the memory of the schemes' tables, in bytes, to `mem.op` beside the image"},
       {"BPT_QT_Precomputed", "", Whole{&Options::trees_over_theta, 1, 1000}, "int", "90",
-       "quadtrees over theta for Disk"},
+       "number of quadtrees over theta, for Disk"},
       {"BPT_QT_Anisotropic", "", Whole{&Options::trees_over_phi, 0, 1000}, "int", "0",
-       "quadtrees over phi for Disk; 0: as many as the BRDF needs"},
+       "number of quadtrees over phi, for Disk; 0: as many as the BRDF needs"},
       {"BPT_QT_avgnmax", "", Real{&Options::mean_tries, 1, 100, true}, "float", "2",
-       "the mean number of tries that a leaf of a quadtree may need, for Disk"},
+       "mean number of rejection-sampling tries allowed in a quadtree leaf, for Disk"},
       {"BPT_QT_ImgRes", "", Whole{&Options::tree_resolution, 2, 8192}, "int", "800",
-       "resolution of the dense sampling of the disc for Disk"},
+       "resolution of the dense sampling of the disc, for Disk"},
       {"BPT_QT_release", "", Flag{&Options::releases_table}, "bool", "false",
-       "free the table of BRDF values once the trees stand, for Disk"},
+       "free the table of BRDF values once the quadtrees are built, for Disk"},
       {"BPT_Pdf_Factors_ResU", "", Pair{&Options::factors_u, 1, 256}, "int int", "16 16",
-       "resolution over u for Factored, theta and phi"},
+       "table resolution over u, theta and phi, for Factored"},
       {"BPT_Pdf_Factors_ResP", "", Pair{&Options::factors_p, 1, 1024}, "int int", "32 16",
-       "resolution over the other direction for Factored, theta and phi"},
+       "table resolution over the other direction, theta and phi, for Factored"},
       {"BPT_Pdf_Factors_JK", "", Pair{&Options::factors, 1, 8}, "int int", "2 1",
-       "number of factors J and K for Factored"},
+       "numbers of factors J and K, for Factored"},
       {"BPT_Pdf_Factors_Half", "", Flag{&Options::factors_by_half_vector}, "bool", "false",
-       "parametrise by the half vector, for Factored"},
+       "half-vector parametrisation, for Factored"},
       {"BPT_Pdf_Factors_File", "", PathOption{&Options::factors_file, true, {"txt"}, false, true}, "path",
-       "none", "for Factored, load NAME.txt and NAME_cdf.txt instead of factoring"},
+       "none", "load NAME.txt and NAME_cdf.txt instead of factoring, for Factored"},
       {"BPT_Pdf_CDF_Res", "", Pair{&Options::cdf_resolution, 1, 4096}, "int int", "256 32",
-       "resolution over the half vector for CascadeCDF, theta and phi"},
+       "table resolution over the half vector, theta and phi, for CascadeCDF"},
       {"BPT_Pdf_CDF_Compress", "", Flag{&Options::compresses_cdf}, "bool", "false",
-       "compress the tables of CascadeCDF"},
+       "compress the tables, for CascadeCDF"},
   };
 }
 
-/// Of what is written down about the time that a render takes.
+/// Options that write timings to files.
 std::vector<OptionInfo> time_options() {
   using Options = RenderOptions;
   return {
       {"BPT_Chrono_Sampling", "", BooleanOption<bool>{&Options::writes_sampling_time}, "bool", "false",
-       "append the seconds that all threads spent in drawing directions to `samplingTime` beside the image"},
+       "append the seconds that all threads spent sampling directions to `samplingTime` beside the image"},
       {"BPT_Chrono_Rendering", "", BooleanOption<bool>{&Options::writes_rendering_time}, "bool", "false",
-       "append the seconds of the render to `renderingTime` beside the image"},
+       "append the render time in seconds to `renderingTime` beside the image"},
       {"BPT_Chrono_Prebuild", "", BooleanOption<bool>{&Options::writes_prebuild_time}, "bool", "false",
-       "append the seconds that building the tables took to `prebuildTime` beside the image"},
+       "append the build time of the tables in seconds to `prebuildTime` beside the image"},
   };
 }
 
@@ -238,7 +244,8 @@ const std::vector<OptionInfo>& option_table() {
 
 std::string_view title_of(OptionGroup group) {
   static constexpr std::array<std::string_view, 7> Titles = {
-      "Scene and image", "View and light", "Estimator", "Effects", "Running", "Sampling scheme", "Times"};
+      "Scene and image",         "Camera and environment", "Integrator", "Effects",
+      "Termination and display", "Sampling scheme",        "Timings"};
   return Titles[static_cast<std::size_t>(group)];
 }
 

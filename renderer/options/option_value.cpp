@@ -1,4 +1,4 @@
-// Values of options from words, and back.
+// Values of options are converted from words and back.
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -55,7 +55,7 @@ Problem set(RenderOptions& options, const BooleanOption<Field>& option,
   return std::nullopt;
 }
 
-/// The word of the table that this one is; empty if it is none of them.
+/// Finds a word in the table, case-insensitively; empty if it is not there.
 std::string_view known_word(std::string_view word, const std::vector<std::string_view>& words) {
   const auto found = std::find_if(words.begin(), words.end(),
                                   [&](std::string_view known) { return grf::same_keyword(word, known); });
@@ -106,14 +106,14 @@ Problem set(RenderOptions& options, const PairOption<Field>& option, const std::
       !right(pair.second) || (option.descending && pair.second > pair.first)) {
     return fmt::format("found '{} {}', expected two whole numbers from {} to {}{}", words[0], words[1],
                        option.minimum, option.maximum,
-                       option.descending ? ", the second at most the first" : "");
+                       option.descending ? ", the second no greater than the first" : "");
   }
   options.*option.field = pair;
   return std::nullopt;
 }
 
 Problem set(RenderOptions& options, const PathOption& option, const std::vector<std::string>& words) {
-  if (words[0].empty()) return "found an empty name, expected that of a file";
+  if (words[0].empty()) return "found an empty name, expected the name of a file";
   options.*option.field = option.means_none(words[0]) ? std::string() : words[0];
   return std::nullopt;
 }
@@ -148,7 +148,7 @@ Problem set(RenderOptions& options, const SizeOption& option, const std::vector<
 Problem parse_vector(const std::vector<std::string>& words, float minimum, grf::Vec3f& vector) {
   for (int i = 0; i < 3; ++i) {
     if (parse(words[static_cast<std::size_t>(i)], vector[i]) && vector[i] >= minimum) continue;
-    const std::string range = minimum == 0 ? " of 0 or more" : "";
+    const std::string range = minimum == 0 ? ", each 0 or more" : "";
     return fmt::format("found '{}', expected three numbers{}", words[static_cast<std::size_t>(i)], range);
   }
   return std::nullopt;
@@ -168,7 +168,7 @@ Problem set(RenderOptions& options, const PlaceOption& option, const std::vector
   return std::nullopt;
 }
 
-// Words of what is set
+// Words of values.
 
 using Words = std::vector<std::string>;
 

@@ -1,5 +1,5 @@
-// The options of a render. One table says their keys, values, defaults and meanings: OP files, the command
-// line and documents follow from it.
+// Render options. One table has their keys, values, defaults and meanings; OP files, the command line, the
+// editor's dialog and documents follow from it.
 #pragma once
 
 #include <cstdint>
@@ -31,11 +31,11 @@ struct IntegerPair {
   bool operator==(const IntegerPair&) const = default;
 };
 
-/// Where options were given in a file, by their keys. Where a thing was written makes it no other thing.
+/// Source locations of options, by key. Locations do not take part in equality.
 struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
   bool operator==(const OptionLocations&) const { return true; }
 
-  /// Or that of nothing, for an option of the command line.
+  /// Returns the location of an option, or an empty one for an option of the command line.
   grf::SourceLocation of(std::string_view key) const {
     const auto found = find(key);
     return found == end() ? grf::SourceLocation() : found->second;
@@ -44,7 +44,7 @@ struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
 
 /// Options of the sampling scheme. An absent one keeps the scheme's default; see `scheme_model`.
 struct SchemeOptions {
-  std::string name;  ///< a word of the table; empty: what the scene says
+  std::string name;  ///< a word of the table; empty: each BRDF has the scene's scheme
   std::optional<float> lobe_exponent;
   std::optional<float> anisotropic_nu;
   std::optional<float> anisotropic_nv;
@@ -57,7 +57,7 @@ struct SchemeOptions {
   std::optional<IntegerPair> factors_p;  ///< theta, phi
   std::optional<IntegerPair> factors;    ///< J, K
   std::optional<bool> factors_by_half_vector;
-  std::string factors_file;                   ///< without its endings
+  std::string factors_file;                   ///< path without `.txt` and `_cdf.txt`
   std::optional<IntegerPair> cdf_resolution;  ///< theta, phi
   std::optional<bool> compresses_cdf;
 
@@ -68,21 +68,21 @@ struct RenderOptions : SchemeOptions {
   std::string scene;   ///< path of the GRF file
   std::string output;  ///< path of the image; empty: the scene's name with .exr
   ImageSize size = {500, 400};
-  float exposure = 0;  ///< stops, of 8-bit outputs
-  /// What an EXR output shows besides the image: words of the table.
+  float exposure = 0;  ///< exposure compensation of 8-bit outputs, stops
+  /// Layers of EXR outputs besides the image: words of the table.
   std::vector<std::string> layers;
   std::optional<grf::Vec3f> viewer;  ///< the eye, in world coordinates; absent: framed to the scene
   std::optional<grf::Vec3f> target;  ///< the point looked at; absent: the scene's centre
   grf::Vec3f up = grf::Vec3f(0, 1, 0);
   float field_of_view = 45;               ///< vertical, degrees
   grf::Vec3f background = grf::Vec3f(0);  ///< radiance, W/(sr m2)
-  std::string environment;                ///< path of an environment map or background image
+  std::string environment;                ///< path of an environment map or backplate
   std::string projection = "latlong";     ///< of that image: latlong or backplate
-  std::optional<IntegerPair> resampling;  ///< M and N
+  std::optional<IntegerPair> resampling;  ///< M and N of resampled importance sampling
   std::string integrator = "path";        ///< naive or path
-  int depth = 5;
-  int branches = 2;
-  std::optional<int> samples;  ///< a pixel; see `samples_a_pixel`
+  int depth = 5;                          ///< the most bounces of a path
+  int branches = 2;                       ///< directions from the first non-specular hit
+  std::optional<int> samples;             ///< per pixel; see `samples_a_pixel`
   bool pixel_radial = false;
   bool pixel_random = true;
   IntegerPair pixel_samples = {1, 1};  ///< across and down a pixel
@@ -91,11 +91,11 @@ struct RenderOptions : SchemeOptions {
   std::string precision = "float";  ///< or double
   bool ray_casting = false;
   bool uses_irradiance = false;
-  /// Words of transport::effect_words; what is in the first and not in the second may be in the image.
+  /// Words of transport::effect_words; effects in the first and not in the second may be rendered.
   std::vector<std::string> only = all_effects(), without;
   std::string kernel = "auto";        ///< auto or full
   std::optional<float> target_error;  ///< sqrt(relMSE) of the image
-  bool adaptive = false;              ///< more samples where the error is
+  bool adaptive = false;              ///< adaptive sampling: more samples where the error is large
   std::optional<float> max_seconds;
   std::string checkpoint;  ///< path; empty: none
   std::uint32_t seed = 0;
@@ -110,8 +110,8 @@ struct RenderOptions : SchemeOptions {
 
   transport::EffectSet effects() const;
 
-  /// Of the integrator path. Where BPT_Samples is not given, as many as the thesis' estimator would take, so
-  /// that an old OP file costs about what it did.
+  /// Returns the samples per pixel of the integrator path. Without BPT_Samples, as many as the thesis'
+  /// estimator would take, so that an old OP file costs about as much as it did.
   int samples_a_pixel() const;
 
   bool operator==(const RenderOptions&) const = default;
@@ -123,8 +123,8 @@ struct RenderOptions : SchemeOptions {
   }
 };
 
-/// A number with its legal values. Those of reals are open intervals where `open` says so. The field may be
-/// one that knows whether it was given.
+/// A number with its range, an open interval if `open`. The field may be an optional, which is empty if the
+/// option was not given.
 template <class Number, class Field = Number>
 struct NumberOption {
   Field RenderOptions::*field;
@@ -136,12 +136,12 @@ template <class Field>
 struct BooleanOption {
   Field RenderOptions::*field;
 };
-/// One of some words, of which the field gets the spelling of the table.
+/// One of several words; the field gets the spelling of the table.
 struct WordOption {
   std::string RenderOptions::*field;
   std::vector<std::string_view> words;
 };
-/// Some of some words, divided by commas; or `all`, or `none`.
+/// A comma-separated list of words; or `all`, or `none`.
 struct ListOption {
   std::vector<std::string> RenderOptions::*field;
   std::vector<std::string_view> words;
@@ -149,21 +149,21 @@ struct ListOption {
 template <class Field>
 struct PairOption {
   Field RenderOptions::*field;
-  int minimum;  ///< of both
+  int minimum;  ///< of both numbers
   int maximum;
   bool descending = false;  ///< the second is at most the first
 };
 struct PathOption {
   std::string RenderOptions::*field;
   bool can_be_none = false;  ///< the word `none` means no file, and leaves the field empty
-  /// Of the files that it may name, lower case, without the dot; none: whatever they are called.
+  /// File name extensions that it accepts, lower case, without the dot; empty: any.
   std::vector<std::string_view> extensions = {};
-  bool is_written = false;  ///< the render makes the file; else it has to be there
+  bool is_written = false;  ///< the render writes the file; else the file has to exist
   bool is_stem = false;     ///< the name is without the extension
 
   bool means_none(std::string_view word) const { return can_be_none && grf::same_keyword(word, "none"); }
 };
-/// A program on the network, HOST:PORT; the word `none` leaves the field empty.
+/// A network address, HOST:PORT; the word `none` leaves the field empty.
 struct AddressOption {
   std::string RenderOptions::*field;
 };
@@ -178,40 +178,40 @@ struct PlaceOption {
   std::optional<grf::Vec3f> RenderOptions::*field;
 };
 
-/// What options are about, in the order of the table.
+/// Groups of options, in the order of the table.
 enum class OptionGroup { Image, View, Estimator, Effects, Running, Scheme, Times };
 
 std::string_view title_of(OptionGroup group);
 
 struct OptionInfo {
-  std::string_view key;   ///< of OP files, `BPT_Depth`
-  std::string_view flag;  ///< of the command line, `--depth`; empty: only in files
+  std::string_view key;   ///< key in OP files, `BPT_Depth`
+  std::string_view flag;  ///< command-line flag, `--depth`; empty: only in files
   std::variant<PathOption, AddressOption, SizeOption, VectorOption, PlaceOption, NumberOption<int>,
                NumberOption<std::uint32_t>, NumberOption<float>, NumberOption<int, std::optional<int>>,
                NumberOption<float, std::optional<float>>, BooleanOption<bool>,
                BooleanOption<std::optional<bool>>, WordOption, ListOption, PairOption<IntegerPair>,
                PairOption<std::optional<IntegerPair>>>
       value;
-  std::string_view values;         ///< what stands behind the key, `int int`
-  std::string_view default_value;  ///< in words
+  std::string_view values;         ///< types of the values, `int int`
+  std::string_view default_value;  ///< as text
   std::string_view meaning;
   OptionGroup group = OptionGroup::Image;
 };
 
 const std::vector<OptionInfo>& option_table();
 
-/// The option that a key means: without regard to case, `BPT Depth` and `Depth` too. Or null.
+/// Finds the option of a key, case-insensitively; `BPT Depth` and `Depth` are BPT_Depth too. Null if unknown.
 const OptionInfo* find_option(std::string_view key);
 
-/// How many words an option's value has.
+/// Returns the number of words of an option's value.
 std::size_t word_count(const OptionInfo& option);
 
-/// Sets an option from words. Returns what is wrong, or nothing. Paths are taken as they stand.
+/// Sets an option from words. Returns an error message, or nothing. Paths are not resolved.
 std::optional<std::string> set_option(RenderOptions& options, const OptionInfo& option,
                                       const std::vector<std::string>& words);
 
-/// The words from which `set_option` makes the same value; none for what was not given and has no default of
-/// its own.
+/// Returns the words from which `set_option` makes the same value; empty if the option was not given and has
+/// no default of its own.
 std::vector<std::string> option_words(const RenderOptions& options, const OptionInfo& option);
 
 }  // namespace options

@@ -14,11 +14,11 @@
 namespace options {
 namespace {
 
-/// An option of some schemes, and what it is called there: a name for each of its values.
+/// An option and the parameters of sampling schemes that it sets, one per value.
 struct SchemeParameter {
   std::string_view key;
   std::vector<std::string_view> schemes;
-  std::vector<std::string_view> names;  ///< none: it is no parameter of the model
+  std::vector<std::string_view> names;  ///< empty: the scheme has no such parameter in a scene
 };
 
 const std::vector<SchemeParameter>& scheme_parameters() {
@@ -48,7 +48,7 @@ std::vector<grf::Value> values_of(const IntegerPair& value) {
   return {static_cast<float>(value.first), static_cast<float>(value.second)};
 }
 
-/// What was given for an option of a scheme.
+/// Returns the values of an option of a scheme; empty if it was not given.
 std::vector<grf::Value> given_values(const RenderOptions& options, const OptionInfo& info) {
   return std::visit(
       [&](const auto& value) {
@@ -62,7 +62,7 @@ std::vector<grf::Value> given_values(const RenderOptions& options, const OptionI
       info.value);
 }
 
-/// What a scene calls the scheme of that name.
+/// Returns the GRF keyword of a scheme's name in OP files.
 std::string keyword_of(std::string_view name) {
   if (grf::same_keyword(name, "Disk")) return "adaptive";
   return grf::same_keyword(name, "CascadeCDF") ? "cascadeCDF" : grf::lower_case(name);
@@ -75,14 +75,14 @@ bool is_for(const SchemeParameter& parameter, std::string_view keyword) {
 
 bool is_naive(const RenderOptions& options) { return options.integrator == "naive"; }
 
-/// Why an option has no effect; empty if it has one.
+/// Returns why an option has no effect; empty if it has one.
 struct Rule {
   std::string_view key;
   std::string_view (*why)(const RenderOptions& options);
 };
 
 std::string_view why_no_places(const RenderOptions& options) {
-  return is_naive(options) ? "" : "the integrator 'path' spreads its samples by itself";
+  return is_naive(options) ? "" : "the integrator 'path' places its samples itself";
 }
 
 std::string_view why_no_resampling(const RenderOptions& options) {
@@ -90,7 +90,7 @@ std::string_view why_no_resampling(const RenderOptions& options) {
     return options.projection == "backplate" ? "a backplate lights nothing" : "no BPT_EM_Background is given";
   }
   if (options.projection == "backplate") return "a backplate lights nothing";
-  return is_naive(options) ? "the integrator 'naive' samples no light" : "";
+  return is_naive(options) ? "the integrator 'naive' does not sample lights" : "";
 }
 
 constexpr std::array Rules = {
@@ -104,7 +104,7 @@ constexpr std::array Rules = {
          }},
     Rule{"BPT_Irradiance",
          [](const RenderOptions& options) -> std::string_view {
-           return is_naive(options) ? "the integrator 'naive' finds all light by its own rays" : "";
+           return is_naive(options) ? "the integrator 'naive' does not use baked irradiance" : "";
          }},
     Rule{"BPT_Pixel_Radial", why_no_places},
     Rule{"BPT_Pixel_Random", why_no_places},
@@ -115,7 +115,7 @@ constexpr std::array Rules = {
     Rule{"BPT_RIS", why_no_resampling},
 };
 
-/// What a render of normals looks at no more than at what its rays would do behind their first hits.
+/// Options that ray casting ignores: its paths end at the first hit.
 constexpr std::array UnusedByRayCasting = {"BPT_Integrator",   "BPT_Depth",           "BPT_Branches",
                                            "BPT_Samples",      "BPT_Pixel_SampleRes", "BPT_Pixel_Random",
                                            "BPT_Pixel_Radial", "BPT_RE_NSecRaysRoot"};
@@ -142,14 +142,14 @@ std::optional<std::string> why_unused(const RenderOptions& options, const Option
   for (const SchemeParameter& parameter : scheme_parameters()) {
     if (parameter.key != option.key) continue;
     if (options.name.empty()) {
-      return "no BPT_Pdf_Name is given, and the scene's schemes have their own parameters";
+      return "no BPT_Pdf_Name is given, so the parameters of the scene's schemes apply";
     }
     const std::string keyword = keyword_of(options.name);
     if (!is_for(parameter, keyword)) return fmt::format("the scheme '{}' does not use it", keyword);
   }
   if (options.ray_casting && std::find(UnusedByRayCasting.begin(), UnusedByRayCasting.end(), option.key) !=
                                  UnusedByRayCasting.end()) {
-    return "BPT_RayCasting takes one ray a pixel";
+    return "BPT_RayCasting traces one ray per pixel";
   }
   for (const Rule& rule : Rules) {
     if (rule.key == option.key && !rule.why(options).empty()) return std::string(rule.why(options));

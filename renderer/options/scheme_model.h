@@ -8,15 +8,15 @@
 
 namespace options {
 
-/// The sampling scheme that the options name, as a scene would write it, with the parameters that were given.
-/// Nothing if they name none: each BRDF then has the scene's. Its locations are those of the options.
+/// Returns the sampling scheme that the options name, as a PDF of a scene, with the parameters that were
+/// given and the options' source locations. Nothing if they name none: each BRDF then has the scene's scheme.
 std::optional<grf::PdfModel> scheme_model(const RenderOptions& options);
 
-/// Why an option has no effect while the others are as they are, given or not; nothing if it has one.
+/// Returns why an option has no effect in combination with the others; nothing if it has one.
 std::optional<std::string> why_unused(const RenderOptions& options, const OptionInfo& option);
 
-/// Warns of options that are not at their defaults and have no effect, such as those of other schemes than
-/// the one that is named.
+/// Warns of options that differ from their defaults and have no effect, such as those of schemes that are not
+/// used.
 void warn_of_unused_options(const RenderOptions& options, grf::Diagnostics& diagnostics);
 
 }  // namespace options

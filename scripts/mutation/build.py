@@ -1,4 +1,4 @@
-"""Builds a copy of the tree, and knows which programs depend on what."""
+"""Builds a copy of the tree, and tracks which programs depend on which sources."""
 
 import hashlib
 import os
@@ -8,13 +8,13 @@ import tempfile
 import time
 from collections import defaultdict
 
-# A unit that compiles in a minute may take far longer when a mistake makes a template recur or a program that runs
-# during the build hang.
+# A translation unit that compiles in a minute may take far longer when a mutant makes a template recurse, or a program
+# that runs during the build hang.
 LONGEST_BUILD = 3600
 
 
 class BuildError(Exception):
-    """What is not changed does not build: nothing can be found out."""
+    """The unchanged tree does not build, so no mutant can be tested."""
 
 
 class Build:
@@ -29,7 +29,7 @@ class Build:
         self._inputs = {}
 
     def prepare(self, targets):
-        """Configures, and builds the targets (all, if there are none) as they are without mistakes."""
+        """Configures, and builds the targets (all, if none are given) without mutants."""
         outcome = self.runner.run(["cmake", "--preset", self.preset, *self._configure], self.copy.folder)
         if outcome.code != 0:
             raise BuildError(outcome.output)
@@ -40,7 +40,7 @@ class Build:
         self._inputs = {}
 
     def build(self, targets):
-        """Whether what is asked for has been built: "done", "not compiled", "failed" or "hanging"."""
+        """Builds the targets and returns the result: "done", "not compiled", "failed" or "hanging"."""
         end = time.monotonic() + LONGEST_BUILD
         outcome = self._run(targets, lambda: time.monotonic() > end)
         if outcome.is_hanging:
@@ -53,7 +53,7 @@ class Build:
         return "failed"
 
     def programs_of(self, program):
-        """A program and those that it is built after, since it may run them."""
+        """Returns a program and those that are built before it, which it may run."""
         return [path for path in self._inputs_of(program)
                 if not os.path.isabs(path) and is_program(self.folder / path)]
 
@@ -63,14 +63,14 @@ class Build:
         return path in inputs or not self._objects[path].isdisjoint(inputs)
 
     def sources_of(self, program):
-        """What a program itself is compiled from, without its libraries."""
+        """Returns the sources that a program itself is compiled from, without its libraries."""
         own = f"/{os.path.basename(program)}.dir/"
         inputs = self._inputs_of(program)
         return [source for source, objects in self._objects.items()
                 if any(own in each and each in inputs for each in objects)]
 
     def digest(self, programs):
-        """Tells whether programs do the same; where their code was in a line has no effect."""
+        """Computes a digest of the code of programs; source lines in debug information do not matter."""
         digest = hashlib.sha256()
         with tempfile.NamedTemporaryFile() as bare:
             for program in sorted(programs):
@@ -99,7 +99,7 @@ class Build:
         return self._inputs[program]
 
     def _objects_of_sources(self):
-        """Of each file of the tree, which objects include it."""
+        """Returns the objects that include each file of the tree."""
         found = defaultdict(set)
         mine, current = f"{self.copy.folder}/", None
         for line in self._ninja("deps"):

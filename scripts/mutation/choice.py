@@ -1,4 +1,4 @@
-"""Which mistakes are made: at random by a seed, more often where a mistake would matter and be easy to make."""
+"""Chooses mutants at random by a seed, more often where a mistake would matter and is easy to make."""
 
 import hashlib
 import math
@@ -9,7 +9,7 @@ from mutation.mutants import mutants_of
 
 ENDINGS = (".cpp", ".h", ".glsl")
 
-# Folders (or what the path of a file begins with) and how likely a mistake is made there; the longest counts.
+# Path prefixes and their weights in the choice of mutants; the longest prefix counts.
 PLACES = {
     "grf/": 1,
     "renderer/": 1,
@@ -23,7 +23,7 @@ PLACES = {
     "editor/document/": 1,
 }
 
-# Of some kinds many change nothing that a test could see.
+# Many mutants of some kinds are equivalent: they change nothing that a test could detect.
 KINDS = {
     "operator": 3,
     "sign": 2,
@@ -42,7 +42,7 @@ KINDS = {
 
 
 def files_of(tree):
-    """What belongs to the tree: all that git keeps or has not been told to ignore."""
+    """Lists the files of the tree: those that git tracks or does not ignore."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
         cwd=tree, check=True, capture_output=True, text=True)
@@ -55,7 +55,7 @@ def place_weight(path):
 
 
 def candidates(tree, files, only):
-    """The mistakes that can be made in what is asked for: `only` are paths of files and folders."""
+    """Lists the mutants of the files and folders in `only`."""
     found = []
     for path in files:
         if not path.endswith(ENDINGS) or not place_weight(path):
@@ -66,7 +66,7 @@ def candidates(tree, files, only):
 
 
 def drawn(mutants, seed):
-    """All of them in a random order, in which each kind is as frequent as its weight and not as its places."""
+    """Shuffles mutants so that each kind is as frequent as its weight, not as its number of occurrences."""
     total = Counter()
     for mutant in mutants:
         total[mutant.kind] += place_weight(mutant.path)

@@ -1,4 +1,4 @@
-"""A copy of the tree to make mistakes in; the tree itself is only read."""
+"""Makes a copy of the tree for mutants; the tree itself is only read."""
 
 import hashlib
 import shutil
@@ -6,12 +6,12 @@ from contextlib import contextmanager
 
 from mutation.choice import files_of
 
-# What was found stays true when these change.
+# Results stay valid when these files change.
 TOOLS = ("scripts/mutate", "scripts/mutation/")
 
 
 def fingerprint(tree, files):
-    """Tells whether two trees are the same, as far as tests can see."""
+    """Computes a digest of all files of the tree that affect tests."""
     digest = hashlib.sha256()
     for path in files:
         if not path.endswith(".md") and not path.startswith(TOOLS):
@@ -25,8 +25,8 @@ class CopyOfTree:
         self.folder = folder
 
     def bring_up_to_date(self):
-        """Makes it what the tree is now, whatever an earlier run has left; what is alike is not written again, so
-        that it is not built again either."""
+        """Synchronises the copy with the tree, whatever an earlier run has left. Equal files are not written again,
+        so that they are not rebuilt."""
         files = set(files_of(self.tree))
         known = self.folder / ".copied"
         before = set(known.read_text().split("\0")) if known.exists() else set()

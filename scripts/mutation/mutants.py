@@ -1,4 +1,4 @@
-"""The small mistakes that can be made in a source: each a place, a kind and what is written there instead."""
+"""Lists the mutants of a source file: each has a position, a kind and a replacement text."""
 
 import difflib
 from dataclasses import dataclass
@@ -11,9 +11,9 @@ NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}
 OTHER_BOUND = {"<": "<=", ">": ">=", "<=": "<", ">=": ">"}
 ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="}
 
-# The order of their arguments changes nothing.
+# These functions are symmetric in their arguments.
 SYMMETRIC = {"min", "max", "fmin", "fmax", "hypot", "dot", "swap", "midpoint", "iter_swap", "EqualComponents", "equal"}
-# Without them the same is computed, slower or with more memory.
+# Without these the result is the same, only slower or with more memory.
 WITHOUT_EFFECT = {"reserve", "shrink_to_fit", "free_spare_memory", "static_assert", "assert"}
 
 
@@ -41,13 +41,13 @@ class Mutant:
 
 
 def mutants_of(path, text):
-    """All mistakes of a file, in the order of their places."""
+    """Lists all mutants of a file, in the order of their positions."""
     source = Source(text)
     found = {}
     for index in range(len(source.tokens)):
         if index in source.masked:
             continue
-        for kind, start, end, replacement in mistakes_at(source, index):
+        for kind, start, end, replacement in mutations_at(source, index):
             line = text.count("\n", 0, start) + 1
             column = start - text.rfind("\n", 0, start)
             mutant = Mutant(path, kind, line, column, start, end, replacement)
@@ -55,7 +55,7 @@ def mutants_of(path, text):
     return list(found.values())
 
 
-def mistakes_at(source, index):
+def mutations_at(source, index):
     token = source.tokens[index]
     if token.kind == "number":
         yield from changed_numbers(source, index)
@@ -84,7 +84,7 @@ def changed_numbers(source, index):
         value = float(digits)
     except ValueError:
         return
-    # The very small and large are tolerances and bounds.
+    # Very small and large numbers are tolerances and bounds.
     if value == 0 or 1e-3 <= value <= 1e6:
         yield "number", token.start, token.end, repr(value * 1.25 if value else 1.0) + suffix
 
@@ -127,7 +127,7 @@ def left_out_operands(source, index):
 
 
 def newlines(text):
-    """What keeps the numbers of the lines below."""
+    """Returns line breaks that keep the numbers of the lines below."""
     return "\n" * text.count("\n")
 
 
@@ -141,7 +141,7 @@ def swapped_arguments(source, index):
         texts = source.text_of(first, middle), source.text_of(second, last)
         if texts[0] == texts[1] or not texts[0] or "{" in texts[0] or texts[0].startswith("."):
             continue
-        # Arguments that are written alike often have the same type, and others seldom.
+        # Arguments that look alike often have the same type, others seldom.
         if shape(source, first, middle) != shape(source, second, last):
             continue
         start, end = source.tokens[first].start, source.tokens[last - 1].end
@@ -174,7 +174,7 @@ def changed_conditions(source, index):
         return
     start, end = source.tokens[opening].end, source.tokens[closing].start
     condition = source.text[start:end]
-    # One comparison alone is negated by its operator.
+    # A single comparison is negated by its operator.
     if not any(token.text in NEGATED and token.is_spaced for token in inside) and texts[0] != "!":
         yield "condition", start, end, f"!({condition})"
     if source.is_text(closing + 1, "return", "continue", "break", "throw"):
@@ -222,7 +222,7 @@ def end_of_statement(source, index):
 
 
 def left_out_statements(source, index):
-    """Assignments, calls and jumps; a declaration or a return that is left out would not compile."""
+    """Removes assignments, calls and jumps; without a declaration or a return the code would not compile."""
     end = end_of_statement(source, index)
     if not is_expression(source, index, end) and not (
         source.is_text(index, "continue", "break") and end == index + 1

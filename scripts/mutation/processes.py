@@ -1,4 +1,4 @@
-"""Runs programs so that nothing of them is left: neither when they hang nor when the run is interrupted."""
+"""Runs programs and kills all their processes when they hang or when the run is interrupted."""
 
 import os
 import selectors
@@ -14,7 +14,7 @@ MARK = "MUTATION_RUN"
 
 
 class Interrupted(Exception):
-    """The run was asked to end."""
+    """The run was interrupted."""
 
 
 @dataclass
@@ -25,7 +25,7 @@ class Outcome:
 
 
 class Runner:
-    """Runs one program at a time; `stop` ends the one that runs."""
+    """Runs one program at a time; `stop` kills it."""
 
     def __init__(self, stop: threading.Event, environment=None):
         self.stop = stop
@@ -33,7 +33,7 @@ class Runner:
         self.environment = {**os.environ, **(environment or {}), MARK: self.mark}
 
     def run(self, command, folder, is_late=lambda: False, on_line=lambda line: None, environment=None):
-        """Until it ends, or `is_late` says that it hangs; `on_line` sees its output as it comes."""
+        """Runs a program until it exits, or hangs by `is_late`; `on_line` receives its output line by line."""
         if self.stop.is_set():
             raise Interrupted
         process = subprocess.Popen(
@@ -44,7 +44,7 @@ class Runner:
         finally:
             self._end(process)
         if process.returncode < 0 and not is_hanging:
-            raise RuntimeError(f"{command[0]} was ended by signal {-process.returncode}, and says nothing of a mistake")
+            raise RuntimeError(f"{command[0]} was killed by signal {-process.returncode}, so the mutant was not tested")
         return Outcome(process.returncode, output, is_hanging)
 
     def _follow(self, process, is_late, on_line):
@@ -57,7 +57,7 @@ class Runner:
                 if is_late():
                     return "\n".join(lines), True
                 if not selector.select(timeout=0.2):
-                    # What it started may hold the pipe open for longer than it lives.
+                    # Its child processes may hold the pipe open after it exits.
                     if process.poll() is not None:
                         break
                     continue
@@ -68,7 +68,7 @@ class Runner:
                 for line in (part.decode(errors="replace") for part in complete):
                     lines.append(line)
                     on_line(line)
-        # What has said all may need a while to end.
+        # After the end of its output a program may need a while to exit.
         while process.poll() is None:
             if self.stop.is_set():
                 raise Interrupted
@@ -96,7 +96,7 @@ class Runner:
         process.stdout.close()
 
     def _left(self):
-        """What runs that this runner started, told by its environment: also what has left its parents."""
+        """Finds processes that this runner started, by their environment, including orphans."""
         mark = f"{MARK}={self.mark}".encode()
         found = []
         for folder in Path("/proc").glob("[0-9]*"):

@@ -1,4 +1,4 @@
-"""What became of each mistake: kept in a file as it is found, so that a run can go on where it was interrupted."""
+"""Stores the result of each mutant in a file at once, so that an interrupted run can resume."""
 
 import json
 from collections import Counter, defaultdict
@@ -25,7 +25,7 @@ class Result:
 
 
 class Results:
-    """Those of one state of the tree, by one choice of tests."""
+    """Results for one state of the tree and one choice of tests."""
 
     def __init__(self, path, state):
         self.path = path
@@ -58,7 +58,7 @@ def rate(results):
 
 
 def report(results):
-    """A table by folder, and each survivor with its place."""
+    """Formats a table by folder, and a list of survivors with their positions."""
     by_folder = defaultdict(Counter)
     for result in results:
         by_folder[result.path.rpartition("/")[0]][result.verdict] += 1
@@ -71,5 +71,5 @@ def report(results):
     survivors = [result for result in results if result.verdict == SURVIVED]
     for result in sorted(survivors, key=lambda each: (each.path, each.line)):
         lines += ["", f"survived: {result.id}", result.diff]
-    lines += ["", f"{rate(results):.1f} % of {sum(result.is_counted for result in results)} mistakes were seen."]
+    lines += ["", f"{rate(results):.1f} % of {sum(result.is_counted for result in results)} mutants were killed."]
     return "\n".join(lines)

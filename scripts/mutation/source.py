@@ -1,7 +1,7 @@
-"""Reads C++ and GLSL as tokens, and tells what of it is code that computes something.
+"""Tokenises C++ and GLSL, and finds the code that computes something.
 
-No grammar of C++: the tree is formatted by clang-format, so that a binary operator has white space on both sides and
-the brackets of a template, the stars of pointers and unary operators have not.
+It has no grammar of C++: the tree is formatted by clang-format, so binary operators have white space on both sides,
+and template brackets, pointer stars and unary operators do not.
 """
 
 import re
@@ -23,10 +23,10 @@ TOKEN = re.compile(
 )
 
 PAIRS = {"(": ")", "[": "]", "{": "}"}
-# After these and a bracket, no call is made.
+# A bracket after these is not a call.
 KEYWORDS = {"if", "for", "while", "switch", "catch", "return", "sizeof", "alignof", "decltype", "noexcept", "new",
             "delete", "throw", "constexpr", "operator", "requires", "case", "do", "else"}
-# A brace after these begins statements.
+# A brace after these begins a block of statements.
 BEFORE_CODE = {")", "]", "else", "do", "try", "const", "noexcept", "override", "final", "mutable"}
 
 
@@ -45,7 +45,7 @@ class Token:
 
 
 class Source:
-    """The tokens of a file, which brackets belong together, and where nothing may be changed."""
+    """The tokens of a file, its matching brackets, and the tokens that may not be changed."""
 
     def __init__(self, text):
         self.text = text
@@ -61,7 +61,7 @@ class Source:
         return 0 <= index < len(self.tokens) and self.tokens[index].text in texts
 
     def is_operand_end(self, index):
-        """Whether an operand can end here, so that what follows is a binary operator."""
+        """Returns whether an operand can end here, so that a binary operator follows."""
         if not 0 <= index < len(self.tokens):
             return False
         token = self.tokens[index]
@@ -70,14 +70,14 @@ class Source:
         return token.kind != "operator" or token.text in (")", "]", "}") or index in self.template_ends
 
     def is_in_code(self, index):
-        """Whether the token is in the body of a function."""
+        """Returns whether a token is in the body of a function."""
         while (index := self.enclosing[index]) is not None:
             if index in self.code_braces:
                 return True
         return False
 
     def end_of_primary(self, index):
-        """The index behind an operand with its calls, subscripts and members; None where there is none."""
+        """Returns the index after an operand with its calls, subscripts and members, or None."""
         while self.is_text(index, "-", "+", "!", "~", "*", "&") and not self.tokens[index].space_after:
             index += 1
         if index >= len(self.tokens):
@@ -106,14 +106,14 @@ class Source:
         return index
 
     def end_of_term(self, index):
-        """The index behind a product of operands; None where there is none."""
+        """Returns the index after a product of operands, or None."""
         end = self.end_of_primary(index)
         while end is not None and self.is_text(end, "*", "/", "%") and self.tokens[end].is_spaced:
             end = self.end_of_primary(end + 1)
         return end
 
     def parts(self, opening):
-        """The ranges of tokens between the commas of a pair of brackets."""
+        """Returns the ranges of tokens between the commas of a pair of brackets."""
         closing = self.matching[opening]
         found, start, index = [], opening + 1, opening + 1
         while index < closing:
@@ -133,7 +133,7 @@ class Source:
         return self.text[self.tokens[start].start : self.tokens[end - 1].end] if end > start else ""
 
     def _template_brackets(self):
-        """Which `<` opens what list of template arguments, and where its `>` is."""
+        """Matches the `<` and `>` of template arguments."""
         found, open_brackets = {}, []
         for index, token in enumerate(self.tokens):
             if token.text == "<" and not token.is_spaced and not self.is_text(index - 1, "operator"):
@@ -147,7 +147,7 @@ class Source:
         return found
 
     def _enclosing_brackets(self):
-        """Of each token, the index of the bracket around it; finds the braces of statements on the way."""
+        """Returns the index of the bracket around each token, and finds the braces of blocks."""
         enclosing, stack = [], []
         for index, token in enumerate(self.tokens):
             if token.text in PAIRS.values() and stack:
@@ -222,7 +222,7 @@ def tokens_of(text):
 
 
 def matching_brackets(tokens):
-    """Both ways: of each bracket the index of the other one."""
+    """Maps each bracket to the index of its partner, both ways."""
     found, stack = {}, []
     for index, token in enumerate(tokens):
         if token.text in PAIRS:

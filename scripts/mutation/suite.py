@@ -1,4 +1,4 @@
-"""The tests that CTest knows, and how to run those of one program."""
+"""Lists CTest's tests, and runs those of one program."""
 
 import json
 import os
@@ -7,8 +7,8 @@ import subprocess
 import time
 from dataclasses import dataclass, field
 
-# Those that look at the text of the sources, and that compare a document with what the code writes into it: no
-# expected value of theirs is independent of the code.
+# Tests of source formatting and of generated documents are excluded: their expected values are not independent of the
+# code.
 EXCLUDED = r"^(format|tidy|documents_test)$|^documents_test\.|\.Documents\."
 GTEST_FILTER = "-Documents.*"
 
@@ -19,15 +19,15 @@ FINE = ("Passed", "Skipped", "Not Run (Disabled)")
 
 @dataclass
 class Group:
-    """The tests of one program that have one label."""
+    """The tests of one program with one label."""
 
     program: str  # its path in the build's folder
     label: str
     folder: str  # of the tests, as in the tree
     names: list = field(default_factory=list)
     selection: str = ""  # the expression that selects them
-    seconds: dict = field(default_factory=dict)  # what each takes without mistakes
-    refused: list = field(default_factory=list)  # those that fail without mistakes
+    seconds: dict = field(default_factory=dict)  # the time of each test without mutants
+    refused: list = field(default_factory=list)  # tests that fail without mutants
 
     @property
     def key(self):
@@ -53,7 +53,7 @@ class Suite:
         self.memory = memory
 
     def groups(self, targets):
-        """What can be run: tests of programs that are built, apart from those that measure times."""
+        """Lists the tests that can run: those of programs that are built, except those that measure time."""
         found, others = {}, []
         for test in self._listed():
             group = self._group_of(test)
@@ -67,7 +67,7 @@ class Suite:
         return list(found.values())
 
     def set_up(self, groups):
-        """Makes what fixtures make once, while there is no mistake that could get into it."""
+        """Runs the fixtures once, without a mutant that could affect their output."""
         chosen = {name for group in groups for name in group.names}
         tests = [(test["name"], properties_of(test)) for test in self._listed()]
         needed = {fixture for name, properties in tests if name in chosen
@@ -80,12 +80,12 @@ class Suite:
 
     def _listed(self):
         command = ["ctest", "--test-dir", self.build.folder, "--show-only=json-v1"]
-        # A session of its own: an interrupt is not for it.
+        # A separate session, so that it does not receive interrupts.
         listed = subprocess.run(command, check=True, capture_output=True, text=True, start_new_session=True)
         return json.loads(listed.stdout)["tests"]
 
     def run(self, group, limit_of, on_end=lambda name, is_fine, seconds: None, stop_on_failure=True):
-        """`limit_of` gives the seconds that a test may take."""
+        """Runs tests; `limit_of` returns the time limit of each in seconds."""
         command = ["prlimit", "--core=0", f"--fsize={4 << 30}"]
         if self.memory:
             command.append(f"--data={int(self.memory * (1 << 30))}")
@@ -134,7 +134,7 @@ class Suite:
         return Group(program, labels[0], folder)
 
     def _program_of(self, command):
-        """What is run is built here, maybe by a program that is not."""
+        """Returns whether a test runs a program that is built here, directly or by another program."""
         for part in command:
             if part.startswith(f"{self.build.folder}/") and os.path.isfile(part) and os.access(part, os.X_OK):
                 return os.path.relpath(part, self.build.folder)
@@ -146,8 +146,8 @@ def properties_of(test):
 
 
 def selection(names, others):
-    """An expression that CTest selects these tests by: by how all of them begin, if no other test begins so, since a
-    mistake may change the names of tests."""
+    """Returns a regular expression that selects these tests: their common prefix, if no other test has it, because a
+    mutant may change the names of tests."""
     start = os.path.commonprefix(names)
     if len(names) > 1 and start and not any(name.startswith(start) for name in others):
         return f"^{re.escape(start)}"

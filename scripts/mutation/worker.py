@@ -1,4 +1,4 @@
-"""Makes one mistake after the other in a copy of the tree and finds out whether the tests see it."""
+"""Applies mutants one by one to a copy of the tree, and runs the tests that may kill them."""
 
 import json
 import shutil
@@ -11,16 +11,16 @@ from mutation.processes import Runner
 from mutation.results import KILLED, NOT_COMPILED, SAME_CODE, SURVIVED, TIMEOUT, Result
 from mutation.suite import Suite
 
-# A test hangs when it takes so many times as long as without a mistake, and longer than the seconds.
+# A test hangs if it takes this many times as long as without a mutant, and longer than the limit in seconds.
 SLOWER = 8
 LEAST_LIMIT = 20
 
 
 class Worker:
     def __init__(self, tree, folder, options, stop, log):
-        # What tests leave when they are killed goes with the copy.
+        # Files that killed tests leave are removed with the copy.
         self.temporary = folder / "temporary"
-        # What one copy has compiled is in the compiler cache for the others.
+        # All copies share the compiler cache.
         self.runner = Runner(stop, {"TMPDIR": str(self.temporary), "CCACHE_BASEDIR": str(folder.parent),
                                     "CCACHE_NOHASHDIR": "1"})
         self.copy = CopyOfTree(tree, folder / "tree")
@@ -35,7 +35,7 @@ class Worker:
         self._sources = {}
 
     def prepare(self):
-        """Builds what is to be changed, as it is."""
+        """Builds the copy without mutants."""
         self.empty()
         self.build.prepare(self.targets)
         self.groups = self.suite.groups(self.targets)
@@ -44,12 +44,12 @@ class Worker:
             self.digests[group.program] = self.build.digest(self.build.programs_of(group.program))
 
     def empty(self):
-        """Takes away what tests have left."""
+        """Removes files that tests have left."""
         shutil.rmtree(self.temporary, ignore_errors=True)
         self.temporary.mkdir(parents=True)
 
     def measure(self, paths, known_times):
-        """Runs the tests that depend on the files, to know how long each takes and which fails by itself."""
+        """Runs the tests that depend on the files without mutants, to measure their times and find failing ones."""
         times = json.loads(known_times.read_text()) if known_times.exists() else {}
         for group in self.groups:
             if not any(self.build.depends(group.program, path) for path in paths):
@@ -57,16 +57,16 @@ class Worker:
             digest = self.digests[group.program]
             entry = times.get(group.key)
             if entry is None or entry["digest"] != digest or entry["names"] != group.names:
-                self.log(f"running {group.key} without mistakes")
+                self.log(f"running {group.key} without mutants")
                 entry = {"digest": digest, "names": group.names, **self._measured(group)}
                 times[group.key] = entry
                 known_times.write_text(json.dumps(times))
             group.seconds, group.refused = entry["seconds"], entry["refused"]
             for name in group.refused:
-                self.log(f"left out, since it fails without a mistake: {name}")
+                self.log(f"left out, because it fails without a mutant: {name}")
 
     def take_times(self, other):
-        """Those that another worker has measured."""
+        """Takes the times that another worker has measured."""
         for group, measured in zip(self.groups, other.groups, strict=True):
             group.seconds, group.refused = measured.seconds, measured.refused
 
@@ -82,7 +82,7 @@ class Worker:
         return {"seconds": seconds, "refused": refused}
 
     def groups_for(self, path):
-        """The tests that can see a change of a file: the quick first, of these those of the same folder."""
+        """Returns the tests that can detect a change of a file: quick tests first, of these those of its folder."""
         if path not in self._reliant:
             self._reliant[path] = [group for group in self.groups if self.build.depends(group.program, path)]
         labels = self.suite.labels

@@ -1,4 +1,4 @@
-// The program `bpt` as its users meet it.
+// Runs the program `bpt` for tests of its command line.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,7 @@ class Bpt : public testing::Test {
     return run(arguments);
   }
 
-  /// Renders something that is wrong: one message that contains the text, exit 1, and no image.
+  /// Expects that a render fails with one message that contains the text, exit code 1 and no image.
   void expect_bad_input(const std::string& scene, const std::string& message) const {
     const std::string output = path("image.png");
     const Outcome outcome = bpt({"render", scene, "--output", output, "--samples", "1"});

@@ -1,4 +1,4 @@
-// `bpt bake` as its users meet it.
+// Tests of the command line of `bpt bake`.
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -43,12 +43,12 @@ TEST_F(BptBake, WritesAnIgrfFileThatRenders) {
                               "--output", path("image.pfm"), "--json"});
   ASSERT_EQ(render.exit_code, 0) << render.err;
   EXPECT_EQ(render.err, "") << "a baked scene is without a complaint";
-  // A camera ray a sample and no more.
+  // One camera ray per sample and no other rays.
   EXPECT_LT(json::parse(render.out)["rays_per_second"].get<double>(),
             1.001 * json::parse(render.out)["paths_per_second"].get<double>());
 }
 
-/// Of all vertices of a file.
+/// Reads the irradiance at all vertices of a file.
 std::vector<grf::Colour> irradiance_in(const std::string& file) {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read(file, diagnostics);
@@ -64,8 +64,8 @@ std::vector<grf::Colour> irradiance_in(const std::string& file) {
   return values;
 }
 
-// Walls that send out a half and reflect a half: after eight scatterings pi (1/2 + 1/4 + ... + 1/256)
-// arrives, and with it a wall shows its own half and half of that over pi.
+// A closed furnace whose walls emit 1/2 and reflect 1/2: after eight bounces the irradiance is
+// pi (1/2 + 1/4 + ... + 1/256), and a wall's radiance is its own 1/2 plus half of the irradiance over pi.
 TEST_F(BptBake, HoldsTheLightOfAClosedBox) {
   const std::string scene = write(
       "box.grf",
@@ -94,7 +94,7 @@ TEST_F(BptBake, TakesOptionsOfAnOpFile) {
   const std::string op = write("scene.op", "BPT_Scene scene.grf\nBPT_Samples 32\nBPT_Viewer 1 2 3\n");
   const Outcome outcome = bpt({"bake", op, "-o", path("a.igrf"), "--directions", "3", "--progress", "none"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("irradiance at 4 vertices, 32 samples a vertex"), std::string::npos)
+  EXPECT_NE(outcome.out.find("irradiance at 4 vertices, 32 samples per vertex"), std::string::npos)
       << outcome.out;
   const std::string text = test::bytes_of(path("a.igrf"));
   EXPECT_NE(text.find("begin list ray"), std::string::npos);
@@ -116,7 +116,7 @@ TEST_F(BptBake, WarnsOfMeshesInManyPlaces) {
   EXPECT_NE(test::bytes_of(path("a.igrf")).find("use tile$2"), std::string::npos);
 }
 
-// 100 places of 60,000 vertices each.
+// 100 instances of 60,000 vertices each.
 TEST_F(BptBake, RefusesToWriteHugeCopies) {
   std::string text = "def tile = begin mesh brdf diffuse begin vertexs\n";
   for (int i = 0; i < 60'000; ++i) text += fmt::format("({},{},0)\n", i % 300, i / 300);
@@ -155,7 +155,7 @@ TEST_F(BptBake, ResumesAnInterruptedOneToTheSameBytes) {
     return test::run(more, {}, interruptions);
   };
   ASSERT_EQ(bake("whole.igrf", {}).exit_code, 0);
-  // On a busy machine it may take longer until there is something to keep.
+  // On a busy machine it may take longer until there is something to write.
   Outcome part;
   for (int wait = 150; wait < 5000 && !std::filesystem::exists(path("part.igrf")); wait *= 2) {
     part = bake("part.igrf", {"--checkpoint", path("state")}, {{SIGINT, std::chrono::milliseconds(wait)}});

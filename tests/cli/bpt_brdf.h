@@ -1,4 +1,4 @@
-// `bpt brdf` as its users meet it.
+// Runs `bpt brdf` for tests of its command line.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ class BptBrdf : public testing::Test {
     return run(arguments, input);
   }
 
-  /// What a command that has to succeed prints.
+  /// Returns the output of a command, which has to succeed.
   static std::string out(const std::vector<std::string>& arguments, std::string_view input = {}) {
     const Outcome outcome = brdf(arguments, input);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

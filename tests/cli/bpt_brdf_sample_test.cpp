@@ -1,4 +1,4 @@
-// `bpt brdf sample`, and `bpt brdf plot --pdf`.
+// Tests of `bpt brdf sample` and `bpt brdf plot --pdf`.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -57,7 +57,7 @@ TEST_F(BptBrdfSample, CountsWhatCarriesNothing) {
   EXPECT_TRUE(black["directions"].empty());
 }
 
-// No number is the density of a direction that has a share of its own.
+// A specular (delta) direction has no finite pdf.
 TEST_F(BptBrdfSample, MarksTheMirrorDirectionByDensityZero) {
   const auto result =
       json({"sample", "specular ks=0.7", "--pdf", "specular", "--u", "0.6,0", "--count", "3"});
@@ -71,7 +71,7 @@ TEST_F(BptBrdfSample, PrintsColumns) {
   std::istringstream text(out({"sample", "diffuse kd=1", "--pdf", "diffuse", "--u", "0", "--count", "5"}));
   std::string line;
   std::getline(text, line);
-  EXPECT_EQ(line, "# 5 directions and 0 samples that carry nothing");
+  EXPECT_EQ(line, "# 5 directions and 0 rejected samples");
   int rows = 0;
   while (std::getline(text, line)) {
     if (line.starts_with('#')) continue;
@@ -133,7 +133,7 @@ TEST_F(BptBrdfSample, ReportsMistakes) {
   expect_failure({"sample", "ward", "--pdf", "auto", "--u", "0", "--fit", nowhere}, 1, nowhere + ": error: ");
   expect_failure({"sample", "ward", "--u", "0"}, 2, "--pdf");
   expect_failure({"sample", "ward", "--pdf", "auto"}, 2, "--u");
-  expect_failure({"sample", "ward", "--pdf", "auto", "--u", "up"}, 2, "'up' is no direction");
+  expect_failure({"sample", "ward", "--pdf", "auto", "--u", "up"}, 2, "'up' is not a direction");
   for (const char* count : {"0", "-1", "many", "1e3"}) {
     expect_failure({"sample", "ward", "--pdf", "auto", "--u", "0", "--count", count}, 2, "--count");
   }
@@ -161,7 +161,7 @@ TEST_F(BptBrdfPlotOfSampling, HasARowForEachView) {
   const auto svg = picture({"ward sx=0.2 ks=0.5", "--pdf", "diffuse"});
   EXPECT_EQ(test::elements(svg, "image").size(), 6U);
   for (const char* words : {"ward sx=0.2 ks=0.5", "sampled by diffuse", "View 0\u00B0", "View 45\u00B0",
-                            "View 80\u00B0", "drawn by cosine: 0 %", "variance", "no tables"}) {
+                            "View 80\u00B0", "cosine-weighted: 0 %", "variance", "no tables"}) {
     EXPECT_TRUE(says(svg, words)) << words;
   }
   EXPECT_LT(std::filesystem::file_size(folder_.path("a.svg")), 1'000'000U);
@@ -174,14 +174,15 @@ TEST_F(BptBrdfPlotOfSampling, HasARowForEachView) {
 
 TEST_F(BptBrdfPlotOfSampling, NamesItsColumns) {
   const auto svg = picture({"ward", "--pdf", "diffuse", "--u", "1"});
-  for (const char* words : {"Density, and 1000 samples", "on the unit disc, per area of it", "f cos / albedo",
-                            "in the same colours", "In the plane of incidence", "Weights f cos / density",
-                            "a perfect scheme has weight 1 alone"}) {
+  for (const char* words :
+       {"Pdf and 1000 samples", "on the unit disc, per projected solid angle", "f cos / albedo",
+        "the ideal pdf, in the same colours", "In the plane of incidence", "Weights f cos / pdf",
+        "1 for perfect importance sampling"}) {
     EXPECT_TRUE(says(svg, words)) << words;
   }
 }
 
-// A dark ring on a white one, which is wider, so that it is seen on all colours.
+// The view is marked by a dark ring on a wider white one, which is visible on all colours.
 TEST_F(BptBrdfPlotOfSampling, MarksTheView) {
   const auto svg = picture({"ward", "--pdf", "diffuse", "--u", "0.5,1"});
   std::vector<std::string> rings;
@@ -212,7 +213,7 @@ TEST_F(BptBrdfPlotOfSampling, TellsAPerfectScheme) {
               says(svg, "largest 1, mean 1.000"));
 }
 
-// All weights are 1: the steps of the histogram have one, about the line at 1.
+// All weights are 1, so the histogram has one non-empty bin, around the line at 1.
 TEST_F(BptBrdfPlotOfSampling, HasAHistogramOfWeights) {
   const auto svg = picture({"diffuse kd=0.8", "--pdf", "diffuse", "--u", "1"});
   int histograms = 0;
@@ -240,17 +241,17 @@ TEST_F(BptBrdfPlotOfSampling, HasAHistogramOfWeights) {
 }
 
 TEST_F(BptBrdfPlotOfSampling, HasPlaceForBrdfsOfOneDirectionAndOfNone) {
-  EXPECT_TRUE(says(picture({"specular", "--pdf", "specular"}), "100 % of samples are the mirror part's"));
+  EXPECT_TRUE(says(picture({"specular", "--pdf", "specular"}), "100 % of samples specular"));
   EXPECT_TRUE(says(picture({"diffuse kd=0", "--pdf", "diffuse"}), "reflects nothing"));
   EXPECT_TRUE(says(picture({"diffuse", "--pdf", "diffuse", "--u", "2"}), "reflects nothing"));
-  EXPECT_TRUE(says(picture({"coupled Rm=0.9", "--pdf", "specular"}), "are the mirror part's"));
+  EXPECT_TRUE(says(picture({"coupled Rm=0.9", "--pdf", "specular"}), "% of samples specular"));
   EXPECT_TRUE(says(picture({"phong n=100000 kd=0", "--pdf", "diffuse"}), "cut: f cos / albedo reaches"));
 }
 
 TEST_F(BptBrdfPlotOfSampling, ReportsMistakes) {
   const std::string file = folder_.path("a.svg");
   expect_failure({"plot", "ward", "--pdf", "specular", "-o", file}, 1, "the scheme 'specular' cannot sample");
-  expect_failure({"plot", "ward", "--pdf", "diffuse", "--u", "up", "-o", file}, 2, "'up' is no direction");
+  expect_failure({"plot", "ward", "--pdf", "diffuse", "--u", "up", "-o", file}, 2, "'up' is not a direction");
   expect_failure({"plot", "ward", "--u", "1", "-o", file}, 2, "--pdf");
   EXPECT_TRUE(folder_.names().empty());
 }

@@ -1,4 +1,4 @@
-// The commands `bpt brdf`, as their users meet them.
+// Tests of the command line of `bpt brdf`.
 #include "tests/cli/bpt_brdf.h"
 
 #include <algorithm>
@@ -128,8 +128,8 @@ TEST_F(BptBrdf, SaysWhenTheCommandLineIsBad) {
   expect_failure({"eval", "diffuse", "--u", "0"}, 2, "--v");
   expect_failure({"eval", "diffuse", "--v", "0"}, 2, "--u");
   expect_failure({"eval", "diffuse", "--u", "0,0,0", "--v", "0"}, 2,
-                 "error: --u: '0,0,0' is no direction, expected theta,phi in radians\n");
-  expect_failure({"albedo", "diffuse", "--u", "steep"}, 2, "'steep' is no direction");
+                 "error: --u: '0,0,0' is not a direction, expected theta,phi in radians\n");
+  expect_failure({"albedo", "diffuse", "--u", "steep"}, 2, "'steep' is not a direction");
   EXPECT_EQ(brdf({"--help"}).exit_code, 0);
 }
 
@@ -193,7 +193,7 @@ TEST_F(BptBrdf, ExportsATableThatIsReadAsMeasuredData) {
 TEST_F(BptBrdf, RefusesToExportWhatTheFormatCannotHold) {
   const std::string table = folder_.path("a.binary");
   expect_failure({"export", "ward sx=0.1 sy=0.2", "-o", table}, 1, "it is anisotropic");
-  expect_failure({"export", "specular", "-o", table}, 1, "its mirror part is no finite value");
+  expect_failure({"export", "specular", "-o", table}, 1, "its specular (delta) part has no finite value");
   EXPECT_TRUE(folder_.names().empty());
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using test::Outcome;
 
-/// One row of grey.
+/// Makes a grey image with one row.
 std::string grey_pfm(const std::vector<float>& values) {
   std::string file = "Pf\n" + std::to_string(values.size()) + " 1\n-1.0\n";
   for (const float value : values) file.append(reinterpret_cast<const char*>(&value), sizeof(value));

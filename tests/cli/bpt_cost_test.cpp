@@ -1,4 +1,4 @@
-// `bpt cost` as studies use it, and the fit on its own.
+// Tests of `bpt cost`, and unit tests of its fit.
 #include <cmath>
 #include <sstream>
 
@@ -50,7 +50,7 @@ TEST(CostFit, IsNotThereWithoutTwoPlaces) {
   EXPECT_FALSE(command::fit_cost(same, 0).over_seconds->where(0.01)) << "the error grows";
 }
 
-/// Two walls that light each other, under a light.
+/// Two walls with interreflection, under a light.
 const std::string Corner =
     "begin mesh brdf diffuse kd=0.7\n"
     "begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) (0,0,1) (0,1,1) end vertexs\n"
@@ -92,7 +92,7 @@ std::vector<std::string> line_names(const json& report) {
   return names;
 }
 
-// With a reference that was given, a row is what two other commands give.
+// With a given reference image, a row has the numbers of `bpt render` and `bpt compare`.
 TEST_F(BptCost, RowsAreThoseOfRenderAndCompare) {
   const std::string scene = write("scene.grf", Glossy);
   const std::string reference = path("reference.pfm");
@@ -137,7 +137,7 @@ TEST_F(BptCost, WritesATableAReportAndAPicture) {
   }
   const auto svg = test::svg_of(test::bytes_of(path("study.svg")));
   EXPECT_EQ(test::lines(svg).size(), 2U * (3 + 3)) << "a line and its way to the name, over time and samples";
-  for (const char* part : {"render time, s", "samples a pixel", "error, sqrt(relMSE), %"}) {
+  for (const char* part : {"render time, s", "samples per pixel", "error, sqrt(relMSE), %"}) {
     const std::vector<std::string> words = test::texts(svg);
     EXPECT_NE(std::find(words.begin(), words.end(), part), words.end()) << part;
   }
@@ -165,7 +165,7 @@ TEST_F(BptCost, GivesALineToEachCombination) {
             (Names{"sobol, float", "sobol, double", "independent, float", "independent, double"}));
 }
 
-// The formulas agree to a few units in the last place: so do estimates from the same numbers.
+// The formulas agree to a few ulps, and so do estimates from the same random numbers.
 TEST_F(BptCost, DoubleGivesWhatFloatGives) {
   const std::string scene = write("scene.grf", Glossy);
   for (const char* precision : {"float", "double"}) {
@@ -179,7 +179,7 @@ TEST_F(BptCost, DoubleGivesWhatFloatGives) {
   EXPECT_GT(error["relmse"].get<double>(), 0) << "or it would not be another precision";
 }
 
-// The check of the machinery: over samples and not over time, which other work on the machine blurs.
+// Convergence is tested over samples and not over time, which depends on the load of the machine.
 TEST_F(BptCost, ErrorsOfIndependentPointsFallWithTheRootOfTheirNumber) {
   const json study =
       report(write("scene.grf", Corner), {"--size", "40x40", "--samples", "4,16,64,256", "--points",
@@ -206,11 +206,11 @@ TEST_F(BptCost, KeepsTheRowsSoFar) {
 }
 
 TEST_F(BptCost, SaysWhatIsWrong) {
-  expect_error({"--samples", "4,2"}, 2, "--samples: '2' is not expected");
-  expect_error({"--samples", "1,x"}, 2, "--samples: 'x' is not expected");
+  expect_error({"--samples", "4,2"}, 2, "--samples: found '2', expected ascending");
+  expect_error({"--samples", "1,x"}, 2, "--samples: found 'x', expected ascending");
   expect_error({"--pdf", "Own,nonsense"}, 2, "nonsense");
   expect_error({"--pdf", "Own,own"}, 2, "measured twice");
-  expect_error({"--pdf", "Own", "--trees", "3"}, 2, "--trees: no scheme of --pdf uses it");
+  expect_error({"--pdf", "Own", "--trees", "3"}, 2, "--trees: no scheme in --pdf uses it");
   expect_error({"--depth", "1,many"}, 2, "--depth: ");
   expect_error({"--rounds", "0"}, 2, "--rounds");
   expect_error({"--reference", path("none.exr")}, 1, "cannot read the file");

@@ -1,5 +1,5 @@
-// `bpt render` with BPT_DisplayWindow where there is no viewer, and none to be had. The one that there is in
-// a whole installation has tests of its own: tests/editor/image/display_window_test.cpp.
+// Tests of `bpt render` with BPT_DisplayWindow without an image viewer. The viewer of a full installation is
+// tested in tests/editor/image/display_window_test.cpp.
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::Outcome;
 
-/// `bpt` in a folder of its own, where a viewer stands beside it or not.
+/// A copy of `bpt` in a separate folder, with or without a viewer beside it.
 class BptDisplay : public test::Bpt {
  protected:
   BptDisplay() {
@@ -29,7 +29,7 @@ class BptDisplay : public test::Bpt {
     ::unsetenv("WAYLAND_DISPLAY");
   }
 
-  /// A program that ends at once, and leaves a file.
+  /// Adds a viewer that writes a file and exits at once.
   void add_viewer(const std::string& folder, int exit_code) const {
     const std::string program = write(folder + "/wannabe", "#!/bin/sh\necho \"$@\" > '" + path("started") +
                                                                "'\nexit " + std::to_string(exit_code) + "\n");
@@ -44,7 +44,7 @@ class BptDisplay : public test::Bpt {
     return test::run({path("bin/bpt"), "render", options});
   }
 
-  /// The image is written, and there is this warning and nothing else.
+  /// Expects the image, and this warning only.
   void expect_warning(const std::string& reason) const {
     const Outcome outcome = render();
     EXPECT_EQ(outcome.exit_code, 0);
@@ -60,9 +60,9 @@ class BptDisplay : public test::Bpt {
 TEST_F(BptDisplay, DoesWithoutAScreen) {
   add_viewer("bin", 0);
   ::setenv("DISPLAY", "", 1);
-  expect_warning("there is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set");
+  expect_warning("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set");
   ::unsetenv("DISPLAY");
-  expect_warning("there is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set");
+  expect_warning("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set");
   EXPECT_FALSE(fs::exists(path("started")));
 }
 
@@ -72,10 +72,10 @@ TEST_F(BptDisplay, DoesWithoutAProgram) {
 
 TEST_F(BptDisplay, TellsOfAProgramThatEnds) {
   add_viewer("other", 4);
-  expect_warning("`wannabe` has ended with exit code 4");
+  expect_warning("`wannabe` exited with code 4");
   EXPECT_EQ(test::bytes_of(path("started")), "--tool image\n");
   add_viewer("bin", 3);
-  expect_warning("`wannabe` has ended with exit code 3");
+  expect_warning("`wannabe` exited with code 3");
 }
 
 TEST_F(BptDisplay, StartsNothingWhereAnotherViewerIsMeant) {

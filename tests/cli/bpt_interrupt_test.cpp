@@ -1,4 +1,4 @@
-// `bpt render` as a farm runs it: interrupted, resumed, followed by lines of JSON.
+// Tests of `bpt render` as a render farm runs it: interrupted, resumed, with progress as JSON lines.
 #include <filesystem>
 #include <sstream>
 
@@ -49,7 +49,7 @@ TEST_F(BptInterrupt, ResumesToTheSameBytes) {
   auto arguments = common;
   arguments.insert(arguments.end(), {"--output", path("part.pfm"), "--json"});
   for (const int signal : {SIGINT, SIGTERM}) {
-    // On a busy machine it may take longer until there is something to keep.
+    // On a busy machine it may take longer until there is something to write.
     Outcome outcome;
     for (int wait = 150; wait < 5000 && outcome.out.empty(); wait *= 2) {
       outcome = render(arguments, {{signal, std::chrono::milliseconds(wait)}});
@@ -67,7 +67,7 @@ TEST_F(BptInterrupt, ResumesToTheSameBytes) {
             (std::vector<std::string>{"part.pfm", "quad.grf", "scene.grf", "state", "whole.pfm"}));
 }
 
-// A render that has ended waits two seconds for a viewer that does not take what it is sent.
+// A finished render waits two seconds for a viewer that does not receive its data.
 TEST_F(BptInterrupt, EndsAtOnceAtTheSecondSignal) {
   const test::Interruption first = {SIGINT, std::chrono::milliseconds(1000)};
   const test::Interruption second = {SIGTERM, std::chrono::milliseconds(200)};

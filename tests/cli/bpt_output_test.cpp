@@ -1,4 +1,4 @@
-// The images that `bpt render` leaves, and where.
+// Tests of the image files of `bpt render`, and where they are written.
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -130,7 +130,7 @@ TEST_F(BptOutput, HasLayersOnRequest) {
   const Outcome plain = bpt(
       {"render", scene_, "--size", "8x8", "--samples", "1", "--layers", "normal", "--output", path("a.png")});
   EXPECT_EQ(plain.exit_code, 0);
-  EXPECT_EQ(plain.err, "warning: BPT_Layers has no effect: of the types of image only exr has layers\n");
+  EXPECT_EQ(plain.err, "warning: BPT_Layers has no effect: only exr images have layers\n");
 }
 
 TEST_F(BptOutput, IsRefusedBeforeTheRenderWhereItCannotBe) {
@@ -141,14 +141,14 @@ TEST_F(BptOutput, IsRefusedBeforeTheRenderWhereItCannotBe) {
     return outcome.err;
   };
   EXPECT_EQ(error_of(path("a.jpg"), "65501x1"),
-            path("a.jpg") + ": error: files of this type have at most 65500 pixels a side\n");
+            path("a.jpg") + ": error: images of this type have at most 65500 pixels per side\n");
   const std::string pipe = path("pipe.png");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(error_of(pipe, "8x8"), pipe + ": error: cannot write the image: it is no regular file\n");
+  EXPECT_EQ(error_of(pipe, "8x8"), pipe + ": error: cannot write the image: it is not a regular file\n");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
-/// Where a message says that the image was kept.
+/// Returns the fallback path of the image that a message names.
 std::string kept_in(const std::string& message) {
   const std::string start = "the image was saved as '";
   const std::size_t at = message.find(start);
@@ -178,7 +178,7 @@ TEST_F(BptOutput, IsKeptElsewhereIfItsFolderIsGone) {
 }
 
 TEST_F(BptOutput, IsKeptElsewhereIfTheDiskIsFull) {
-  // A file system of its own that is too small, which needs no rights but those over one's own name space.
+  // A separate file system that is too small, which needs no rights except in a private name space.
   const std::vector<std::string> alone = {"/usr/bin/unshare", "--user", "--map-root-user", "--mount"};
   std::vector<std::string> probe = alone;
   probe.emplace_back("/bin/true");
@@ -202,8 +202,8 @@ TEST_F(BptOutput, IsKeptElsewhereIfTheDiskIsFull) {
   EXPECT_EQ(read(kept).width, 64);
 }
 
-// The limit is on all files of the program, so nothing can be kept; but it comes to an end that says so, and
-// leaves what was there.
+// The limit applies to all files of the program, so no image can be written; but `bpt` reports this, and the
+// older file stays.
 TEST_F(BptOutput, IsNotTheEndOfTheProgramOverAFileSizeLimit) {
   const std::string output = write("image.pfm", "the older one");
   const Outcome outcome = test::run({"/bin/sh", "-c",

@@ -1,4 +1,4 @@
-// `bpt plan`, and the flags that choose effects.
+// Tests of `bpt plan` and the flags that choose effects.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -78,7 +78,7 @@ TEST_F(BptPlan, IsWhatARenderDoes) {
   EXPECT_TRUE(has("mirror_reflection"));
   EXPECT_EQ(summary["saved"]["tables"], 1);
   EXPECT_EQ(summary["saved"]["scatterings"], 0);
-  // With a second bounce, the texture is wanted, and is not there.
+  // With a second bounce the texture is needed, and its file is missing.
   EXPECT_EQ(render("2").exit_code, 1);
   EXPECT_TRUE(plan({"--depth", "2"})["textures"][0]["needed"].get<bool>());
 }

@@ -1,4 +1,4 @@
-// What `bpt render` does with its options, and what it says.
+// Tests of the options and messages of `bpt render`.
 #include "tests/cli/bpt.h"
 
 #include <filesystem>
@@ -23,7 +23,7 @@ TEST_F(Bpt, RendersAnOpFileAndSaysHowItWent) {
   const Outcome outcome = bpt({op});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("40x30 pixels, 8 samples a pixel"), std::string::npos);
+  EXPECT_NE(outcome.out.find("40x30 pixels, 8 samples per pixel"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(path("image.exr")));
 }
 

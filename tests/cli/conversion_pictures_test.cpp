@@ -1,4 +1,4 @@
-// Real models look the same on all ways of conversion: `bpt` renders what `grfconvert` makes of them.
+// Tests that real models render the same after all conversions: `bpt` renders the output of `grfconvert`.
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -20,15 +20,15 @@ using test::BlockStatistics;
 
 const std::string Models = "/usr/share/assimp/models/";
 
-/// What an author writes in the GRF text: each place of the first in the place of the second.
+/// Replacements of GRF text, as an author edits it: the first string by the second, wherever it occurs.
 using Edits = std::vector<std::pair<std::string, std::string>>;
 
 struct Model {
   std::string name;
   std::string file;
   std::string placement;  ///< on the floor of the stage, about a unit wide
-  Edits surfaces;         ///< BRDFs that the author assigns
-  Edits change;           ///< of one parameter, by little; of the text with the author's BRDFs
+  Edits surfaces;         ///< assigns the author's BRDFs
+  Edits change;           ///< changes one parameter of these slightly
 
   friend void PrintTo(const Model& model, std::ostream* out) {  // NOLINT(readability-identifier-naming)
     *out << model.name;
@@ -47,7 +47,7 @@ const Model Duck = {"Duck",
                     {{"diffuse kd=1", "coupled Rm=0.7 R0=0.08"}},
                     {{"Rm=0.7", "Rm=0.65"}}};
 
-// All of its BRDFs are metallic-roughness.
+// All BRDFs of this model are metallic-roughness.
 const Model Engine = {
     "Engine",
     Models + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
@@ -56,7 +56,7 @@ const Model Engine = {
      {"ashikhmin ex=0", "ashikhmin ex=60"}},
     {{"rough=0.2", "rough=0.3"}}};
 
-// So is this one, which has a texture, too. glTF has no TGA: an image of another model takes its place.
+// This model is metallic-roughness with a texture. glTF has no TGA, so another model's image replaces it.
 const Model PlainDuck = {
     "PlainDuck",
     Duck.file,
@@ -75,7 +75,7 @@ std::string edited(std::string text, const Edits& edits) {
   return text;
 }
 
-/// Of an object of JSON and all that is in it.
+/// Removes the extras of a JSON object recursively.
 void remove_extras(nlohmann::json& json) {
   if (json.is_object()) json.erase("extras");
   for (nlohmann::json& part : json) {
@@ -87,14 +87,14 @@ class ConversionPictures : public test::Bpt, public testing::WithParamInterface<
  protected:
   static constexpr int Renders = 8;
 
-  /// The model as GRF, with the author's surfaces, on a floor under a light. Gives the scene.
+  /// Writes the model as GRF, with the author's surfaces, on a floor under a light. Returns the scene.
   std::string set_stage() {
     convert(GetParam().file, path("original.grf"));
     text_ = edited(test::bytes_of(path("original.grf")), GetParam().surfaces);
     return stage("model.grf", text_);
   }
 
-  /// The same stage, of the text with another value of one parameter.
+  /// Writes the same stage with another value of one parameter.
   std::string set_changed_stage() { return stage("changed.grf", edited(text_, GetParam().change)); }
 
   static void convert(const std::string& from, const std::string& to) {
@@ -102,7 +102,7 @@ class ConversionPictures : public test::Bpt, public testing::WithParamInterface<
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
-  /// Of renders with seeds that no other pictures have.
+  /// Computes statistics of renders with seeds that no other image has.
   BlockStatistics pictures_of(const std::string& scene) {
     BlockStatistics statistics;
     const std::string options = write(
@@ -146,7 +146,7 @@ end
   int seed_ = 0;
 };
 
-// And a change of one parameter is seen: the test can fail.
+// A change of one parameter is detected: the test can fail.
 TEST_P(ConversionPictures, AreTheSameByWayOfGltf) {
   const std::string scene = set_stage();
   const BlockStatistics pictures = pictures_of(scene);
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Models, ConversionPictures, testing::Values(Horse, Duck
 
 using PicturesWithoutExtras = ConversionPictures;
 
-// What glTF itself says of metallic-roughness BRDFs is enough for them: no difference beyond noise.
+// The glTF material alone reproduces metallic-roughness BRDFs, up to noise.
 TEST_P(PicturesWithoutExtras, AreTheSameIfGltfHasTheBrdfs) {
   const std::string scene = set_stage();
   const BlockStatistics pictures = pictures_of(scene);

@@ -9,14 +9,14 @@
 
 namespace test {
 
-// Of Debian's packages glmark2-data and assimp-testmodels.
+// Models of Debian's packages glmark2-data and assimp-testmodels.
 inline const std::string Bunny = "/usr/share/glmark2/models/bunny.obj";
 inline const std::string CubeWithMaterials = "/usr/share/assimp/models/OBJ/cube_usemtl.obj";
 inline const std::string Malformed = "/usr/share/assimp/models/invalid/malformed.obj";
 
 inline const std::string Triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-// What stands in a mesh behind its attributes, up to its end.
+// The text of a mesh after its attributes, up to its end.
 inline const std::string Faces =
     " begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces (0, 1, 2) end faces end mesh";
 inline const std::string FacesWithUv =
@@ -24,14 +24,14 @@ inline const std::string FacesWithUv =
     "1, 2) end faces "
     "end mesh";
 
-// Sanitizers need more address space than any limit, so that memory is not limited under them.
+// Sanitizers need more address space than any limit, so memory is not limited under them.
 #ifdef GRANADA_HAS_SANITIZERS
 constexpr bool LimitsMemory = false;
 #else
 constexpr bool LimitsMemory = true;
 #endif
 
-/// Makes what sanitizers find in `grfconvert` from now on a crash, and gives it a limit of memory with them.
+/// Makes findings of sanitizers in `grfconvert` crash it from now on, and limits its memory under them.
 inline void crash_on_findings() {
   ::setenv("ASAN_OPTIONS", "abort_on_error=1:max_allocation_size_mb=4096:hard_rss_limit_mb=4096", 1);
   ::setenv("UBSAN_OPTIONS", "abort_on_error=1", 1);

@@ -1,4 +1,4 @@
-// `grfconvert` with many files, as a pipeline and as the editor start it.
+// Tests of `grfconvert` with many files, as pipelines and the editor run it.
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// The commands of `grfconvert` that convert nothing: info, check, tidy and formats.
+// Tests of the commands of `grfconvert` that do not convert: info, check, tidy and formats.
 #include <string>
 #include <vector>
 

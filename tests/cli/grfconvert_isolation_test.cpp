@@ -1,5 +1,4 @@
-// What becomes of `grfconvert` itself where a file crashes Assimp, makes it run for ever or want more memory
-// than there is.
+// Tests that `grfconvert` survives files that crash Assimp, make it hang or run out of memory.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,13 +20,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAreArray;
 
-// Files that do such things to Assimp 5.2.5. An MD5 mesh is written into without a look at its size; the
-// joints of an SMD file are looked for beyond the file's end.
+// Files that break Assimp 5.2.5. Reading an MD5 mesh writes past its buffer; reading the joints of an SMD
+// file runs past the file's end.
 const std::string Crashing = "MD5Version 10\n}\nmesh {\nnumverts 1\nnumtris 1\n}\n";
 const std::string Greedy = "MD5Version 10\n}\nmesh {\nnumverts 2147483647\nnumtris 1\n}\n";
 const std::string Endless = "version 1\nnodes\n0 \"";
 
-/// A folder with files of all three kinds, and a good one.
+/// A folder with files of all three kinds, and a valid one.
 class GrfconvertIsolation : public testing::Test {
  protected:
   static void SetUpTestSuite() { test::crash_on_findings(); }
@@ -44,7 +43,7 @@ class GrfconvertIsolation : public testing::Test {
     return greedy_ + ": error: more memory is needed than the limit of 4 GB\n";
   }
 
-  /// Converts, tells about and checks a file, with further options.
+  /// Runs the commands convert, info and check on a file, with further options.
   void expect_error_of_all_commands(const std::string& path, const std::string& error,
                                     const std::vector<std::string>& options = {}) const {
     for (std::vector<std::string> command :
@@ -75,7 +74,7 @@ TEST_F(GrfconvertIsolation, LosesTheFilesAloneThatAreToBlame) {
   for (const std::string jobs : {"1", "4"}) {
     const std::string output = folder_.path("out" + jobs);
     std::vector<std::string> command = bad;
-    // Long enough for the good file also on a busy machine.
+    // Long enough for the valid file even on a busy machine.
     command.insert(command.end(), {good_, "-o", output, "--max-time", "5", "--jobs", jobs, "--json"});
     const test::Outcome outcome = grfconvert(command);
     EXPECT_EQ(outcome.exit_code, 1);

@@ -1,4 +1,4 @@
-// What `grfconvert` does to meshes and to the scene as a whole on the way.
+// Tests of the options of `grfconvert` that process meshes and transform the scene.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ using testing::Not;
 
 const std::string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
-/// The figures of what an OBJ text becomes by the options.
+/// Converts an OBJ text with the options and returns the `info` of the result.
 json converted(const std::string& obj, std::vector<std::string> options) {
   const TemporaryFolder folder;
   const std::string output = folder.path("out.grf");
@@ -85,7 +85,7 @@ TEST(GrfconvertMeshes, AreSubdivided) {
 }
 
 TEST(GrfconvertMeshes, AreSmoothed) {
-  // Four triangles around a tip, which has no other neighbours than the boundary.
+  // Four triangles around a tip, whose neighbours are all on the boundary.
   const std::string tip =
       "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
   const double factor = 0.5 * (1 + 1 / 1.9);
@@ -131,7 +131,7 @@ TEST(GrfconvertScene, IsTurnedScaledAndMovedInThisOrder) {
   EXPECT_THAT(test::bytes_of(output),
               HasSubstr("transform rotation (-1.5707964, 0, 0) scale (2, 2, 2) rotation (0, 0, 1.5707964) "
                         "translation (0, 0, 5) begin"));
-  // x goes to y, and what was up is first y, and then -x.
+  // The x axis is mapped to y, and the up axis first to y and then to -x.
   const json bounds = json::parse(grfconvert({"info", "--json", output}).out)["bounds"];
   const std::vector<double> least = {-2, 0, 5};
   const std::vector<double> most = {0, 2, 5};

@@ -1,4 +1,4 @@
-// What `grfconvert` says of files is true, and is said once.
+// Tests that messages of `grfconvert` are correct and not repeated.
 #include <string>
 
 #include <gmock/gmock.h>
@@ -29,14 +29,14 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// Meshes of a model have no lines, so that a message of each could not be told from the next.
+// Meshes of a binary model have no line numbers, so messages about different meshes would look the same.
 TEST(GrfconvertMessages, CountFacesOfAllMeshesOfAModel) {
   const TemporaryFolder folder;
   const std::string err = grfconvert({Spider, "-o", folder.path("a.grf")}).err;
   EXPECT_THAT(err, AllOf(HasSubstr(Spider + ": warning: 56 faces of 4 meshes have no area\n"),
                          HasSubstr("2 faces of 2 meshes have normals that point away from the front\n")));
   EXPECT_EQ(count(err, "no area"), 1U);
-  // A GRF file has lines.
+  // A GRF file has line numbers.
   EXPECT_EQ(count(grfconvert({"check", folder.path("a.grf")}).err, "14 faces, the first is 0, have no area"),
             4U);
 }
@@ -72,7 +72,7 @@ TEST(GrfconvertMessages, LeaveNoImagesBesideAFileThatHoldsThem) {
   EXPECT_THAT(folder.names(), ElementsAre("CesiumLogoFlat.png", "a.glb", "b.bin", "b.gltf"));
 }
 
-// Its lines are none of the file's, and so neither is there anything of the file to show.
+// Line numbers of the converted text are not those of the file, so no source line is shown.
 TEST(GrfconvertMessages, TellTheSceneInsideAGltfFileFromTheFile) {
   const TemporaryFolder folder;
   const std::string model = folder.add("a.obj", Triangle);
@@ -84,7 +84,7 @@ TEST(GrfconvertMessages, TellTheSceneInsideAGltfFileFromTheFile) {
   }
 }
 
-// A file that no reader takes, our own neither, is worse than none.
+// A file that no reader can read, not even ours, is worse than no file.
 TEST(GrfconvertMessages, SayThatNoFloatHoldsAVertex) {
   const TemporaryFolder folder;
   const std::string scene =

@@ -1,4 +1,4 @@
-// How `grfconvert` converts.
+// Tests of conversion by `grfconvert`.
 #include "tests/cli/grfconvert.h"
 
 #include <string>
@@ -195,7 +195,7 @@ TEST(Grfconvert, HelpIsNoError) {
   EXPECT_THAT(outcome.out, HasSubstr("formats"));
 }
 
-// The thesis measures with some of these: they are no errors.
+// The thesis uses some of these values, so they are not errors.
 TEST(GrfconvertFlatten, WritesOneFile) {
   const TemporaryFolder folder;
   folder.add("parts/gold.brdf", "ward sx=0.1");

@@ -1,4 +1,4 @@
-// The sphere in the pictures of `bpt brdf plot`, as an image.
+// Tests of the lit sphere in the plots of `bpt brdf plot`.
 #include "renderer/command/lit_sphere.h"
 
 #include <cmath>

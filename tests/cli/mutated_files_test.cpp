@@ -1,6 +1,6 @@
-// Damaged files of all formats that are read, given to `grfconvert`. What it makes of each is a scene or an
-// error; nothing takes it down, nor lasts, nor eats the memory. What files of this test do harm are kept in
-// the folder `found_mutants` beside that of the programs.
+// Fuzz test of `grfconvert` with damaged files of all formats that it reads. Each gives a scene or an error,
+// without crash, hang or excessive memory. Files that break it are kept in the folder `found_mutants` beside
+// that of the programs.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -36,7 +36,7 @@ constexpr std::size_t LargestSeed = 200'000;
 constexpr const char* MostSeconds = "10";
 constexpr long MostMemory = 4L << 20;  // kilobytes
 
-/// A sound file, and those beside it that it names.
+/// A valid file, and the files beside it that it names.
 struct Seed {
   std::string path;
   std::vector<std::string> companions;
@@ -58,8 +58,8 @@ std::vector<std::string> companions_of(const std::string& path, const std::strin
   return companions;
 }
 
-/// Puts a file and its companions into a folder of their own; gives the file's path. One of them, by its
-/// index, is damaged; the file itself comes behind its companions.
+/// Copies a file and its companions into a separate folder; returns the file's path. The one of this index is
+/// damaged; the file itself comes after its companions.
 std::string add_copy(const Seed& seed, const std::string& name, const test::TemporaryFolder& folder,
                      const std::function<std::string(std::size_t index, const std::string& bytes)>& damage) {
   for (std::size_t i = 0; i < seed.companions.size(); ++i) {
@@ -70,8 +70,8 @@ std::string add_copy(const Seed& seed, const std::string& name, const test::Temp
   return folder.add(name + "/" + name + extension, damage(seed.companions.size(), test::bytes_of(seed.path)));
 }
 
-/// A file is a seed if it is sound where nothing else is but its companions: what is refused anyway tells
-/// nothing of damages.
+/// A file is a seed if it converts with only its companions beside it: files that are refused anyway test no
+/// damage.
 bool is_sound(const Seed& seed, const convert::Format& format) {
   const test::TemporaryFolder folder;
   const auto keep_whole = [](std::size_t, const std::string& bytes) { return bytes; };
@@ -79,7 +79,7 @@ bool is_sound(const Seed& seed, const convert::Format& format) {
   return format.read(add_copy(seed, "copy", folder, keep_whole), {}, diagnostics).has_value();
 }
 
-/// Files of each format that is written, into the folder.
+/// Writes files of each output format into the folder.
 void write_seeds(const test::TemporaryFolder& folder) {
   grf::Diagnostics diagnostics;
   const auto import = convert::find_format("obj")->read(test::CubeWithMaterials, {}, diagnostics);
@@ -116,7 +116,7 @@ std::vector<Seed> find_seeds(const convert::Format& format, const test::Temporar
   return seeds;
 }
 
-/// Puts a copy of a seed into the folder that is damaged, or has a damaged companion.
+/// Copies a seed into the folder, damaged or with a damaged companion.
 std::string add_mutant(const Seed& seed, const std::string& name, const test::TemporaryFolder& folder,
                        std::mt19937& random) {
   const std::size_t count = seed.companions.size();
@@ -126,7 +126,7 @@ std::string add_mutant(const Seed& seed, const std::string& name, const test::Te
   });
 }
 
-/// What became of the mutants of one format.
+/// The results of the mutants of one format.
 struct Fates {
   std::vector<std::string> converted;  ///< the scenes that were made
   std::size_t refused = 0;
@@ -135,7 +135,7 @@ struct Fates {
   std::vector<std::string> hungry;
 };
 
-/// The last error of each mutant, by its name: it may be of the file, of one beside it, or of the output.
+/// Returns the last error of each mutant, by name: about the file, one beside it, or the output.
 std::map<std::string, std::string> errors_of(const std::string& text, const test::TemporaryFolder& folder) {
   std::map<std::string, std::string> errors;
   std::istringstream lines(text);
@@ -202,8 +202,8 @@ Fates convert_mutants(const std::vector<std::string>& paths, const test::Tempora
   return fates;
 }
 
-/// What was made of a damaged file is a scene like any other: it reads, is the same once it is written again,
-/// and the check accepts it.
+/// Expects a valid scene from a damaged file: it can be read, is the same when written again, and passes the
+/// check.
 void expect_sound(const std::vector<std::string>& scenes) {
   for (const std::string& path : scenes) {
     grf::Diagnostics diagnostics;
@@ -220,7 +220,7 @@ void expect_sound(const std::vector<std::string>& scenes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-/// Those that no part of Assimp reads.
+/// Formats that are read without Assimp.
 bool is_read_by_us(const std::string& format) {
   static const std::set<std::string> names = {"grf", "obj", "ply", "gltf", "glb", "vrml", "off"};
   return names.contains(format);
@@ -264,12 +264,12 @@ TEST_P(MutatedFiles, AreConvertedOrRefused) {
 
 class CutFiles : public testing::TestWithParam<std::string> {};
 
-/// Text of STL says nowhere how much of it there is.
+/// STL text does not declare its length.
 bool has_counts(const std::string& format, const std::string& bytes) {
   return format != "stl" || bytes.find('\0') != std::string::npos;
 }
 
-// The file says how much of it there is, in a count or a size: what is cut off is missed.
+// The file declares its length by a count or a size, so truncation is detected.
 TEST_P(CutFiles, AreErrors) {
   const convert::Format& format = *convert::find_format(GetParam());
   const test::TemporaryFolder written;

@@ -12,10 +12,10 @@ namespace {
 
 using Random = std::mt19937;
 
-// The distributions of the standard library differ from one to the next.
+// The distributions of the standard library differ between implementations.
 std::size_t below(std::size_t end, Random& random) { return end == 0 ? 0 : random() % end; }
 
-/// A run of bytes.
+/// A range of bytes.
 struct Run {
   std::size_t begin = 0;
   std::size_t size = 0;
@@ -62,7 +62,7 @@ void swap_runs(std::string& bytes, Random& random) {
   bytes.insert(below(bytes.size() + 1, random), copy);
 }
 
-/// Counts, sizes and offsets stand at the beginnings of files, and anywhere else.
+/// Overwrites a binary number by a huge one: counts, sizes and offsets are mostly at the beginning of files.
 void inflate_binary(std::string& bytes, Random& random) {
   constexpr std::array<std::uint64_t, 8> Numbers = {0xFFFFFFFF,  0x7FFFFFFF, 0x80000000,         0x10000000,
                                                     100'000'000, 0xFFFF,     0x4000000000000000, 0x00FFFFFF};
@@ -88,7 +88,7 @@ void inflate_decimal(std::string& bytes, Random& random) {
   bytes.replace(begin, end, Numbers[below(Numbers.size(), random)]);
 }
 
-/// Text is told from binary files by such bytes.
+/// Returns whether a byte occurs in text files.
 bool is_of_text(unsigned char c) { return c >= ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
 void make_text(std::string& bytes) {

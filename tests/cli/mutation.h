@@ -1,4 +1,4 @@
-// Files that are damaged as storage, transfers and programs with errors damage them.
+// Mutations damage files as storage, transfers and faulty programs do.
 #pragma once
 
 #include <random>
@@ -6,9 +6,9 @@
 
 namespace test {
 
-/// Bytes with one to three damages: bits flipped, runs overwritten, removed, repeated or swapped, the end cut
-/// off, numbers made huge (decimal ones, and binary ones of either byte order). Text mostly stays text, or
-/// every reader would refuse it at once. What comes out depends on the bytes and the state of `random` alone.
+/// Applies one to three damages: bits flipped, ranges overwritten, removed, repeated or swapped, the end cut
+/// off, numbers made huge (decimal, or binary in either byte order). Text mostly stays text, or every reader
+/// would refuse it at once. The result depends only on the bytes and the state of `random`.
 std::string mutated(std::string bytes, std::mt19937& random);
 
 }  // namespace test

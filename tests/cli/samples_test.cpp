@@ -1,4 +1,4 @@
-// The samples are sound, and those that a program makes are what it makes.
+// Tests that the samples are valid, and that generated samples are up to date.
 #include "tests/support/samples.h"
 
 #include <algorithm>
@@ -37,8 +37,8 @@ TEST(Teapot, SaysWhenItsCommandLineIsBad) {
   EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_teapot", "4", "/no/such/folder/x.obj"}).exit_code, 1);
 }
 
-// Fronts, vertex normals and shape belong together: each face turns to where its normals point, the handle is
-// on the left and the spout on the right, and it is as tall as published.
+// The teapot is oriented consistently: face normals agree with vertex normals, the handle is on the left and
+// the spout on the right, and it has the published height.
 TEST(Teapot, TurnsItsFrontsOutwards) {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read(Samples + "teapot/teapot.grf", diagnostics);
@@ -63,16 +63,16 @@ struct ShapeCase {
   std::string shape;
   std::size_t asked, made;
   double volume = 0.5;     ///< at least
-  double rough_share = 0;  ///< of triangles that turn elsewhere than the normals of their corners
+  double rough_share = 0;  ///< fraction of triangles that face away from the normals of their corners
 };
 
 class Shapes : public testing::TestWithParam<ShapeCase> {};
 
-// Closed, of about as many triangles as asked for, standing on the ground, and smooth: each triangle turns to
-// where the normals of its corners point.
+// A shape is closed, has about the requested number of triangles, stands on the ground, and is smooth: the
+// normal of each triangle agrees with those of its corners.
 //
-// A grid cannot follow each sharp edge of a dragon: some triangles at the rims of its wings and where scales
-// are steep turn away.
+// A grid cannot follow each sharp edge of a dragon: some triangles at the rims of its wings and on steep
+// scales face away.
 TEST_P(Shapes, AreClosedAndSmooth) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("shape.grf");
@@ -144,7 +144,7 @@ TEST(Shapes, OfTheScenesAreWhatTheirProgramMakes) {
   }
 }
 
-/// By which two images differ at most where they differ, relative to the values there.
+/// Returns the maximum relative difference of two images.
 float largest_difference(const std::string& path, const std::string& other_path) {
   grf::Diagnostics diagnostics;
   const auto image = transport::read_image(path, diagnostics);
@@ -166,7 +166,7 @@ TEST(Environments, AreWhatTheirProgramMakes) {
   for (const std::string name : {"sky", "studio"}) {
     const std::string path = folder.path(name + ".exr");
     ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_environment", name, path}).exit_code, 0);
-    // One step of the half floats.
+    // One ulp of half floats.
     EXPECT_LE(largest_difference(path, Samples + "environments/" + name + ".exr"), 0.001F) << name;
   }
 }
@@ -208,7 +208,7 @@ TEST(Gallery, SaysWhenTheCommandLineOfItsProgramIsBad) {
 
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-// Two BRDFs, of which one is matte: all tables, all errors, pictures that can be drawn.
+// Runs the study for two BRDFs, one of them diffuse: all tables, all errors, pictures that can be drawn.
 TEST(SamplingStudy, WritesWholeFiles) {
   const test::TemporaryFolder folder;
   const auto outcome = test::run(
@@ -242,7 +242,7 @@ TEST(SamplingStudy, SaysWhenItsCommandLineIsBad) {
   EXPECT_EQ(test::run({GRANADA_BIN_DIR "/sampling_study", "--fast"}).exit_code, 2);
 }
 
-// A part of scenes names a BRDF that they define, and cannot be read by itself.
+// An included part names a BRDF that its scenes define, so it cannot be read on its own.
 bool is_part(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.parent_path().filename();
   return folder == "shapes" || folder == "parts";

@@ -1,4 +1,4 @@
-// What becomes of children that crash, hang or eat memory.
+// Tests of the supervisor with child processes that crash, hang or run out of memory.
 #include "converters/command/supervisor.h"
 
 #include <chrono>
@@ -30,7 +30,7 @@ using testing::ElementsAre;
   for (;;) ::pause();
 }
 
-/// How each of some pieces of work ended.
+/// Runs jobs in child processes and returns how each exited.
 std::map<std::size_t, Ending> endings_of(const std::vector<std::function<ExitCode()>>& work,
                                          const Limits& limits = {}, std::size_t at_once = 1) {
   std::map<std::size_t, Ending> endings;
@@ -151,7 +151,7 @@ TEST(Supervisor, EndsTheOthersIfItsCallerThrows) {
   EXPECT_LT(::waitpid(-1, nullptr, WNOHANG), 0) << "there is no child any more";
 }
 
-/// Files of which the work hangs, dies or returns while it writes its output.
+/// Files whose job hangs, crashes or returns while it writes its output.
 class FilesThatFail : public testing::Test {
  protected:
   test::TemporaryFolder folder_;

@@ -1,4 +1,4 @@
-// The study of the thesis: its scenes, the tables that were copied, and the program.
+// Tests of the study of the thesis: its scenes, its copies of printed tables, and its program.
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
@@ -21,8 +21,7 @@ const std::string Samples = GRANADA_SOURCE_DIR "/samples/";
 
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-/// The scenes of the study of the thesis as users have them once `run` has made what is too large to be kept,
-/// here with a coarse dragon.
+/// The scenes of the study as they are after `run` has generated the large files, here with a coarse dragon.
 class ThesisScenes : public testing::Test {
  protected:
   ThesisScenes() : scenes_(folder_.path("studies/thesis/")) {
@@ -60,8 +59,8 @@ TEST_F(ThesisScenes, ShowTheCornellBox) {
   EXPECT_GT(box.at({278, 1, 100}).x, 0.0051F) << "the floor in front has more than its own glow";
 }
 
-// By a neutral lamp, under a neutral sky of 0.02: the highlight is where the camera looks, and outshines what
-// is beside it.
+// Under a neutral area light and a neutral sky of 0.02, the highlight is at the look-at point and brighter
+// than its surroundings.
 TEST_F(ThesisScenes, ShowTheHighlightOfTheGlossySphere) {
   const test::Picture sphere = rendered("glossy_sphere", "24x16");
   const auto highlight = sphere.at({0.065, 1.64, 0.767});
@@ -75,8 +74,8 @@ TEST_F(ThesisScenes, ShowTheHighlightOfTheGlossySphere) {
   }
 }
 
-// The lamp is yellowish, (9, 8.6, 8): a floor of (0.75, 0.7, 0.62) is more so, a wall of (0.55, 0.68, 0.8)
-// blue.
+// The light is yellowish, (9, 8.6, 8): the floor of (0.75, 0.7, 0.62) looks more so, the wall of
+// (0.55, 0.68, 0.8) blue.
 TEST_F(ThesisScenes, ShowTheDragonBeforeItsWall) {
   make({GRANADA_BIN_DIR "/make_shape", "dragon", "3000", scenes_ + "parts/dragon.grf", "material", "scheme"});
   const test::Picture dragon = rendered("dragon", "24x16");
@@ -92,8 +91,8 @@ TEST_F(ThesisScenes, ShowTheDragonBeforeItsWall) {
   EXPECT_TRUE(middle != floor && middle != wall && middle.x > 0);
 }
 
-// Over the jugs is the background of 0.1 and nothing else; each jug is lit from above and from the front, so
-// that its belly is not what its surroundings are.
+// Above the jugs there is only the background of 0.1; each jug is lit from above and from the front, so its
+// belly differs from its surroundings.
 TEST_F(ThesisScenes, ShowThreeJugs) {
   make({GRANADA_BIN_DIR "/bpt", "brdf", "export", "torrance rough=0.1 nreal=1.9 nimag=3.6 ks=1 kd=0", "-o",
         scenes_ + "nickel.binary"});
@@ -111,8 +110,8 @@ TEST_F(ThesisScenes, ShowThreeJugs) {
   }
 }
 
-// What a metal reflects of its surroundings is darker than their brightest texel; beside it they are seen
-// themselves.
+// A metal's reflection of the environment map is darker than the brightest texel; beside the jug the map
+// itself is visible.
 TEST_F(ThesisScenes, ShowAJugInItsEnvironment) {
   const test::Picture jug = rendered("jug", "24x16");
   grf::Diagnostics diagnostics;
@@ -123,7 +122,7 @@ TEST_F(ThesisScenes, ShowAJugInItsEnvironment) {
   const auto belly = jug.at({0.02, 0.8, 0.5});
   EXPECT_GT(belly.y, 0.001F);
   EXPECT_LT(belly.y, brightest);
-  // The camera looks down -z, which is the middle of the map; the corner is a few degrees from there.
+  // The camera looks down -z, the centre of the map; the corner of the image is a few degrees from it.
   const auto corner = jug.image().at(0, 0);
   float least = brightest;
   float most = 0;
@@ -137,8 +136,8 @@ TEST_F(ThesisScenes, ShowAJugInItsEnvironment) {
   EXPECT_LE(corner.y, 1.01F * most);
 }
 
-// What is printed in the thesis was copied whole: the means of tables 5.19 and 5.20 are those of their
-// columns, and averages that its text gives are those of rows (section 5.5.1).
+// The thesis' tables were copied completely: the means of tables 5.19 and 5.20 are those of their columns,
+// and averages in its text are those of rows (section 5.5.1).
 TEST(ThesisTables, AddUp) {
   grf::Diagnostics diagnostics;
   const auto printed = study::read_printed(Samples + "studies/thesis/tables.json", diagnostics);
@@ -167,7 +166,7 @@ TEST(ThesisTables, AddUp) {
   EXPECT_NEAR(mean_of("5.16", "reject-ris"), 46.36, 0.01);
 }
 
-// One sphere and one BRDF: all tables and pictures of the scene, and nothing that is no number.
+// Runs the study for one scene and one BRDF: all its tables and pictures are written, without NaN.
 TEST(ThesisStudy, WritesWholeFiles) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder.path("report"));
@@ -201,7 +200,7 @@ TEST(ThesisStudy, WritesWholeFiles) {
 TEST(ThesisStudy, SaysWhenItsCommandLineIsBad) {
   const auto outcome = test::run({GRANADA_BIN_DIR "/thesis_study", "--only", "phonk"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err.find("There is no scene or BRDF 'phonk' in the study: cornell_box"), 0U)
+  EXPECT_EQ(outcome.err.find("error: --only: found 'phonk', expected scenes or BRDFs: cornell_box"), 0U)
       << outcome.err;
 }
 

@@ -1,4 +1,4 @@
-// The tables in documents are those of the code. To rewrite them after a change:
+// Tests that the tables in documents are those of the code. To rewrite them after a change:
 //   GRANADA_UPDATE_DOCUMENTS=1 build/release/bin/documents_test
 #include <algorithm>
 #include <cctype>
@@ -42,7 +42,7 @@ std::string effect_rows() {
   return rows;
 }
 
-/// What a heading's words are in a link to it.
+/// Returns the anchor of a heading in links.
 std::string anchor_of(std::string_view words) {
   std::string anchor;
   for (const char c : words) {
@@ -95,7 +95,7 @@ std::string property(std::string_view name, std::string_view reason) {
                         : fmt::format("- {}: not always; {}.\n", name, reason);
 }
 
-/// An instance's albedo at 0, 45 and 80 degrees, mirror part included.
+/// Returns cells with the directional albedo of an instance at 0, 45 and 80 degrees, specular part included.
 std::string albedo_cells(const std::string& instance) {
   grf::Diagnostics diagnostics;
   const auto model = grf::read_brdf(instance, "example", diagnostics);
@@ -138,7 +138,7 @@ std::string summary() {
   return text + "\n";
 }
 
-/// Table 5.5 of the thesis.
+/// Returns the instances of table 5.5 of the thesis.
 std::string thesis_instances() {
   std::string text =
       "The parameter sets that the thesis measures sampling with (its table 5.5):\n\n"
@@ -195,7 +195,7 @@ std::string models() {
   return text;
 }
 
-/// Whom a scheme refuses, of the models' examples, by reason.
+/// Lists the BRDF models whose examples a scheme does not support, by reason.
 std::string refusals_of(const grf::ModelInfo& scheme_info) {
   grf::Model named;
   named.keyword = scheme_info.keyword;
@@ -262,7 +262,7 @@ TEST(Documents, EverySchemeIsExplained) {
   }
 }
 
-// That MODELS.md shows it follows from how it is generated. To make them: scripts/plot_models.
+// MODELS.md shows these pictures because it is generated. scripts/plot_models makes them.
 TEST(Documents, EveryModelIsExplainedAndHasItsPicture) {
   const std::string scene = test::bytes_of(GRANADA_SOURCE_DIR "/samples/models/models.grf");
   std::ptrdiff_t pictures = 0;

@@ -22,7 +22,7 @@ inline grf::Scene scene_of_text(const std::string& text, const std::string& path
   return *scene;
 }
 
-/// A lit room's corner of a floor and a wall.
+/// A corner of a floor and a wall, under an area light.
 inline const std::string Corner = R"(
 light begin rgb (5, 5, 5) (-1,3,-1) (2,0,0) (0,0,2) end
 begin mesh
@@ -31,7 +31,7 @@ begin mesh
   begin faces (0,1,2,3) (3,2,5,4) end faces
 end mesh)";
 
-/// Waves of so many squares a side, two triangles each, under a light.
+/// Makes a wavy height field of `side` x `side` squares, two triangles each, under a light.
 inline grf::Scene waves(std::uint32_t side) {
   grf::Scene scene = scene_of_text("light begin rgb (5, 5, 5) (-1,3,-1) (2,0,0) (0,0,2) end");
   grf::MeshDraft mesh;
@@ -80,10 +80,10 @@ inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height 
   return request;
 }
 
-/// Bounds hold for the radiance in the middle of the corner's floor, as `request` views it. The lamp is a
-/// square of half side 1 at height 3, and takes up 4/pi s atan(s) = 0.123 of the hemisphere by the cosine, s
-/// = sqrt(1/10): the matte part shows 0.4 times 5 times that, and the gloss and the wall add less than 0.3 +
-/// 0.3 * 5 * 0.123.
+/// Checks bounds of the radiance at the centre of the corner's floor, as `request` views it. The light is a
+/// square of half side 1 at height 3, with a form factor of 4/pi s atan(s) = 0.123, s = sqrt(1/10): the
+/// diffuse part reflects 0.4 times 5 times that, and the glossy part and the wall add less than 0.3 + 0.3 * 5
+/// * 0.123.
 inline transport::Rgb floor_of_corner(const transport::Image& image) {
   return Picture(image, {0, 2, 6}, {0, 0.5, 0}, 45).at(grf::Vec3d(0));
 }
@@ -95,7 +95,7 @@ inline void expect_lit_corner(const transport::Image& image) {
   EXPECT_EQ(image.at(0, 0), transport::Rgb(0)) << "beside it is nothing";
 }
 
-/// Hears a preview, and can be waited for.
+/// Records the callbacks of a preview, and can wait for them.
 class Heard {
  public:
   struct Event {
@@ -118,7 +118,7 @@ class Heard {
     return listener;
   }
 
-  /// Whether the request comes to be in that state, within a minute.
+  /// Waits up to a minute for a request to reach a state; returns whether it did.
   bool comes_to(int number, job::PreviewState state) {
     return wait([&] { return !states_[number].empty() && states_[number].back() == state; });
   }

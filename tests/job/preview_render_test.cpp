@@ -93,7 +93,7 @@ TEST(Preview, ShowsWhatWasStartedLast) {
     if (i % 7 == 0) preview.pause();
   }
   ASSERT_TRUE(heard.shows(number, 5));
-  // Each reflection halves red: the floor shows what came from the lamp at once, and less of what went on.
+  // Each bounce halves red: the floor reflects direct light once, and indirect light more often.
   const transport::Rgb floor = test::floor_of_corner(*heard.images(number).back().image);
   EXPECT_EQ(floor.y, floor.z);
   EXPECT_LE(floor.x, 0.5001F * floor.y);
@@ -131,7 +131,7 @@ TEST(Preview, SaysWhyThereIsNone) {
   EXPECT_TRUE(heard.images(number).empty());
 }
 
-/// From an edit to the first image of what was edited: the least of some, because other programs run too.
+/// Returns the minimum latency from an edit to the first new image, in ms; other programs run too.
 template <class Edit>
 double least_restart(PreviewRequest request, const Edit& edit) {
   test::Heard heard;

@@ -67,7 +67,7 @@ TEST_F(PreviewSceneTest, ReadsTexturesAnewThatChanged) {
   write(transport::Rgb(0.25F));
   PreviewRequest request = test::request(test::scene_of_text(test::Corner));
   request.path = path;
-  // Set while editing, so that it was read from no file.
+  // The texture is set in memory, so its path was not read from a file.
   test::first_mesh(request.scene).edit().surfaces[0].texture = grf::Texture{"paper.pfm", {}};
   ASSERT_TRUE(prepare(request)) << diagnostics_.to_text();
   const auto first = scene_.compiled().textures().at(0).texture;

@@ -1,4 +1,4 @@
-// People save images while what shows them is running. No file of their own may end the program.
+// Tests that images which are overwritten during a preview or render cannot crash the program.
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -15,15 +15,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A grey portable float map.
+/// Makes a grey portable float map.
 std::string grey_float_map(int side, float value) {
   std::string bytes = fmt::format("Pf\n{} {}\n-1\n", side, side);
   for (int i = 0; i < side * side; ++i) bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
   return bytes;
 }
 
-/// Writes over a file again and again, while it lives, as image editors do: the file is cut off at its start,
-/// and then filled.
+/// Overwrites a file repeatedly during its lifetime, as image editors do: the file is truncated, then filled.
 class Overwriting {
  public:
   Overwriting(const std::string& path, const std::string& bytes)
@@ -47,7 +46,7 @@ class RewrittenFiles : public testing::Test {
  protected:
   static constexpr int Side = 1024;
 
-  /// A corner with a picture on its walls, in a file, under a sky.
+  /// A textured corner, in a file, under an environment map.
   RewrittenFiles() {
     std::string corner = test::Corner;
     corner.insert(corner.find("brdf ward"), "texture \"paper.pfm\" ");
@@ -57,7 +56,8 @@ class RewrittenFiles : public testing::Test {
     request_.options.environment = sky_;
   }
 
-  /// Does something while both images are overwritten, at least so often, until reading has failed once.
+  /// Repeats an action while both images are overwritten, at least `times` times and until reading fails
+  /// once.
   template <class Work>
   void while_overwritten(int times, const Work& work) {
     const Overwriting paper(paper_, grey_);
@@ -66,7 +66,7 @@ class RewrittenFiles : public testing::Test {
     EXPECT_THAT(diagnostics_.to_text(), testing::AnyOf(HasSubstr("paper.pfm"), HasSubstr("sky.pfm")));
   }
 
-  /// What a render of the present files shows.
+  /// Renders the present files.
   transport::Image rendered() {
     grf::Diagnostics diagnostics;
     const auto job = job::render_job(request_.options, diagnostics);

@@ -17,7 +17,7 @@ class OpFile : public testing::Test {
     return options::read_op_file(folder_.add("test.op", text), diagnostics_);
   }
 
-  /// What is said of a text that is wrong, without the path.
+  /// Returns the error messages of an invalid text, without the path.
   std::string errors_of(const std::string& text) {
     EXPECT_FALSE(read(text));
     std::string errors = diagnostics_.to_text();
@@ -112,7 +112,7 @@ TEST_F(OpFile, ReportsEveryWrongValueAtItsPlace) {
             "OP:5:12: error: BPT_Viewer: found 'x', expected three numbers\n"
             "  BPT_Viewer 1 2 x\n"
             "             ^\n"
-            "OP:6:16: error: BPT_Background: found '-1', expected three numbers of 0 or more\n"
+            "OP:6:16: error: BPT_Background: found '-1', expected three numbers, each 0 or more\n"
             "  BPT_Background 1 1 -1\n"
             "                 ^\n"
             "OP:7:13: error: BPT_Samples: found '1.5', expected a whole number from 1 to 2147483647\n"
@@ -134,26 +134,27 @@ TEST_F(OpFile, ReportsWordsBooleansAndPairsThatAreNone) {
             "Disk, Adaptive, Factored, CascadeCDF, Reject, Own, Auto: did you mean 'Disk'?\n"
             "BPT_EM_Projection: found 'flat', expected one of latlong, backplate\n"
             "BPT_Pdf_memstat: found '1', expected true or false\n"
-            "BPT_RIS: found '4 8', expected two whole numbers from 1 to 65536, the second at most the first\n"
+            "BPT_RIS: found '4 8', expected two whole numbers from 1 to 65536, the second no greater than "
+            "the first\n"
             "BPT_Pdf_CDF_Res: found '0 8', expected two whole numbers from 1 to 4096\n"
             "BPT_QT_avgnmax: found '1', expected a number between 1 and 100\n");
 }
 
 TEST_F(OpFile, ReportsAKeyGivenTwice) {
   EXPECT_EQ(errors_of("BPT_Scene a.grf\nBPT_Depth 1\nBPT Depth 2\n"),
-            "OP:3:1: error: BPT_Depth is given twice, first in line 2\n"
+            "OP:3:1: error: BPT_Depth is given twice, first on line 2\n"
             "  BPT Depth 2\n"
             "  ^\n");
 }
 
 TEST_F(OpFile, AsksForAScene) {
   EXPECT_EQ(errors_of("BPT_Depth 1\n"),
-            "OP: error: no scene is named, expected a line 'BPT_Scene' and the path of a GRF file\n");
-  EXPECT_EQ(errors_of(""), "OP: error: the file is empty, expected options, one a line\n");
+            "OP: error: no scene is given, expected a line 'BPT_Scene' with the path of a GRF file\n");
+  EXPECT_EQ(errors_of(""), "OP: error: the file is empty, expected options, one per line\n");
 }
 
 TEST_F(OpFile, TakesTheOpFileOfTheThesis) {
-  // Table 6.1: its keys lost their underscores in print.
+  // Table 6.1 of the thesis, whose keys lost their underscores in print.
   const auto read_options = read(
       "BPT Scene escena.grf\nBPT Image Resolution 500 400\nBPT Output Image buzon.exr\n"
       "BPT Viewer 0.5 0.5 1\nBPT VLook 0.5 0.1 0\nBPT Pixel Radial false\nBPT Pixel Random true\n"
@@ -203,7 +204,7 @@ TEST_F(OpFile, TakesQuotesAndCommentsAsTheyStand) {
 
 TEST_F(OpFile, ReportsQuotesThatAreNotClosed) {
   EXPECT_EQ(errors_of("BPT_Scene \"a.grf\n"),
-            "OP:1:11: error: a quote that is not closed, expected another one in this line\n"
+            "OP:1:11: error: unclosed quote, expected another one on this line\n"
             "  BPT_Scene \"a.grf\n"
             "            ^\n");
 }

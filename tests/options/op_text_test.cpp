@@ -1,4 +1,4 @@
-// Edits of the text of an OP file.
+// Tests of editing the text of an OP file.
 #include "renderer/options/op_text.h"
 
 #include <gtest/gtest.h>
@@ -107,11 +107,11 @@ TEST(OpText, KeepsLineEndsOfLinesThatStay) {
   EXPECT_EQ(text.plain_text(), "");
 }
 
-// Random texts and edits
+// Property tests with random texts and edits.
 
 std::string any_of(const Words& words) { return *rc::gen::elementOf(words); }
 
-/// A value that the option may have, other than its default or not.
+/// Generates a valid value of an option, which may be its default.
 Words words_for(const OptionInfo& info) {
   const auto number = [] { return any_of({"2", "3", "7", "16"}); };
   if (const auto* word = std::get_if<options::WordOption>(&info.value)) {
@@ -138,7 +138,7 @@ const OptionInfo& any_option() {
 
 std::string gap() { return any_of({" ", "  ", "\t", " \t "}); }
 
-/// Lines of comments, blank ones and options, each of these once.
+/// Generates lines of comments, blank lines and options, each option once.
 std::string random_text() {
   std::string text = "BPT_Scene" + gap() + "a.grf" + gap() + "# the scene\n";
   std::vector<const OptionInfo*> given = {&option("BPT_Scene")};
@@ -162,7 +162,7 @@ std::string random_text() {
   return text;
 }
 
-/// What stands behind the words of each line: comments, in order.
+/// Returns the comments after the words of each line, in order.
 std::string comments_of(const std::string& text) {
   std::string comments;
   for (std::string_view rest = text; !rest.empty();) {

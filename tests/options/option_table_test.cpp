@@ -1,4 +1,4 @@
-// The one table that OP files, the command line and documents follow.
+// Tests of the option table, from which OP files, the command line and documents follow.
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -28,7 +28,7 @@ TEST(OptionTable, KeysAndFlagsAreDistinctAndExplained) {
   }
 }
 
-// The words of the table say what the struct has.
+// The defaults in the table are those of the struct.
 TEST(OptionTable, DefaultsAreThoseOfTheStruct) {
   for (const char* key : {"BPT_Image_Resolution",
                           "BPT_Up",
@@ -65,7 +65,7 @@ TEST(OptionTable, DefaultsAreThoseOfTheStruct) {
   }
 }
 
-// A file says one key at the start of a line and takes what follows it as values.
+// A line starts with a key, and the words after it are its values.
 TEST(OptionTable, NoKeyStartsAnother) {
   for (const options::OptionInfo& option : options::option_table()) {
     for (const options::OptionInfo& other : options::option_table()) {
@@ -126,7 +126,7 @@ TEST(OptionTable, SamplesFollowFromThoseOfTheThesis) {
   EXPECT_EQ(render_options.samples_a_pixel(), std::numeric_limits<int>::max());
 }
 
-/// What the scheme of that name has for a parameter.
+/// Returns the default of a parameter of a scheme.
 float default_of_scheme(std::string_view scheme, std::string_view parameter) {
   for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
     if (info.keyword != scheme) continue;
@@ -138,7 +138,7 @@ float default_of_scheme(std::string_view scheme, std::string_view parameter) {
   return -1;
 }
 
-// Given as the table says its default, an option says the same as the scheme does without it.
+// An option set to the default in the table has the same effect as the scheme without it.
 TEST(OptionTable, DefaultsOfSchemesAreTheirOwn) {
   for (const options::OptionInfo& option : options::option_table()) {
     if (!option.key.starts_with("BPT_QT_") && !option.key.starts_with("BPT_Pdf_Factors_") &&

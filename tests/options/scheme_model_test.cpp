@@ -19,7 +19,7 @@ class SchemeModel : public testing::Test {
     return read_options.value_or(RenderOptions());
   }
 
-  /// The scheme as a scene would write it, of which everything is used.
+  /// Returns the scheme as a PDF of a scene; all its options must be used.
   std::string scheme_of(const std::string& text) {
     diagnostics_ = {};
     const RenderOptions read_options = read(text);
@@ -85,30 +85,29 @@ TEST_F(SchemeModel, WarnsOfWhatHasNoEffect) {
             "3: BPT_Pdf_LobeExponent has no effect: the scheme 'adaptive' does not use it\n"
             "4: BPT_Pdf_Factors_JK has no effect: the scheme 'adaptive' does not use it\n"
             "5: BPT_Pdf_Factors_File has no effect: the scheme 'adaptive' does not use it\n");
-  EXPECT_EQ(
-      warnings_of("BPT_QT_avgnmax 2\n"),
-      "2: BPT_QT_avgnmax has no effect: no BPT_Pdf_Name is given, and the scene's schemes have their own "
-      "parameters\n");
+  EXPECT_EQ(warnings_of("BPT_QT_avgnmax 2\n"),
+            "2: BPT_QT_avgnmax has no effect: no BPT_Pdf_Name is given, so the parameters of the scene's "
+            "schemes apply\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\nBPT_EM_Projection backplate\n"),
             "3: BPT_EM_Projection has no effect: no BPT_EM_Background is given\n"
             "2: BPT_RIS has no effect: a backplate lights nothing\n");
   EXPECT_EQ(warnings_of("BPT_Pixel_Radial true\nBPT_Pixel_Random false\n"),
-            "3: BPT_Pixel_Random has no effect: the integrator 'path' spreads its samples by itself\n"
-            "2: BPT_Pixel_Radial has no effect: the integrator 'path' spreads its samples by itself\n");
+            "3: BPT_Pixel_Random has no effect: the integrator 'path' places its samples itself\n"
+            "2: BPT_Pixel_Radial has no effect: the integrator 'path' places its samples itself\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Pixel_Radial true\nBPT_Samples 4\n"),
             "4: BPT_Samples has no effect: the integrator 'naive' takes Pixel_SampleRes x NSecRaysRoot^2\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Irradiance true\n"),
-            "3: BPT_Irradiance has no effect: the integrator 'naive' finds all light by its own rays\n");
+            "3: BPT_Irradiance has no effect: the integrator 'naive' does not use baked irradiance\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_RIS 8 2\nBPT_EM_Background sky.exr\n"),
-            "3: BPT_RIS has no effect: the integrator 'naive' samples no light\n");
+            "3: BPT_RIS has no effect: the integrator 'naive' does not sample lights\n");
   EXPECT_EQ(warnings_of("BPT_Integrator naive\nBPT_Branches 3\n"),
             "3: BPT_Branches has no effect: the integrator 'naive' takes NSecRaysRoot^2\n");
   EXPECT_EQ(warnings_of("BPT_RayCasting true\nBPT_Depth 3\n"),
-            "3: BPT_Depth has no effect: BPT_RayCasting takes one ray a pixel\n");
+            "3: BPT_Depth has no effect: BPT_RayCasting traces one ray per pixel\n");
   EXPECT_EQ(warnings_of("BPT_RIS 8 2\n"), "2: BPT_RIS has no effect: no BPT_EM_Background is given\n");
 }
 
-// A form disables what would have no effect, before it is given.
+// Forms disable options that have no effect, whether or not they are given.
 TEST_F(SchemeModel, KnowsWhatIsUnusedBeforeItIsGiven) {
   const auto why = [](const RenderOptions& given, std::string_view key) {
     return options::why_unused(given, *options::find_option(key)).value_or("");
@@ -119,7 +118,7 @@ TEST_F(SchemeModel, KnowsWhatIsUnusedBeforeItIsGiven) {
   EXPECT_EQ(why(given, "BPT_Pdf_CDF_Res"), "");
   EXPECT_EQ(why(given, "BPT_EM_Projection"), "no BPT_EM_Background is given");
   EXPECT_EQ(why(given, "BPT_Depth"), "");
-  EXPECT_EQ(why(given, "BPT_Pixel_Radial"), "the integrator 'path' spreads its samples by itself");
+  EXPECT_EQ(why(given, "BPT_Pixel_Radial"), "the integrator 'path' places its samples itself");
 }
 
 }  // namespace

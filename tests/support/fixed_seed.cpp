@@ -1,5 +1,5 @@
-// The properties that are checked with random values are checked with the same ones in every run. RC_PARAMS
-// from outside, such as `RC_PARAMS="seed=1 max_success=10000"`, comes first.
+// Property tests use the same random values in every run. The environment variable RC_PARAMS, such as
+// `RC_PARAMS="seed=1 max_success=10000"`, overrides this.
 #include <stdlib.h>
 
 namespace {

@@ -12,8 +12,8 @@
 
 namespace test {
 
-/// Listens on loopback, on a port that the system chooses or that is given. Until somebody receives, a
-/// connection takes what the buffers of the sockets hold, which is little.
+/// Listens on loopback, on a given port or one that the system chooses. Until `receive` is called, a
+/// connection accepts only what the small socket buffers hold.
 class Listener {
  public:
   explicit Listener(int port = 0) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -37,10 +37,10 @@ class Listener {
 
   const std::string& port() const { return port_; }
 
-  /// The socket of the next connection, which the caller closes.
+  /// Accepts the next connection and returns its socket, which the caller closes.
   int accept() const { return ::accept(socket_, nullptr, nullptr); }
 
-  /// All bytes of one connection.
+  /// Receives all bytes of one connection.
   std::string receive() const {
     const int connection = accept();
     std::string bytes;
@@ -58,8 +58,8 @@ class Listener {
   std::string port_;
 };
 
-/// A port where nobody listens yet. The system gives it to nobody who asks for any port: it is none of those
-/// that Linux keeps for that.
+/// Returns a port without a listener. It is outside Linux' range of ephemeral ports, so no other program is
+/// given it.
 inline int free_port() {
   constexpr int First = 16384;
   constexpr int Count = 16384;

@@ -1,4 +1,4 @@
-// What an image shows at places of its scene that are known.
+// Images are tested at known points of their scene.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace test {
 
-/// An image and the pinhole camera that it was taken by, y up.
+/// An image with its pinhole camera, y up.
 class Picture {
  public:
   Picture(transport::Image image, const Imath::V3d& eye, const Imath::V3d& target, double field_of_view)
@@ -22,7 +22,7 @@ class Picture {
         right_(forward_.cross(Imath::V3d(0, 1, 0)).normalized()),
         half_height_(std::tan(field_of_view * std::numbers::pi / 360)) {}
 
-  /// The pixel that shows a place.
+  /// Returns the pixel that shows a point of the scene.
   const reflectance::Rgb& at(const Imath::V3d& place) const {
     const Imath::V3d way = place - eye_;
     const double scale = image_.height / (2 * half_height_ * way.dot(forward_));
@@ -45,9 +45,9 @@ inline bool is_grey(const reflectance::Rgb& pixel) {
   return std::abs(pixel.x - pixel.y) <= 1e-4F * pixel.x && std::abs(pixel.x - pixel.z) <= 1e-4F * pixel.x;
 }
 
-/// The published view of samples/cornell_box. Of its lamp a pixel has the radiance that the file says. The
-/// walls' reflectances differ by factors of 11 and 4 between red and green, and what arrives there, by way of
-/// other walls too, by less than 4 and 3. Beside the open box is nothing.
+/// Checks the published view of samples/cornell_box. A pixel of its light has the radiance in the file. The
+/// walls' reflectances differ by factors of 11 and 4 between red and green, and their irradiance, indirect
+/// light included, by less than 4 and 3. Beside the open box the image is black.
 inline void expect_cornell_box(const transport::Image& image) {
   const Picture picture(image, {278, 273, -800}, {278, 273, 0}, 39.3076);
   if (image.height >= 64) {  // else no pixel shows the lamp alone

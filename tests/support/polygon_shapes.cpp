@@ -14,14 +14,14 @@ void add(Polygon& polygon, double x, double y) {
   polygon.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.0F);
 }
 
-/// The same, turned by a right angle: what was one above the other is one beside the other.
+/// Rotates a shape by a right angle.
 Shape turned(Shape shape) {
   shape.name += ", turned";
   for (grf::Vec3f& corner : shape.polygon) corner = {-corner.y, corner.x, 0};
   return shape;
 }
 
-/// Radii 1 and 2 by turns, about the origin, in n triangles of which two sides and their angle are known.
+/// Makes a star about the origin with alternating radii 1 and 2: n triangles with two known sides and angle.
 Shape star(std::uint32_t n) {
   Shape shape{"star", {}, n * 0.5 * 1 * 2 * std::sin(2 * M_PI / n)};
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -32,7 +32,7 @@ Shape star(std::uint32_t n) {
   return shape;
 }
 
-/// Teeth that are triangles of height 99 on a bar of height 1.
+/// Makes a comb: teeth are triangles of height 99 on a bar of height 1.
 Shape comb(std::uint32_t n) {
   const std::uint32_t teeth = n / 2 - 1;
   Shape shape{"comb", {}, 2.0 * teeth + 99.0 * teeth};
@@ -46,7 +46,7 @@ Shape comb(std::uint32_t n) {
   return shape;
 }
 
-/// A band of height 1/2 that goes up and down.
+/// Makes a zigzag band of height 1/2.
 Shape zigzag(std::uint32_t n) {
   const std::uint32_t half = n / 2;
   Shape shape{"zigzag", {}, 0.5 * (half - 1)};
@@ -55,8 +55,8 @@ Shape zigzag(std::uint32_t n) {
   return shape;
 }
 
-/// A band of width 1/4 that winds in right angles about the origin, each side longer by 1 than the one before
-/// the last. It ends in diagonals of the band, so each of its pieces is a trapezoid.
+/// Makes a rectangular spiral about the origin, a band of width 1/4, each side longer by 1 than the one
+/// before the last. It ends in diagonals of the band, so each of its segments is a trapezoid.
 Shape spiral(std::uint32_t n) {
   const std::uint32_t half = n / 2;
   constexpr double Width = 0.25;
@@ -75,8 +75,8 @@ Shape spiral(std::uint32_t n) {
   return shape;
 }
 
-/// Triangles of width 2^-10 and height 1,000 on a line without a height: an edge along all of them touches
-/// their corners.
+/// Makes needles, triangles of width 2^-10 and height 1,000 on a degenerate base: one edge along all of them
+/// touches their corners.
 Shape needles(std::uint32_t n) {
   const std::uint32_t count = n / 3;
   constexpr double Width = 1.0 / 1024;
@@ -89,8 +89,8 @@ Shape needles(std::uint32_t n) {
   return shape;
 }
 
-/// Rows of holes that are squares on their corners, of area 1/2; bridges lead from hole to hole, and to the
-/// left side, and so are edges twice.
+/// Makes a plate with rows of diamond holes of area 1/2; bridges connect the holes and the left side, so they
+/// occur as edges twice.
 Shape plate_with_holes(std::uint32_t n) {
   const auto side = std::max(1U, static_cast<std::uint32_t>(std::sqrt(n / 6.0)));
   const double size = 2.0 * side + 1;
@@ -118,7 +118,7 @@ Shape plate_with_holes(std::uint32_t n) {
   return shape;
 }
 
-/// Holes that are triangles of area 1/2, and all bridges lead to one corner of the plate.
+/// Makes a plate with triangular holes of area 1/2, with all bridges to one corner of the plate.
 Shape bridges_from_one_corner(std::uint32_t n) {
   const std::uint32_t holes = n / 5;
   const double size = 3.0 * holes;
@@ -138,7 +138,7 @@ Shape bridges_from_one_corner(std::uint32_t n) {
   return shape;
 }
 
-/// A square of side 16 that is slit from the middle of one side to the middle, in many steps there and back.
+/// Makes a square of side 16 with a slit from the middle of one side to its centre, in many steps each way.
 Shape slit(std::uint32_t n) {
   Shape shape{"slit", {}, 256};
   Polygon& polygon = shape.polygon;
@@ -152,8 +152,8 @@ Shape slit(std::uint32_t n) {
   return shape;
 }
 
-/// A square of side 4 that lacks the quarter between two corners and the middle, with corners all along its
-/// sides, each of them written `repeats` times.
+/// Makes a square of side 4 without the quarter between two corners and the centre, with collinear vertices
+/// along its sides, each repeated `repeats` times.
 Shape straight_sides(std::uint32_t n, int repeats) {
   Shape shape{repeats > 1 ? "repeated corners" : "straight sides", {}, 12};
   const std::uint32_t steps = std::max(1U, n / 3 / static_cast<std::uint32_t>(repeats));
@@ -198,7 +198,7 @@ std::vector<Square> grown_tree(std::uint32_t count, Random& random) {
   return squares;
 }
 
-/// Once around all squares, from the last one, which is a leaf of the tree.
+/// Traces the outline of all squares, from the last one, which is a leaf of the tree.
 Polygon outline_of(const std::vector<Square>& squares) {
   std::size_t square = squares.size() - 1;
   std::size_t side = 0;

@@ -1,4 +1,4 @@
-// Polygons that are hard to triangulate, in the plane z = 0, counter-clockwise.
+// Polygons that are hard to triangulate are made in the plane z = 0, counter-clockwise.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@ namespace shapes {
 
 using Polygon = std::vector<grf::Vec3f>;
 
-/// A polygon with a name for messages, and its area by a closed form.
+/// A polygon with a name for messages and its area in closed form.
 struct Shape {
   std::string name;
   Polygon polygon;
   double area = 0;
 };
 
-/// Shapes of about so many corners: star, comb, zigzag, spiral, needles, plates with holes that were cut open
-/// along bridges, slits, corners on straight edges, and repeated ones.
+/// Returns shapes of about so many vertices: star, comb, zigzag, spiral, needles, plates with holes cut open
+/// along bridges, slits, collinear vertices, and repeated ones.
 std::vector<Shape> hard_shapes(std::uint32_t corners);
 
-/// Unit squares that hang together by some of their sides as a tree does, so that where they are neighbours
-/// otherwise the polygon touches itself. Straight corners may be left out at random, and the squares sheared
-/// by whole numbers, so that coordinates are exact.
+/// Returns the outline of unit squares that are connected as a tree, so that the polygon touches itself where
+/// other squares are adjacent. Collinear vertices may be left out at random, and the squares sheared by whole
+/// numbers, so that coordinates are exact.
 Shape tree_of_squares(std::uint32_t squares, std::uint32_t seed);
 
 }  // namespace shapes

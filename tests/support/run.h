@@ -1,4 +1,4 @@
-// Runs a program as a shell would, for tests of command lines.
+// Programs are run as by a shell, for tests of command lines.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@
 
 namespace test {
 
-/// How a program ended, and what it printed.
+/// The exit code and output of a program.
 struct Outcome {
-  int exit_code = 0;  ///< of a program that a signal ended: the signal, negative
+  int exit_code = 0;  ///< minus the signal, if a signal killed the program
   std::string out;
   std::string err;
 };
@@ -33,7 +33,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-/// A file without a name, so that a program can print however much without waiting for a reader.
+/// Opens a temporary file, so that a program can print any amount without waiting for a reader.
 inline File temporary_file() {
   File file(std::tmpfile());
   if (!file) throw std::system_error(errno, std::generic_category(), "tmpfile");
@@ -52,13 +52,13 @@ inline std::string contents(std::FILE* file) {
 
 }  // namespace detail
 
-/// A signal to send to a program that has run for a while, since its start or the signal before.
+/// A signal to send to a program, after a delay since its start or the signal before.
 struct Interruption {
   int signal = SIGINT;
   std::chrono::milliseconds after = std::chrono::milliseconds(0);
 };
 
-/// Runs the program whose path is the first word, with the others as its arguments, and waits for its end.
+/// Runs the program whose path is the first word, with the others as its arguments, and waits until it exits.
 inline Outcome run(const std::vector<std::string>& command, std::string_view input = {},
                    const std::vector<Interruption>& interruptions = {}) {
   const std::array<detail::File, 3> files = {detail::temporary_file(), detail::temporary_file(),

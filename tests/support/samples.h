@@ -12,8 +12,8 @@ inline std::filesystem::path samples_folder() {
   return std::filesystem::path(GRANADA_SOURCE_DIR) / "samples";
 }
 
-/// Whether a scene needs a mesh or tables that scripts/demo or samples/studies/thesis/run makes. What those
-/// of the gallery need, the tests' fixture `gallery` makes.
+/// Returns whether a scene needs a mesh or tables that scripts/demo or samples/studies/thesis/run makes. The
+/// files of the gallery are made by the tests' fixture `gallery`.
 inline bool needs_made_files(const std::filesystem::path& path) {
   constexpr std::array Scenes = {"bunny/scene", "studies/thesis/dragon", "studies/thesis/measured"};
   const auto scene = std::filesystem::relative(path, samples_folder()).replace_extension();

@@ -2,7 +2,7 @@
 
 namespace test {
 
-/// True where sanitizers watch, which makes all slower: limits of time do not hold.
+/// True in builds with sanitizers, which are slower, so that time limits do not apply.
 #ifdef GRANADA_HAS_SANITIZERS
 inline constexpr bool HasSanitizers = true;
 #else

@@ -8,16 +8,16 @@
 
 namespace test {
 
-// Threads have 8 MB, as the main one has. Without sanitizers, whose frames are several times as large, a
-// quarter of that has to do: nobody else is to be left without.
+// Threads have a stack of 8 MB, as the main thread has. A quarter of that must be enough without sanitizers,
+// whose stack frames are several times as large.
 #if defined(GRANADA_HAS_SANITIZERS) || !defined(__OPTIMIZE__)
 inline constexpr std::size_t SmallStack = 8U << 20U;
 #else
 inline constexpr std::size_t SmallStack = 2U << 20U;
 #endif
 
-/// Runs the action in a thread that has SmallStack; where that is not enough, the program crashes. Throws if
-/// there can be no such thread.
+/// Runs the action in a thread with a stack of SmallStack bytes; the program crashes on overflow. Throws if
+/// the thread cannot be created.
 inline void run_on_small_stack(std::function<void()> action) {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);

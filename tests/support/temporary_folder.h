@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// A folder of its own for a test, removed with all that is in it.
+/// A temporary folder of a test, which is removed with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -16,9 +16,9 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   std::string path(std::string_view name = {}) const;
-  /// Makes a file, and the folders that its name needs; gives its path.
+  /// Writes a file, creating the folders in its name; returns its path.
   std::string add(std::string_view name, std::string_view bytes) const;
-  /// The names of what is in the folder, sorted.
+  /// Returns the names of the folder's entries, sorted.
   std::vector<std::string> names() const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace test {
 
-/// True in a long run (granada_long_run, label full), in which tests try all cases, and not a choice of them.
+/// Returns true in a long run (granada_long_run, label full): tests try all cases instead of a subset.
 inline bool tries_all() { return std::getenv("TRY_ALL") != nullptr; }
 
 }  // namespace test

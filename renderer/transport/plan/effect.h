@@ -32,28 +32,25 @@ struct EffectInfo {
 };
 
 constexpr std::array EffectInfos = {
-    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing; their geometry stays"},
-    EffectInfo{Effect::Environment, "environment", "the constant background in place of the environment map"},
-    EffectInfo{Effect::Background, "background",
-               "black in place of the constant background and of a backplate"},
+    EffectInfo{Effect::AreaLights, "area_lights", "lights and faces emit nothing, but still occlude"},
+    EffectInfo{Effect::Environment, "environment", "the constant background replaces the environment map"},
+    EffectInfo{Effect::Background, "background", "black replaces the constant background and a backplate"},
     EffectInfo{Effect::DiffuseInterreflection, "diffuse_interreflection",
-               "faces without glossy and specular parts reflect only to the eye, directly or by specular "
-               "reflection"},
+               "faces with neither a glossy nor a specular part reflect light only where the eye sees them, "
+               "directly or in mirrors"},
     EffectInfo{Effect::GlossyInterreflection, "glossy_interreflection", "the same for all other faces"},
     EffectInfo{Effect::MirrorReflection, "mirror_reflection",
-               "the specular (delta) part of BRDFs reflects nothing"},
-    EffectInfo{
-        Effect::Anisotropy, "anisotropy",
-        "lobes are oriented by the scene's axes, not by texture coordinates or the axis of the object"},
-    EffectInfo{Effect::Textures, "textures", "white, so only the colour of the face"},
-    EffectInfo{Effect::VertexColours, "vertex_colours", "white, so only the colour of the face"},
-    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals",
-               "flat shading, with the normals of the polygons"},
+               "the specular (Dirac delta) part of BRDFs reflects nothing"},
+    EffectInfo{Effect::Anisotropy, "anisotropy",
+               "tangents follow the scene's axes instead of texture coordinates or the axis of the object"},
+    EffectInfo{Effect::Textures, "textures", "the face has its own colour only"},
+    EffectInfo{Effect::VertexColours, "vertex_colours", "the face has its own colour only"},
+    EffectInfo{Effect::InterpolatedNormals, "interpolated_normals", "flat shading by the polygons' normals"},
     EffectInfo{Effect::MeasuredData, "measured_data",
-               "the default diffuse BRDF in place of each BRDF that reads a file"},
-    EffectInfo{Effect::Irradiance, "irradiance", "light is estimated, as without BPT_Irradiance"},
-    EffectInfo{Effect::Instances, "instances",
-               "a copy of the triangles per placement; the image is the same"},
+               "the default diffuse BRDF replaces each BRDF that reads a file"},
+    EffectInfo{Effect::Irradiance, "irradiance",
+               "light is estimated by path tracing, as without BPT_Irradiance"},
+    EffectInfo{Effect::Instances, "instances", "each instance has its own triangles; the image is the same"},
 };
 
 constexpr std::string_view name_of(Effect effect) {

@@ -20,7 +20,7 @@ struct Style {
   std::string_view technique, colour, dashes;
 };
 
-/// A colour for each kind; what is adjusted is a line without gaps.
+/// One colour per kind of technique; lines of adjusted techniques are solid.
 constexpr std::array<Style, 12> Styles = {{{"uniform", "#999999", ""},
                                            {"sphere", "#e69f00", "4 3"},
                                            {"sphere-best", "#e69f00", ""},
@@ -60,7 +60,7 @@ plot::Chart printed_chart(const PrintedTable& times, const PrintedTable& errors)
   return chart;
 }
 
-/// True of a constant or an adjusted technique where the table is about the other kind.
+/// Returns true for a constant technique if the table has the adjusted one, and vice versa.
 bool is_of_other_kind(const std::string& technique, const PrintedTable& errors) {
   constexpr std::string_view Adjusted = "-best";
   const bool is_adjusted = technique.ends_with(Adjusted);
@@ -73,7 +73,7 @@ bool is_of_other_kind(const std::string& technique, const PrintedTable& errors) 
 plot::Chart todays_chart(const Results& results, const std::string& scene, const std::string& integrator,
                          const PrintedTable& errors) {
   plot::Chart chart{"today, " + integrator,
-                    {"tables and rendering, s", true, {}, {}, 0},
+                    {"build and render time, s", true, {}, {}, 0},
                     {"error, %", true, {}, {}, 0},
                     {}};
   for (const std::string& technique : results.names({scene, {}, {}, integrator}, &Row::technique)) {
@@ -117,7 +117,7 @@ plot::Svg lobe_chart() {
   const double best = best_lobe_exponent(brdf);
   const std::array<HemisphereScheme, 3> lobes = {lobe(32.5), lobe(16), lobe(best)};
   plot::Chart chart{
-      "", {"angle of v, degrees; u at -45", false, -90, 90, 30}, {"density, 1/sr", false, 0, {}, 0}, {}};
+      "", {"angle of v, degrees; u at -45", false, -90, 90, 30}, {"pdf, 1/sr", false, 0, {}, 0}, {}};
   chart.series = {{"f cos / albedo", {}, "#111111"},
                   {"lobe, n = 32.5", {}, "#e69f00"},
                   {"lobe, n = 16", {}, "#009e73"},

@@ -1,4 +1,4 @@
-// The figures.
+// Charts that correspond to the thesis' figures.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace study {
 
-/// Error over time: the thesis' (its sampling times), and today's by each integrator (all that it takes).
+/// Charts error over time: the thesis' (over its sampling times), and today's per integrator (total time).
 plot::Svg time_error_chart(const Results& results, const std::string& scene, const PrintedTable& times,
                            const PrintedTable& errors);
 
-/// Figure 5.11: a BRDF of Lewis and lobes.
+/// Charts figure 5.11: a Lewis BRDF and the pdfs of cosine lobes.
 plot::Svg lobe_chart();
 
 }  // namespace study

@@ -12,7 +12,7 @@
 namespace study {
 namespace {
 
-/// Means of one scene, with the most samples that were taken; not a number where there is none.
+/// Means over the BRDFs of one scene, at the largest sample count; NaN if there is no row.
 class Means {
  public:
   Means(const Results& results, std::string scene, std::string integrator = "naive")
@@ -27,13 +27,13 @@ class Means {
   }
   double error(std::string_view technique) const { return (*this)(technique, percent); }
 
-  /// By which power of the samples the error falls up to the most, from where most pixels have met a light.
+  /// Rate of convergence up to the largest sample count, from where most pixels have hit a light.
   double exponent(std::string_view technique) const {
     return std::log(error_with(technique, exponent_from()) / error(technique)) /
            std::log(static_cast<double>(last_) / exponent_from());
   }
   int exponent_from() const { return last_ > 100 ? 100 : 25; }
-  /// The error with the number of samples before the most, over that with the most.
+  /// The error at the second largest sample count, over that at the largest.
   double last_gain(std::string_view technique) const {
     return error_with(technique, before_last_) / error(technique);
   }
@@ -51,7 +51,7 @@ class Means {
 
 std::string ratio(double a, double b) { return figure(a / b); }
 
-/// One technique's error against those of others, which it is to be no larger than.
+/// Checks the claim that a technique has no larger error than others.
 Verdict least_error(const Means& means, const std::string& claim, const std::string& technique,
                     const std::vector<std::string>& others) {
   const std::string best = *std::min_element(others.begin(), others.end(), [&](const auto& a, const auto& b) {
@@ -63,8 +63,8 @@ Verdict least_error(const Means& means, const std::string& claim, const std::str
                       means.last(), figure(means.error(best)), best)};
 }
 
-/// The mean over the BRDFs of the error that a technique has in the time another takes for its most samples.
-/// Nothing if the tables are not built by then for any BRDF.
+/// Returns the error of a technique, mean over the BRDFs, in the time that another takes for its most
+/// samples. Nothing if the tables are not built by then for any BRDF.
 std::optional<double> error_in_time_of(const Results& results, const std::string& scene, const Which& line,
                                        const Which& other) {
   double sum = 0;
@@ -81,12 +81,12 @@ std::optional<double> error_in_time_of(const Results& results, const std::string
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-/// What is said of an error at a time.
+/// Formats an error at a time.
 std::string percent_or_none(const std::optional<double>& error) {
-  return error ? fmt::format("{} %", figure(*error)) : "none, since its tables are not built by then";
+  return error ? fmt::format("{} %", figure(*error)) : "none, because its tables are not built by then";
 }
 
-/// The exponent of a printed row, from 10² to 50².
+/// Returns the rate of convergence of a printed row, from 10² to 50².
 double printed_exponent(const PrintedTable& table, std::string_view technique) {
   const auto a = table.value(technique, 100);
   const auto b = table.value(technique, 2500);
@@ -100,20 +100,20 @@ double printed_ratio(const PrintedTable& table, std::string_view a, std::string_
 Verdict slower(const Means& means, const PrintedTable& times, const std::string& slow,
                const std::string& fast) {
   const double today = means(slow, sampling) / means(fast, sampling);
-  return {fmt::format("directions by `{}` take longer to draw than those by `{}` (thesis: {} times)", slow,
-                      fast, figure(printed_ratio(times, slow, fast))),
+  return {fmt::format("sampling directions by `{}` takes longer than by `{}` (thesis: {} times)", slow, fast,
+                      figure(printed_ratio(times, slow, fast))),
           today > 1, fmt::format("{} times", figure(today))};
 }
 
-/// An unbiased estimator's error goes on falling; that of one that misses something does not, nor that
-/// against a reference that is wrong itself.
+/// Checks convergence: the error of an unbiased estimator keeps falling; that of a biased one, or against a
+/// wrong reference, does not.
 Verdict goes_on_falling(const Means& means, const PrintedTable& errors, const std::string& technique) {
   constexpr double Most = 0.7;
   const auto left = [](double exponent) { return std::pow(4, -exponent); };
   const double today = left(means.exponent(technique));
   return {fmt::format(
-              "four times the samples lower the error of `{}` to less than {} of it (0.5 is what an unbiased "
-              "estimator with independent samples comes to; thesis: {}, from 10² to 50²)",
+              "four times the samples reduce the error of `{}` to less than {} of it (an unbiased estimator "
+              "with independent samples reaches 0.5; thesis: {}, from 10² to 50²)",
               technique, Most, figure(left(printed_exponent(errors, technique)))),
           today < Most,
           fmt::format("to {} of it, from {} to {}", figure(today), means.exponent_from(), means.last())};
@@ -131,8 +131,8 @@ std::vector<Verdict> cornell_claims(const Results& results, const Printed& print
   return {slower(means, times, "reject", "uniform"),
           least_error(means, "the thesis' method has the least error at equal samples", "reject",
                       {"uniform", "sphere-best", "hemisphere-best"}),
-          {"uniform sampling is the more effective here: it has less error than the thesis' method in the "
-           "same time",
+          {"uniform sampling is more efficient here: it has less error than the thesis' method in the same "
+           "time",
            !reject || uniform < *reject,
            fmt::format("{} % against {}", figure(uniform), percent_or_none(reject))},
           goes_on_falling(means, errors, "uniform"),
@@ -151,15 +151,14 @@ std::vector<Verdict> constant_claims(const Results& results, const Printed& prin
       slower(means, times, "reject", "uniform"),
       slower(means, times, "hemisphere", "reject"),
       slower(means, times, "factored", "reject"),
-      least_error(means, "with nothing set by hand the thesis' method has the least error at equal samples",
+      least_error(means, "without manual adjustment the thesis' method has the least error at equal samples",
                   "reject", others),
       least_error(means, "and so does `warp`", "warp", others),
       {"factors with the same parameters for all BRDFs are the worst (thesis: 64 % at 50², 2.8 times the "
        "best)",
        *worst == "factored", fmt::format("`{}` is, with {} %", *worst, figure(means.error(*worst)))},
-      {"the error of the thesis' method has come to an end: the next step lowers it by less than a tenth "
-       "(thesis: "
-       "from 22.6 % at 30² to 22.5 % at 40², and at 1000²)",
+      {"the error of the thesis' method has stopped falling: the next step reduces it by less than a tenth "
+       "(thesis: from 22.6 % at 30² to 22.5 % at 40², and at 1000²)",
        means.last_gain("reject") < 1.1,
        fmt::format("from {} to {} samples it falls to {} %, 1 / {} of what it was", means.before_last(),
                    means.last(), figure(means.error("reject")), figure(means.last_gain("reject")))},
@@ -184,7 +183,7 @@ std::vector<Verdict> adjusted_claims(const Results& results, const Printed& prin
            "adjusted lobes come within a tenth of the thesis' method (thesis: {} times its error at 50²)",
            figure(printed_ratio(errors, "hemisphere-best", "reject"))),
        lobes < 1.1, fmt::format("{} times", figure(lobes))},
-      {fmt::format("adjusting the factors lowers their error (thesis: {} times at 50²)",
+      {fmt::format("adjusting the factors reduces their error (thesis: {} times at 50²)",
                    figure(printed_gain)),
        gain > 1.05, fmt::format("{} times", figure(gain))},
       goes_on_falling(means, errors, "hemisphere-best")};
@@ -193,14 +192,14 @@ std::vector<Verdict> adjusted_claims(const Results& results, const Printed& prin
 std::vector<Verdict> dragon_claims(const Results& results) {
   const Means means(results, "dragon");
   const double times = means("reject", sampling) / means("uniform", sampling);
-  return {{"directions by the thesis' method take the longest to draw (thesis: 42.6 s, 4.37 times those by "
+  return {{"sampling directions by the thesis' method takes the longest (thesis: 42.6 s, 4.37 times that of "
            "`uniform`)",
            means("reject", sampling) > means("factored-best", sampling) &&
                means("reject", sampling) > means("hemisphere-best", sampling),
            fmt::format("{} s, {} times; the lobes {} s, the factors {} s", figure(means("reject", sampling)),
                        figure(times), figure(means("hemisphere-best", sampling)),
                        figure(means("factored-best", sampling)))},
-          least_error(means, "the thesis' method shows the least noise", "reject",
+          least_error(means, "the thesis' method has the least noise", "reject",
                       {"uniform", "hemisphere-best", "factored-best"})};
 }
 
@@ -211,20 +210,19 @@ std::vector<Verdict> pottery_claims(const Results& results, const Printed& print
   const double factors = means("factored-fine", build);
   const double worse = means.error("factored-fine") / means.error("reject");
   const double finer = means.error("factored-best") / means.error("factored-fine");
-  return {{fmt::format("the trees are built sooner than the factors (thesis: {} times at 50²)",
+  return {{fmt::format("the quadtrees are built faster than the factors (thesis: {} times at 50²)",
                        figure(printed_ratio(printed.table("5.13"), "factored-fine", "reject"))),
            trees < factors,
            fmt::format("{} s against {} s; `warp` {} s", figure(trees), figure(factors),
                        figure(means("warp", build)))},
           slower(means, printed.table("5.14"), "reject", "factored-fine"),
-          {fmt::format("the error of the factors is over twice that of the trees at equal samples (thesis: "
-                       "{} times at 50²)",
+          {fmt::format("the error of the factors is over twice that of the quadtrees at equal samples "
+                       "(thesis: {} times at 50²)",
                        figure(printed_ratio(errors, "factored-fine", "reject"))),
            worse > 2, fmt::format("{} times", figure(worse))},
           {"finer factors change the error by less than a fifth", finer < 1.2 && finer > 1 / 1.2,
            fmt::format("{} times", figure(1 / finer))},
-          least_error(means, "`warp` has the least error at equal samples of all schemes that know no model",
-                      "warp",
+          least_error(means, "`warp` has the least error at equal samples of all generic schemes", "warp",
                       {"uniform", "hemisphere-best", "factored-best", "factored-fine", "cascade", "reject"}),
           goes_on_falling(means, errors, "factored-fine"),
           goes_on_falling(means, errors, "reject")};
@@ -239,12 +237,12 @@ std::vector<Verdict> jug_claims(const Results& results, const Printed& printed) 
   const auto resampled =
       error_in_time_of(results, "jug", {{}, {}, "warp-ris", "path"}, {{}, {}, "warp", "path"});
   return {
-      {fmt::format("the factors are built sooner than the trees (thesis: {} times at 50²)",
+      {fmt::format("the factors are built faster than the quadtrees (thesis: {} times at 50²)",
                    figure(printed_ratio(printed.table("5.16"), "reject", "factored"))),
        naive("factored", build) < naive("reject", build),
        fmt::format("{} s against {} s; `warp` {} s", figure(naive("factored", build)),
                    figure(naive("reject", build)), figure(naive("warp", build)))},
-      {fmt::format("resampling lowers the error of the trees (thesis: {} times at 50²)",
+      {fmt::format("resampling reduces the error of the quadtrees (thesis: {} times at 50²)",
                    figure(printed_ratio(errors, "reject", "reject-ris"))),
        with < without,
        fmt::format(
@@ -256,7 +254,7 @@ std::vector<Verdict> jug_claims(const Results& results, const Printed& printed) 
        fmt::format("from {} % to {} %", figure(naive.error("factored")), figure(path.error("factored-ris")))},
       least_error(path, "of the techniques with resampling the thesis' method has the least error",
                   "reject-ris", {"uniform-ris", "factored-ris"}),
-      {"a sample with resampling is worth its time: less error than without in the same time, for `warp`",
+      {"resampling is efficient: `warp` has less error with it than without it in the same time",
        resampled && *resampled < path.error("warp"),
        fmt::format("{} against {} %", percent_or_none(resampled), figure(path.error("warp")))}};
 }
@@ -266,29 +264,28 @@ std::vector<Verdict> measured_claims(const Results& results, const Printed& prin
   const auto kilobytes = [](const Row& row) { return row.bytes / 1024; };
   const auto seconds = [&](const char* technique) { return figure(means(technique, build)); };
   const std::vector<double>& memory = printed.table("5.19").means;
-  return {{"the trees take longer to build than the tables, and far less long than compressed ones (thesis: "
-           "68.1, "
-           "29.6 and 2091 s)",
+  return {{"the quadtrees take longer to build than the tables, and far less than compressed tables (thesis: "
+           "68.1, 29.6 and 2091 s)",
            means("reject", build) > means("cascade", build) &&
                means("reject", build) < 0.5 * means("compressed", build),
            fmt::format("{}, {} and {} s; `warp` {} s", seconds("reject"), seconds("cascade"),
                        seconds("compressed"), seconds("warp"))},
-          {fmt::format("the trees need the least memory (thesis: {} KB, {} and {} for the tables)",
+          {fmt::format("the quadtrees need the least memory (thesis: {} KB, {} and {} for the tables)",
                        figure(memory[5]), figure(memory[3]), figure(memory[4])),
            means("reject", kilobytes) < means("compressed", kilobytes) &&
                means("reject", kilobytes) < means("cascade", kilobytes),
            fmt::format("{} KB, {} and {}; `warp` {}", figure(means("reject", kilobytes)),
                        figure(means("cascade", kilobytes)), figure(means("compressed", kilobytes)),
                        figure(means("warp", kilobytes)))},
-          {"directions by the trees take the longest to draw (thesis: 15.2 s, and 2.41, 1.02 and 0.35)",
+          {"sampling by the quadtrees takes the longest (thesis: 15.2 s, and 2.41, 1.02 and 0.35)",
            means("reject", sampling) > means("cascade", sampling) &&
                means("reject", sampling) > means("compressed", sampling),
            fmt::format("{} s, and {}, {} and {}; `warp` {}", figure(means("reject", sampling)),
                        figure(means("cascade", sampling)), figure(means("compressed", sampling)),
                        figure(means("uniform", sampling)), figure(means("warp", sampling)))},
-          least_error(means, "there is the least noise with the trees", "reject",
+          least_error(means, "the quadtrees have the least noise", "reject",
                       {"uniform", "cascade", "compressed"}),
-          least_error(means, "and with `warp`", "warp", {"uniform", "cascade", "compressed"})};
+          least_error(means, "and so does `warp`", "warp", {"uniform", "cascade", "compressed"})};
 }
 
 std::vector<Verdict> lobe_claims() {
@@ -296,10 +293,10 @@ std::vector<Verdict> lobe_claims() {
   const auto lobe_alone = brdf_of("lewis n=32.5 ks=0.5 kd=0");
   const double best = best_lobe_exponent(brdf);
   const double best_alone = best_lobe_exponent(lobe_alone);
-  return {{"a lobe of exponent 16 follows this BRDF better than one of its own 32.5",
+  return {{"a lobe with exponent 16 fits this BRDF better than one with the BRDF's own exponent, 32.5",
            lobe_distance(brdf, 16) < lobe_distance(brdf, 32.5),
-           fmt::format("the share of samples that go elsewhere is {} against {}; least, {}, at {:g}, and "
-                       "with kd = 0 at {:g}",
+           fmt::format("the total variation distance is {} against {}; its minimum, {}, is at {:g}, and with "
+                       "kd = 0 at {:g}",
                        figure(lobe_distance(brdf, 16)), figure(lobe_distance(brdf, 32.5)),
                        figure(lobe_distance(brdf, best)), best, best_alone)}};
 }
@@ -313,17 +310,16 @@ std::string changes(const Results& results, const std::string& scene, const Prin
   if (!now) return {};
   const double then = naive.error("reject");
   std::string text = fmt::format(
-      "\nWhat changed: in the time of {} samples of the thesis' estimator with its method ({} % of error), "
-      "`path` with "
-      "`warp` comes to {} %, {} of that error.",
+      "\nSpeed-up: in the time of {} samples of the thesis' estimator with its method ({} % error), `path` "
+      "with `warp` reaches {} %, {} of that error.",
       naive.last(), figure(then), figure(*now), ratio(*now, then));
   const double printed = printed_exponent(errors, "reject");
   if (std::isfinite(printed)) {
     text += fmt::format(
-        " The printed errors of the thesis' method fall with the power {} of the samples, today's with {}{}.",
+        " The error of the thesis' method falls as N^-r with r = {} in print and r = {} today{}.",
         figure(printed), figure(naive.exponent("reject")),
         printed < 0.3
-            ? ": the printed ones end at a floor, so they are those of the reference more than of the samples"
+            ? ": the printed errors level off, so they are errors of the reference rather than of the samples"
             : "");
   }
   return text + "\n";

@@ -39,14 +39,14 @@ std::string verdict(bool holds) { return holds ? "yes" : "**no**"; }
 
 void add_to(Table& table, const EqualTime& line) {
   table.add({fmt::format("{}, {}{}, {}", line.scene, line.brdf, line.is_glossy ? "*" : "", line.integrator),
-             figure(line.seconds), figure(100 * line.warp), line.rival.empty() ? "none ready" : line.rival,
+             figure(line.seconds), figure(100 * line.warp), line.rival.empty() ? "none in time" : line.rival,
              line.rival.empty() ? "" : figure(100 * line.rival_error),
              line.rival.empty() ? "" : figure(line.warp / line.rival_error), verdict(line.is_best()),
              line.own ? figure(100 * *line.own) : "", line.own ? figure(line.warp / *line.own) : "",
              verdict(line.is_near_own())});
 }
 
-/// How many of the glossy lines hold, and which do not.
+/// Counts the glossy lines on which a claim holds, and lists those on which it does not.
 Verdict count(const std::vector<EqualTime>& lines, const std::string& claim,
               bool (EqualTime::*holds)() const) {
   std::size_t glossy = 0, won = 0;
@@ -108,16 +108,15 @@ std::string equal_time_section(const Results& results) {
   Table table({"image", "s", "`warp`, %", "best other generic", "its error, %", "`warp` / it", "best?",
                "`own`, %", "`warp` / `own`", "at most 1.3?"});
   for (const EqualTime& line : lines) add_to(table, line);
-  return "\n## Error at equal time\n\nThe average relative error in the time that `warp` takes for its most "
-         "samples, with the tables, by interpolation between what was measured; beyond it by the -1/2 power "
-         "of the "
-         "time. A scheme whose tables take longer than that is not ready. Glossy BRDFs have a star, and the "
-         "targets are "
-         "theirs. A difference of up to 3 % counts as none.\n\n" +
+  return "\n## Error at equal time\n\nThis table compares the average relative error in the time that `warp` "
+         "takes for its most samples, including building tables. Errors are interpolated between "
+         "measurements, and extrapolated by the power -1/2 of the time. A scheme whose tables take longer to "
+         "build is left out. Glossy BRDFs are marked by a star; the targets apply to them only. Differences "
+         "of up to 3 % are ignored.\n\n" +
          table.str() +
          sentences({count(lines, "at equal time `warp` is the best generic scheme on every glossy BRDF",
                           &EqualTime::is_best),
-                    count(lines, "its error is at most 1.3 times that of the model's own sampler",
+                    count(lines, "its error is at most 1.3 times that of the BRDF's own sampler",
                           &EqualTime::is_near_own)});
 }
 

@@ -1,4 +1,4 @@
-// Errors at equal time: tables' build, sampling and tracing together.
+// Errors are compared at equal total time: building tables, sampling and tracing.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace study {
 
-/// The error of one line of a sweep over the time that it costs.
+/// The error of one line of a sweep over its time.
 class Curve {
  public:
-  /// Of rows of one line.
+  /// Makes the curve from the rows of one line.
   explicit Curve(const std::vector<const Row*>& rows);
 
-  /// Between the measured times in proportion to a power of the time of rendering, and beyond them to that to
-  /// the -1/2. Nothing if the tables are not built by then.
+  /// Interpolates between the measured times by a power law of render time, and extrapolates with exponent
+  /// -1/2. Nothing if the tables are not built by then.
   std::optional<double> error_at(double total_seconds) const;
-  /// With the most samples.
+  /// The total time with the most samples.
   double last_total() const;
 
  private:
@@ -29,17 +29,17 @@ class Curve {
   std::vector<Point> points_;  ///< in ascending order of time
 };
 
-/// How `warp` does on one BRDF of a scene in the time that it takes for its most samples.
+/// The error of `warp` on one BRDF of a scene, against other schemes in the time of its most samples.
 struct EqualTime {
   std::string scene = {}, brdf = {}, integrator = {};
   bool is_glossy = false;
   double seconds = 0;
   double warp = 0;
-  std::string rival = {};  ///< the best of the other generic schemes; empty: none was ready
+  std::string rival = {};  ///< the best of the other generic schemes; empty: no tables were built in time
   double rival_error = 0;
   std::optional<double> own = {};
 
-  /// Up to what the times of one run differ by from those of the next.
+  /// The variation of times between runs.
   static constexpr double Tolerance = 1.03;
   static constexpr double MostOverOwn = 1.3;
 
@@ -49,7 +49,7 @@ struct EqualTime {
 
 std::vector<EqualTime> equal_times(const Results& results);
 
-/// Line by line whether the targets hold, and a sentence for each of the two.
+/// Returns a table of whether the targets hold, per line, and a sentence for each target.
 std::string equal_time_section(const Results& results);
 
 }  // namespace study

@@ -13,7 +13,7 @@ namespace {
 using reflectance::Brdf;
 using reflectance::Vec3f;
 
-constexpr int Resolution = 120;  // of the square that the hemisphere is mapped to, along an edge
+constexpr int Resolution = 120;  // cells along an edge of the square that the hemisphere is mapped to
 constexpr double SolidAngle = 2 * std::numbers::pi / (Resolution * Resolution);
 
 Vec3f direction(int i) {

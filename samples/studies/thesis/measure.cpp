@@ -106,7 +106,7 @@ void prepare(const Choice& choice, const Programs& programs, const std::string& 
     if (!choice.has_brdf(material.name)) continue;
     const fs::path table = fs::path(choice.data) / (material.name + ".binary");
     if (merl.empty()) {
-      // Made anew only where there is none; a link is one to the data base.
+      // Made only if missing; a symbolic link is to the data base of an earlier run.
       if (fs::is_symlink(table)) fs::remove(table);
       if (!fs::exists(table)) programs.run("bpt", {"brdf", "export", material.brdf, "-o", table.string()});
       continue;

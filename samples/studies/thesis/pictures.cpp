@@ -11,7 +11,7 @@ namespace {
 
 using transport::Image;
 
-/// The group that measures a technique, with nothing but that in it, as a scene to be rendered.
+/// Makes a scene to be rendered from the group that measures a technique, with only that technique.
 Group scene_of(const PictureRow& row, const std::string& technique, const std::vector<Group>& groups) {
   for (Group group : groups) {
     if (group.scene != row.scene || group.integrator != "naive") continue;
@@ -35,7 +35,7 @@ Image render(const Group& group, const Programs& programs, const std::string& wo
   return std::move(*image);
 }
 
-/// Adds an image at the right or below, with a white gap.
+/// Appends an image at the right or below, with a white gap.
 void append(const Image& part, bool is_stacked, Image& whole) {
   constexpr int Gap = 2;
   const reflectance::Rgb white(1, 1, 1);

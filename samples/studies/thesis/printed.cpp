@@ -25,7 +25,7 @@ PrintedTable table_of(const json& data) {
   for (const json& row : data.at("rows")) {
     table.rows.push_back({row.at("name"), row.at("technique"), row.at("values")});
     if (table.rows.back().values.size() != table.columns.size()) {
-      throw std::runtime_error("table " + table.number + ": a row has not as many values as columns");
+      throw std::runtime_error("table " + table.number + ": a row has more or fewer values than columns");
     }
   }
   if (data.contains("means")) data.at("means").get_to(table.means);

@@ -1,4 +1,4 @@
-// The tables of the thesis' chapter 5, as `tables.json` has them.
+// The tables of the thesis' chapter 5 are read from `tables.json`.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,26 @@ namespace study {
 
 struct PrintedRow {
   std::string name;       ///< as printed
-  std::string technique;  ///< what this study calls the same; of tables 5.19 and 5.20, the material
+  std::string technique;  ///< the name in this study; in tables 5.19 and 5.20, the material
   std::vector<double> values;
 };
 
 struct PrintedTable {
   std::string number, title, unit;
   std::vector<std::string> columns;
-  std::vector<int> samples;  ///< the columns, where they are numbers of samples; else empty
+  std::vector<int> samples;  ///< sample counts, if these are the columns; else empty
   std::vector<PrintedRow> rows;
-  std::vector<double> means;       ///< of the columns, where they are printed
-  std::vector<std::string> notes;  ///< what is wrong in print
+  std::vector<double> means;       ///< of the columns, if printed
+  std::vector<std::string> notes;  ///< misprints
 
-  /// Nothing where the thesis has no such figure.
+  /// Returns a value; nothing if the thesis does not have it.
   std::optional<double> value(std::string_view technique, int count) const;
 };
 
 class Printed {
  public:
   explicit Printed(std::vector<PrintedTable> tables) : tables_(std::move(tables)) {}
-  /// There must be one.
+  /// Returns a table, which must exist.
   const PrintedTable& table(std::string_view number) const;
   const std::vector<PrintedTable>& tables() const { return tables_; }
 
@@ -39,7 +39,7 @@ class Printed {
   std::vector<PrintedTable> tables_;
 };
 
-/// Nothing after an error.
+/// Reads `tables.json`; nothing after an error.
 std::optional<Printed> read_printed(const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace study

@@ -14,45 +14,48 @@ namespace {
 
 std::string introduction(const Results& results) {
   return fmt::format(
-      R"(# The test scenes of the thesis, today
+      R"(# The thesis' test scenes, rendered today
 
-`{}` wrote this file, `rows.csv` (each image) and the pictures, on a machine with {}. Every
-figure in it and every "holds" is computed from these rows; the thesis' own figures are in `tables.json`, and what cannot be
-right in print is said under the table.{}{}
+This study renders the test scenes of the thesis' chapter 5 and compares its tables of sampling time and error with today's.
+`{}` wrote this file, `rows.csv` (one row per image) and the pictures, on a machine with {}. Every
+figure in it and every "holds" is computed from these rows; the thesis' own figures are in `tables.json`, and misprints are
+noted under each table.{}{}
 
 The scenes are `*.op` in this folder, at the sizes of the thesis; the study renders smaller images, of 48x48 pixels (Cornell
-box), 64x64 (sphere), 200x200 (dragon), 150x66 and 150x73 (jugs) and 120x120 (one jug){}. So seconds are to be
-compared within a table and not with the thesis. What the thesis does not say (views, lights, depths, the constants of
-sphere 1, the proposals of resampling, the BRDF of test scene 5) is chosen in the scenes.
+box), 64x64 (sphere), 200x200 (dragon), 150x66 and 150x73 (jugs) and 120x120 (one jug){}. So compare seconds
+within a table, not with the thesis. What the thesis does not specify (views, lights, depths, the constants of sphere 1,
+the proposals of resampling, the BRDF of test scene 5) is chosen in the scenes.
 
-- `naive` is the thesis' estimator: N secondary rays at the first hit, by the scheme alone, and no light is sampled. Its
-  random numbers are independent here, as the thesis' were. Where a lobe misses part of a BRDF, the image lacks it.
-- `path` samples lights too, combines both by multiple importance sampling, and has Sobol points; its N are whole paths.
-- `uniform` is the cosine's density, `sphere` and `hemisphere` are cosine lobes (exponent 50; `-best`: the one that comes
-  nearest to the BRDF), `factored` has 32x16 cells, J = 2 and K = 1 (`-best`: table 5.6), `cascade` tables of the half
-  vector, `reject` is the thesis' method with {}, `warp` is what `adaptive` is today, `own` the BRDF's own sampler.
-- Where lights are the only light there is a faint sky, of a 500th to a 30th of their radiance, and in the Cornell box the
-  walls glow, by a 3000th: else pixels that a narrow lobe leaves black but for 1e-20 would be all that a mean of relative
-  errors shows.
-- Sampling times are those in which directions are drawn, of all threads together. Errors are the thesis' average relative
+- `naive` is the thesis' estimator: N secondary rays at the first hit, sampled by the scheme only, without light sampling.
+  Its random numbers are independent here, as in the thesis. Where a lobe misses part of a BRDF, the image is biased: that
+  part is missing.
+- `path` is path tracing with Sobol points, which also samples lights and combines both by multiple importance sampling;
+  its N are whole paths.
+- `uniform` is cosine-weighted sampling, `sphere` and `hemisphere` are cosine lobes (exponent 50; `-best`: the exponent that
+  fits the BRDF best), `factored` has 32x16 cells, J = 2 and K = 1 (`-best`: table 5.6), `cascade` has tables of the half
+  vector, `reject` is the thesis' method with {}, `warp` is today's `adaptive`, `own` is the BRDF's own sampler.
+- Scenes that are lit by area lights only have a faint sky of 1/500 to 1/30 of their radiance, and in the Cornell box the
+  walls emit 1/3000: otherwise pixels that are almost black (1e-20) under a narrow lobe would dominate the mean relative
+  error.
+- Sampling times are the time spent sampling directions, summed over threads. Errors are the thesis' average relative
   error against `path` with far more samples; relMSE is in `rows.csv`.
 
 )",
       results.command, results.machine,
-      results.effort.is_quick ? " This is the quick run: small images, few samples, coarse trees." : "",
+      results.effort.is_quick ? " This is the quick run: small images, few samples, coarse quadtrees." : "",
       results.is_whole
           ? ""
-          : " Only some scenes or BRDFs were measured, and what is said of claims is said of these.",
+          : " Only some scenes or BRDFs were measured, and the verdicts on claims are for these only.",
       results.effort.is_quick ? ", and here 0.6 times as wide and high" : "",
-      results.effort.is_quick ? "20 trees of 200x200 cells" : "60 trees");
+      results.effort.is_quick ? "20 quadtrees of 200x200 cells" : "60 quadtrees");
 }
 
 std::string exponents(const Results& results) {
   if (results.exponents.empty()) return {};
   Table table({"BRDF", "exponent"});
   for (const auto& [name, exponent] : results.exponents) table.add({name, figure(exponent)});
-  return "\nThe adjusted exponents of lobes, by the least share of samples that go elsewhere than they "
-         "should:\n\n" +
+  return "\nThese are the adjusted exponents of lobes, with the least total variation distance between pdf "
+         "and f cos / albedo:\n\n" +
          table.str();
 }
 
@@ -65,7 +68,7 @@ std::string figure_line(const std::string& number, const std::string& words, con
   return fmt::format("\n### Figure {}\n\n![{}]({})\n\n{}\n", number, words, file, words);
 }
 
-constexpr const char* TimeError = "Error over time: the thesis', and today's by `naive` and by `path`.";
+constexpr const char* TimeError = "Error over time: the thesis' figures, and today's by `naive` and `path`.";
 
 std::string cornell(const Results& results, const Printed& printed) {
   const std::string name = "cornell_box";
@@ -87,7 +90,8 @@ std::string sphere(const Results& results, const Printed& printed) {
          figure_line("5.10", TimeError, "figure_5_10.svg") + sentences(constant_claims(results, printed)) +
          changes(results, name, printed.table("5.10")) +
          figure_line("5.11",
-                     "A BRDF of Lewis with kd = ks = 0.5 and n = 32.5, seen at 45 degrees, and cosine lobes.",
+                     "The Lewis BRDF with kd = ks = 0.5 and n = 32.5, viewed at 45 degrees, and the pdfs of "
+                     "cosine lobes.",
                      "figure_5_11.svg") +
          sentences(lobe_claims()) + table_section(printed.table("5.11"), {name, sampling, more}, results) +
          table_section(printed.table("5.12"), {name, percent, more}, results) +
@@ -95,7 +99,7 @@ std::string sphere(const Results& results, const Printed& printed) {
          changes(results, name, printed.table("5.12")) + exponents(results);
 }
 
-/// What the thesis says of figure 5.13 in its caption, as a table like the others.
+/// Returns the figures in the thesis' caption of figure 5.13 as a table.
 PrintedTable caption_of_dragon() {
   PrintedTable table;
   table.number = "5.13";
@@ -119,11 +123,11 @@ std::string dragon(const Results& results) {
   const std::vector<std::string_view> ours = {"warp", "own"};
   const std::vector<std::string_view> all = {"uniform", "hemisphere-best", "factored-best", "reject", "warp",
                                              "own"};
-  return "\n## Test scene 3: a dragon\n\nThe mesh of `make_shape` with about 200,000 triangles stands in for "
-         "Stanford's.\n" +
+  return "\n## Test scene 3: a dragon\n\nA mesh of `make_shape` with about 200,000 triangles replaces the "
+         "Stanford dragon.\n" +
          figure_line("5.13",
-                     "100 samples by `naive`; from the left uniform, adjusted lobes, factors, the thesis' "
-                     "method, and `warp`.",
+                     "`naive` with 100 samples; from left to right uniform, adjusted lobes, factors, the "
+                     "thesis' method, and `warp`.",
                      "figure_5_13.png") +
          "\n" + sweep_table(times, {name, sampling, ours}, results) + "\n" +
          sweep_table(errors, {name, percent, all}, results) + sentences(dragon_claims(results)) +
@@ -135,13 +139,12 @@ std::string pottery(const Results& results, const Printed& printed) {
   if (!results.has(name)) return {};
   const std::vector<std::string_view> more = {
       "uniform", "hemisphere-best", "factored-best", "cascade", "warp", "own"};
-  return "\n## Test scene 4: three jugs\n\n`factored-fine` is what the thesis calls pottery3, 32x16 views "
-         "and 64x32 cells, with the "
-         "factors of table 5.6.\n" +
-         figure_line(
-             "5.14",
-             "196 samples by `naive`; from the top uniform, lobes, factors, the thesis' method, and `warp`.",
-             "figure_5_14.png") +
+  return "\n## Test scene 4: three jugs\n\n`factored-fine` is the thesis' pottery3, 32x16 views and 64x32 "
+         "cells, with the factors of table 5.6.\n" +
+         figure_line("5.14",
+                     "`naive` with 196 samples; from top to bottom uniform, lobes, factors, the thesis' "
+                     "method, and `warp`.",
+                     "figure_5_14.png") +
          table_section(printed.table("5.13"), {name, build, more}, results) +
          table_section(printed.table("5.14"), {name, sampling, more}, results) +
          table_section(printed.table("5.15"), {name, percent, more}, results) +
@@ -154,9 +157,9 @@ std::string jug(const Results& results, const Printed& printed) {
   if (!results.has(name)) return {};
   const std::vector<std::string_view> more = {"uniform",  "cascade", "cascade-ris", "warp",
                                               "warp-ris", "own",     "own-ris"};
-  return "\n## Test scene 5: a jug, an environment map and resampling\n\nResampling chooses 1 of 8 "
-         "proposals, and is done by `path`. "
-         "Without it, `naive` is what the thesis did, and `path` samples the map as well.\n" +
+  return "\n## Test scene 5: a jug, an environment map and resampling\n\nResampled importance sampling "
+         "chooses 1 of 8 proposals, and is done by `path`. Without it, `naive` is the thesis' estimator, and "
+         "`path` also samples the environment map.\n" +
          table_section(printed.table("5.16"), {name, build, more}, results) +
          table_section(printed.table("5.17"), {name, sampling, more}, results) +
          table_section(printed.table("5.18"), {name, percent, more}, results) +
@@ -169,12 +172,12 @@ std::string measured(const Results& results, const Printed& printed) {
   const PrintedTable& before = printed.table("5.19");
   const PrintedTable& times = printed.table("5.20");
   return fmt::format(
-             "\n## Test scene 7: measured BRDFs\n\n{} 25 samples by `naive`. Tables have 256x32 cells, and "
-             "compressed ones {} (the thesis: 1024x512).\n\n### Table 5.19: {}\n\n",
-             results.has_merl ? "The tables are those of the MERL data base."
-                              : "The tables are those of analytic BRDFs that stand in for the materials, by "
-                                "`bpt brdf export`; with "
-                                "`--merl FOLDER` they are those of the data base.",
+             "\n## Test scene 7: measured BRDFs\n\n{} Images have 25 samples by `naive`. Tables of `cascade` "
+             "have 256x32 cells, and compressed ones {} (the thesis: 1024x512).\n\n### Table 5.19: {}\n\n",
+             results.has_merl ? "The BRDFs are those of the MERL data base."
+                              : "The BRDFs are tables of analytic models that replace the measured "
+                                "materials, made by `bpt brdf export`; with `--merl FOLDER` they are those "
+                                "of the MERL data base.",
              results.effort.is_quick ? "256x32" : "1024x256", before.title) +
          precomputation_table(before, results) + notes(before) +
          fmt::format("\n### Table 5.20: {}\n\n", times.title) + material_times_table(times, results) +

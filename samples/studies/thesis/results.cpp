@@ -66,7 +66,7 @@ std::vector<Row> rows_of_csv(const std::string& text) {
   std::istringstream lines(text);
   std::string line;
   if (!std::getline(lines, line) || line != Heading)
-    throw std::runtime_error("these are no rows of the study");
+    throw std::runtime_error("rows.csv has an unknown header: run the study again");
   std::vector<Row> rows;
   while (std::getline(lines, line)) {
     std::replace(line.begin(), line.end(), ',', ' ');
@@ -74,7 +74,7 @@ std::vector<Row> rows_of_csv(const std::string& text) {
     Row row;
     words >> row.scene >> row.brdf >> row.technique >> row.integrator >> row.samples >> row.build >>
         row.sampling >> row.render >> row.error >> row.relmse >> row.bytes;
-    if (!words) throw std::runtime_error("there is a row that is not whole");
+    if (!words) throw std::runtime_error("rows.csv has an incomplete row: run the study again");
     rows.push_back(row);
   }
   return rows;

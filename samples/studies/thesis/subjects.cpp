@@ -13,7 +13,7 @@ namespace {
 constexpr const char* Reject = "adaptive mode=reject nQT=60";
 constexpr const char* QuickReject = "adaptive mode=reject nQT=20 res=200";
 
-/// Makes groups of one scene.
+/// Makes the groups of one scene.
 class Maker {
  public:
   Maker(const Choice& choice, std::string scene) : choice_(choice), scene_(std::move(scene)) {}
@@ -28,7 +28,7 @@ class Maker {
     return fmt::format("BPT_Image_Resolution {} {}\n", scaled(width), scaled(height));
   }
 
-  /// Those that need nothing set by hand.
+  /// Returns the lines of techniques that need no manual adjustment.
   std::vector<Line> plain_lines() const {
     return {{"uniform", "diffuse"},
             {"reject", is_quick() ? QuickReject : Reject},
@@ -36,7 +36,7 @@ class Maker {
             {"own", "own"}};
   }
 
-  /// Numbers of samples up to one, of those in the tables.
+  /// Returns the sample counts of the tables between two.
   static std::vector<int> counts(int first, int last) {
     std::vector<int> some;
     for (const int count : {1, 25, 100, 225, 400, 900, 1600, 2500}) {
@@ -45,7 +45,7 @@ class Maker {
     return some;
   }
 
-  /// A group for each integrator; `most` is that of samples of `naive`.
+  /// Adds a group per integrator, with the sample counts of each.
   void add(Group group, const std::vector<int>& naive, const std::vector<int>& path, int reference_samples) {
     group.scene = scene_;
     const std::string file = group.file.empty() ? scene_ + '_' + group.brdf : group.file;
@@ -75,7 +75,7 @@ std::vector<Line> adjusted_lines(const Choice& choice, const Case& subject) {
           {"factored-best", scheme_text(subject.thesis.factors)}};
 }
 
-/// All BRDFs of table 5.5, each alone.
+/// Makes one group per BRDF of table 5.5.
 std::vector<Group> cornell_boxes(const Choice& choice) {
   Maker maker(choice, "cornell_box");
   for (const Case& subject : cases()) {
@@ -150,7 +150,7 @@ std::string pottery_view(int width, int height, const Maker& maker) {
          "BPT_Background 0.1 0.1 0.1\n";
 }
 
-/// The jugs with these BRDFs, from the left.
+/// Returns the jugs with these BRDFs, from left to right.
 std::vector<Piece> jugs(const Maker& maker, const std::array<std::string, 3>& brdfs) {
   return {{maker.part("pottery_light"), ""},
           {maker.part("left_jug"), brdfs[0]},
@@ -222,7 +222,7 @@ std::vector<Group> measured_jugs(const Choice& choice) {
     group.pieces = jugs(maker, {brdf, brdf, brdf});
     group.options = pottery_view(150, 73, maker);
     group.lines = maker.plain_lines();
-    // The memory that the thesis prints is that without tables of values.
+    // The thesis' memory figures exclude tables of BRDF values.
     for (Line& line : group.lines) {
       if (line.technique == "reject") line.pdf += " release=true";
     }

@@ -1,4 +1,4 @@
-// What is rendered: the test scenes of the thesis, with its BRDFs and techniques and ours.
+// The subjects are the test scenes of the thesis, with its BRDFs and with its and our techniques.
 #pragma once
 
 #include <map>
@@ -8,45 +8,45 @@
 
 namespace study {
 
-/// How long it may take.
+/// The effort of a run: quick or full.
 struct Effort {
   bool is_quick = false;
 
-  /// The share of pixels along an edge that a quick run keeps.
+  /// The scale of image width and height in a quick run.
   double scale() const { return is_quick ? 0.6 : 1; }
 };
 
-/// A part of a scene with a BRDF and a scheme of its own, which the part calls `material` and `scheme`;
-/// without one if the text of the BRDF is empty.
+/// A part of a scene with its own BRDF and scheme, which the part names `material` and `scheme`. If the text
+/// of the BRDF is empty, it has neither.
 struct Piece {
   std::string part;  ///< path of a GRF file
   std::string brdf;  ///< GRF text
 };
 
-/// One way to draw directions. Names are keys of the tables:
-///   uniform                      by the cosine: the thesis calls it uniform, which it is on the unit disc
-///   sphere, hemisphere           cosine lobes with an exponent of 50 for all
-///   sphere-best, hemisphere-best those of the exponents that come nearest to the BRDF, or the thesis names
+/// A technique to sample directions. Names are keys of the tables:
+///   uniform                      cosine-weighted: the thesis calls it uniform, which it is on the unit disc
+///   sphere, hemisphere           cosine lobes with an exponent of 50 for all BRDFs
+///   sphere-best, hemisphere-best cosine lobes with the exponent that fits the BRDF best, or the thesis' own
 ///   factored, factored-best, factored-fine
 ///                                the same parameters for all; those of table 5.6; 32x16 and 64x32 cells
-///   cascade, compressed          tables of the half vector, the second after Douglas and Peucker
-///   reject                       the thesis' own method, with 60 trees
+///   cascade, compressed          tables of the half vector, the second simplified by Douglas-Peucker
+///   reject                       the thesis' method, with 60 quadtrees
 ///   warp                         ours, `adaptive`
 ///   own                          the BRDF's own sampler
-/// and with `-ris` resampled importance sampling is done besides.
+/// The suffix `-ris` adds resampled importance sampling.
 struct Line {
   std::string technique;
   std::string pdf;  ///< GRF text; empty: each piece has its own, in `Group::schemes`
 };
 
-/// What one run of `bpt cost` measures, interleaved.
+/// A group of lines that one run of `bpt cost` measures, interleaved.
 struct Group {
   std::string scene;
-  std::string brdf;  ///< its name
-  std::string file;  ///< the name of its OP and GRF files, without an ending
+  std::string brdf;  ///< name of the BRDF
+  std::string file;  ///< name of the OP and GRF files, without extension
   std::vector<Piece> pieces;
-  std::vector<std::string> schemes;  ///< of the pieces, for a line without `pdf`
-  std::string options;               ///< of the OP file, besides its scene
+  std::vector<std::string> schemes;  ///< per piece, for a line without `pdf`
+  std::string options;               ///< lines of the OP file, besides the scene
   std::vector<Line> lines;
   std::string integrator;  ///< naive or path
   std::vector<int> samples;
@@ -65,13 +65,13 @@ const std::vector<Material>& materials();
 inline constexpr std::string_view SceneNames[] = {"cornell_box", "glossy_sphere", "dragon",
                                                   "pottery",     "jug",           "measured"};
 
-/// What there is to choose from, and what was chosen.
+/// The chosen scenes and BRDFs, and the paths of their files.
 struct Choice {
   std::vector<std::string> scenes, brdfs;  ///< empty: all
   Effort effort;
-  std::string folder;                       ///< of the scenes' parts
-  std::string data;                         ///< of measured materials
-  std::map<std::string, double> exponents;  ///< of adjusted lobes, by BRDF
+  std::string folder;                       ///< folder of the scenes' parts
+  std::string data;                         ///< folder of measured materials and the dragon
+  std::map<std::string, double> exponents;  ///< of adjusted lobes, per BRDF
 
   bool has_scene(std::string_view name) const;
   bool has_brdf(std::string_view name) const;
@@ -79,7 +79,7 @@ struct Choice {
 
 std::vector<Group> groups(const Choice& choice);
 
-/// The GRF text of a group's scene.
+/// Returns the GRF text of a group's scene.
 std::string scene_text(const Group& group);
 
 }  // namespace study

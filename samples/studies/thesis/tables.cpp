@@ -12,7 +12,7 @@
 namespace study {
 namespace {
 
-/// 10² for 100.
+/// Formats a sample count, as 10² for 100.
 std::string count_text(int count) {
   const auto root = static_cast<int>(std::lround(std::sqrt(count)));
   return root * root == count && count > 1 ? fmt::format("{}²", root) : fmt::format("{}", count);
@@ -36,11 +36,11 @@ void add_today(Table& table, const PrintedTable& printed, const Content& content
 struct Column {
   std::string_view technique;
   Quantity quantity;
-  std::string_view title = {};  ///< of those that the thesis does not have
+  std::string_view title = {};  ///< of columns that the thesis does not have
 };
 using Columns = std::vector<Column>;
 
-/// A row of the thesis' and today's figures for each material, and their means over those that were measured.
+/// Writes a row of the thesis' and today's figures per material, and their means over the measured ones.
 std::string material_table(const PrintedTable& printed, const Columns& columns, const Results& results) {
   std::vector<std::string> header = {"material"};
   for (const std::string& column : printed.columns) {

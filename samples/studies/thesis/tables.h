@@ -1,4 +1,4 @@
-// The thesis' tables with today's figures in them.
+// The thesis' tables are printed with today's figures beside them.
 #pragma once
 
 #include <string>
@@ -9,24 +9,25 @@
 
 namespace study {
 
-/// Whether a BRDF of table 5.5, or a material's, has a lobe. Images with several BRDFs count as glossy.
+/// Returns whether a BRDF of table 5.5, or of a material, is glossy. Images with several BRDFs count as
+/// glossy.
 bool is_glossy(std::string_view brdf);
 
-/// What a table of numbers of samples is about.
+/// The content of a table over sample counts.
 struct Content {
   std::string scene;
   Quantity quantity;
-  std::vector<std::string_view> more;  ///< techniques of ours besides the thesis'
+  std::vector<std::string_view> more;  ///< our techniques, besides the thesis'
 };
 
-/// A row of the thesis and those of today for each technique; the means over the BRDFs.
+/// Writes a row of the thesis and today's rows per technique, as means over the BRDFs.
 std::string sweep_table(const PrintedTable& printed, const Content& content, const Results& results);
 
-/// Tables 5.19 and 5.20: a row for each material, and columns in pairs.
+// Tables 5.19 and 5.20: a row per material, and columns in pairs.
 std::string precomputation_table(const PrintedTable& printed, const Results& results);
 std::string material_times_table(const PrintedTable& printed, const Results& results);
 
-/// What is wrong in print.
+/// Lists the misprints of a table.
 std::string notes(const PrintedTable& printed);
 
 }  // namespace study

@@ -1,5 +1,5 @@
-// Renders the test scenes of the thesis, and writes what its chapter 5 prints beside what comes out today:
-// see README.md beside this file, which it writes.
+// Renders the test scenes of the thesis, and writes the tables of its chapter 5 with today's figures to
+// README.md beside this file.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -23,7 +23,7 @@ using namespace study;
 
 struct Arguments {
   bool is_quick = false;
-  bool has_rows = false;  ///< in rows.csv beside the report, from a run before
+  bool has_rows = false;  ///< rows are read from rows.csv beside the report, of an earlier run
   std::vector<std::string> names;
   std::string merl, output = ".", work = "work";
 };
@@ -39,7 +39,7 @@ std::vector<std::string> brdf_names() {
   return names;
 }
 
-/// Nothing after a name that there is not.
+/// Returns nothing after an unknown name, which is reported.
 std::optional<Choice> choice_of(const Arguments& arguments) {
   Choice choice;
   const std::vector<std::string> brdfs = brdf_names();
@@ -49,7 +49,7 @@ std::optional<Choice> choice_of(const Arguments& arguments) {
     } else if (std::find(brdfs.begin(), brdfs.end(), name) != brdfs.end()) {
       choice.brdfs.push_back(name);
     } else {
-      fmt::print(stderr, "There is no scene or BRDF '{}' in the study: {}, {}\n", name,
+      fmt::print(stderr, "error: --only: found '{}', expected scenes or BRDFs: {}, {}\n", name,
                  fmt::join(SceneNames, ", "), fmt::join(brdfs, ", "));
       return std::nullopt;
     }
@@ -114,7 +114,8 @@ int run(const Arguments& arguments) {
     if (rows) results.rows = rows_of_csv(*rows);
   } else {
     measure_and_draw(*choice, arguments, results);
-    results.rows = rows_of_csv(csv(results));  // so that the report is that of the file's digits
+    results.rows =
+        rows_of_csv(csv(results));  // rounded as in the file, so that --report gives the same report
   }
   const bool is_written =
       !diagnostics.has_errors() && write_report(results, *printed, arguments.output, diagnostics);
@@ -125,15 +126,15 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Renders the test scenes of the thesis; writes README.md, tables and pictures.");
+  CLI::App app("Render the test scenes of the thesis, and write README.md, tables and pictures.");
   Arguments arguments;
-  app.add_flag("--quick", arguments.is_quick, "small images, few samples, coarse trees");
-  app.add_flag("--report", arguments.has_rows, "write the report again, from rows.csv, and measure nothing");
-  app.add_option("--only", arguments.names, "some of the scenes, or of the BRDFs, by name")->delimiter(',');
-  app.add_option("--merl", arguments.merl, "a folder with files of the MERL data base")
+  app.add_flag("--quick", arguments.is_quick, "small images, few samples, coarse quadtrees");
+  app.add_flag("--report", arguments.has_rows, "rewrite the report from rows.csv without rendering");
+  app.add_option("--only", arguments.names, "names of scenes or BRDFs to render")->delimiter(',');
+  app.add_option("--merl", arguments.merl, "folder with files of the MERL data base")
       ->check(CLI::ExistingDirectory);
-  app.add_option("-o,--output", arguments.output, "the folder that the report is written to");
-  app.add_option("--work", arguments.work, "the folder for scenes and meshes that are made");
+  app.add_option("-o,--output", arguments.output, "output folder of the report");
+  app.add_option("--work", arguments.work, "folder for generated scenes and meshes");
   try {
     app.parse(argc, argv);
     return run(arguments);

@@ -147,7 +147,7 @@ TEST_F(Editor, MessagesAreThoseOfBptAndLeadToControls) {
   EXPECT_EQ(QApplication::focusWidget(), view);
   EXPECT_EQ(view->textCursor().blockNumber(), 2);
   open("Depth 4\n");
-  EXPECT_TRUE(message(0).startsWith("no scene is named"));
+  EXPECT_TRUE(message(0).startsWith("no scene is given"));
   click(0);
   EXPECT_TRUE(field("BPT_Scene").isAncestorOf(QApplication::focusWidget()));
   open("Scene a.grf\nQT_avgnmax 3\n");
