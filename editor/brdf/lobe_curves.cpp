@@ -17,7 +17,7 @@ std::shared_ptr<const Reflector> reflector_of(const reflectance::Brdf& brdf, con
                                               QString& mistake) {
   const auto scheme = reflectance::make_scheme(data);
   if (!scheme) {
-    mistake = QString("there is no scheme '%1'").arg(QString::fromStdString(data.keyword));
+    mistake = QString("unknown sampling scheme '%1'").arg(QString::fromStdString(data.keyword));
     return nullptr;
   }
   mistake = QString::fromStdString(reflectance::refusal(*scheme, brdf));

@@ -36,8 +36,8 @@ LobeView::LobeView(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Lobe of the BRDF");
   setToolTip(
-      "The value over all directions of light, in 1/sr. Drag, or use the arrow keys, to look at it from "
-      "elsewhere; the wheel zooms; Page Up and Page Down move the view direction by 5 degrees");
+      "3D lobe: the value in 1/sr for all light directions. Drag or use the arrow keys to orbit, the wheel "
+      "to zoom; Page Up and Page Down change the view angle by 5 degrees");
 }
 
 LobeView::~LobeView() = default;
@@ -177,11 +177,11 @@ void LobeView::paint_over(QPainter& painter, const QMatrix4x4& matrix) const {
     painter.drawText(place, Qt::AlignCenter, name);
   };
   line(u, 0, Qt::SolidLine, "view");
-  line(r, 3, Qt::DashLine, "mirror");
+  line(r, 3, Qt::DashLine, "specular");
   line((u + r).normalized(), 2, Qt::DotLine, "half");
-  QString words = QString("%1: at most %2 1/sr, view %3\u00b0")
+  QString words = QString("%1: maximum %2 1/sr, view %3\u00b0")
                       .arg(with_cosine_ ? "f cos" : "f", number_text(mesh_->peak), number_text(view_));
-  if (mesh_->mirror > 0) words += QString(", mirror part %1").arg(number_text(mesh_->mirror));
+  if (mesh_->mirror > 0) words += QString(", specular part %1").arg(number_text(mesh_->mirror));
   painter.setPen(colours.faint_text);
   painter.drawText(rect().adjusted(Grid, 0, -Grid, -Grid / 2), Qt::AlignBottom | Qt::AlignLeft, words);
   if (hasFocus()) {

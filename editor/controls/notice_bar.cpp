@@ -42,7 +42,7 @@ void NoticeBar::show_notice(Kind kind, const QString& text, const std::vector<Ch
     });
   };
   for (const Choice& choice : choices) add(choice);
-  add({tr("Close"), tr("Hide this line"), {}});
+  add({tr("Close"), tr("Close this notice"), {}});
   lead_tab_through({this});
   update();
   show();

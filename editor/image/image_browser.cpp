@@ -100,9 +100,9 @@ void ImageBrowser::lay_out() {
     column->addWidget(line);
   }
   values_->setAccessibleName(tr("Values of the pixel"));
-  values_->setToolTip(tr("What the pixel under the pointer holds, linear"));
-  figures_->setAccessibleName(tr("Figures of the image"));
-  figures_->setToolTip(tr("Of the whole image: its range and mean, or how far it is from the other one"));
+  values_->setToolTip(tr("Linear values of the pixel under the pointer"));
+  figures_->setAccessibleName(tr("Image statistics"));
+  figures_->setToolTip(tr("Statistics of the whole image: its range and mean, or its error against B"));
 }
 
 // Images

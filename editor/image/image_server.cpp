@@ -56,14 +56,14 @@ void ImageServer::read(QTcpSocket* socket) {
     const auto size =
         static_cast<qint64>(transport::display_packet_size({head.data(), std::size_t(head.size())}));
     if (size <= qint64(transport::DisplayLengthBytes) || size > LargestPacket) {
-      emit failed(tr("A program sent what is no packet of tev's protocol: it is no longer listened to."));
+      emit failed(tr("A program sent data that is not a packet of the tev protocol, and was disconnected."));
       return socket->abort();
     }
     // A packet that is larger than the buffer would never be there as a whole.
     socket->setReadBufferSize(std::max(BufferSize, size));
     if (socket->bytesAvailable() < size) return;
     if (!apply(socket->read(size))) {
-      emit failed(tr("A program sent a damaged packet of tev's protocol: it is no longer listened to."));
+      emit failed(tr("A program sent a damaged packet of the tev protocol, and was disconnected."));
       return socket->abort();
     }
     taken += size;

@@ -49,8 +49,8 @@ OpTextView::OpTextView(OpDocument& document, QWidget* parent)
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setTabChangesFocus(true);
   setAccessibleName(tr("Text of the OP file"));
-  setToolTip(tr("The file as it will be written. What is typed here changes the form."));
-  setPlaceholderText(tr("Set options on the left, or type them here, one a line:\nBPT_Scene  scene.grf"));
+  setToolTip(tr("Text of the OP file as it will be written. Edits here update the form."));
+  setPlaceholderText(tr("Set options on the left, or type them here, one per line:\nBPT_Scene  scene.grf"));
   connect(this, &QPlainTextEdit::textChanged, this, [this] { document_.set_plain_text(toPlainText()); });
   connect(&document_, &OpDocument::changed, this, &OpTextView::show_text);
   show_text();

@@ -26,8 +26,8 @@ class OptionRow : public QWidget {
   /// What the document says of it.
   void show_state(const options::RenderOptions& partial);
   void show_message(const QString& message, bool is_error);
-  /// Whether all of the words are in its key, meaning or default.
-  bool matches(const QStringList& words) const;
+  /// Whether its key, meaning or default matches the query: see matches_search.
+  bool matches(const QString& query) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -43,8 +43,7 @@ PathField::PathField(const options::OptionInfo& option, options::PathOption valu
   row->addWidget(text_, 1);
   row->addWidget(tool_button(
       "open", tr("Choose %1").arg(text_of(option.key)),
-      value_.is_written ? tr("Choose where it is written") : tr("Choose the file"), [this] { browse(); },
-      this));
+      value_.is_written ? tr("Choose the output file") : tr("Choose the file"), [this] { browse(); }, this));
   setFocusProxy(text_);
   connect(text_, &QLineEdit::textEdited, this, [this](const QString& text) {
     complete();

@@ -29,7 +29,7 @@ bool assign_brdf(Document& document, const grf::Catalogue& catalogue, const QMim
                  grf::Diagnostics& diagnostics) {
   const std::vector<grf::ScenePath> meshes = selected_meshes(document);
   if (meshes.empty()) {
-    diagnostics.error({}, "no face is selected that could take the BRDF");
+    diagnostics.error({}, "no selected face can be assigned a BRDF");
     return false;
   }
   QString name = QString::fromUtf8(mime.data(BrdfNameMimeType));

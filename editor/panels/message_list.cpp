@@ -143,7 +143,7 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) return place.isEmpty() ? text : place + ": " + text;
   if (role == Qt::AccessibleTextRole) return QString("%1: %2: %3").arg(words_of(each.severity), place, text);
   if (role != Qt::ToolTipRole || !each.location.file) return {};
-  return tr("%1\nDouble click: go to the line, and select what is there")
+  return tr("%1\nDouble-click to go to the line and select its faces")
       .arg(QString::fromStdString(each.location.file->path));
 }
 

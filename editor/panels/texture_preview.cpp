@@ -39,7 +39,7 @@ SmallImage read_small(const QString& path, const std::stop_token& stop) {
 
 TexturePreview::TexturePreview(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Texture"));
-  setToolTip(tr("The image, and where on it the selected faces are by their texture coordinates"));
+  setToolTip(tr("The texture, with the selected faces drawn at their texture coordinates (UVs)"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   connect(&reading_, &QFutureWatcher<SmallImage>::finished, this, [this] {
     shown_ = reading_.result();

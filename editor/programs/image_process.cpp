@@ -61,11 +61,10 @@ std::optional<transport::Image> ImageProcess::read(const std::string& path, grf:
 }
 
 ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_token& stop) const {
-  if (program_.isEmpty()) return {{}, tr("cannot read the image: the program bpt is not there")};
+  if (program_.isEmpty()) return {{}, tr("cannot read the image: cannot find the program bpt")};
   QFile output;
   QFile errors;
-  if (!open_memory(output) || !open_memory(errors))
-    return {{}, tr("cannot read the image: it needs more memory than there is")};
+  if (!open_memory(output) || !open_memory(errors)) return {{}, tr("cannot read the image: out of memory")};
   ChildManners manners;
   manners.memory = limits_.memory;
   manners.output = output.handle();
@@ -80,15 +79,15 @@ ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_t
     const bool is_late = static_cast<double>(clock.elapsed()) > 1000 * limits_.seconds;
     if (!stop.stop_requested() && !is_late) continue;
     process.kill();
-    return {{}, tr("cannot read the image: it takes longer than %1 s").arg(limits_.seconds)};
+    return {{}, tr("cannot read the image: decoding takes longer than %1 s").arg(limits_.seconds)};
   }
   if (end->cause == ChildEnd::Cause::NotStarted)
-    return {{}, tr("cannot read the image: the program bpt cannot be started: %1").arg(end->why)};
+    return {{}, tr("cannot read the image: cannot start the program bpt: %1").arg(end->why)};
   if (end->cause != ChildEnd::Cause::Returned)
-    return {{}, tr("cannot read the image: it is broken (its decoder crashed)")};
+    return {{}, tr("cannot read the image: the file is corrupt (its decoder crashed)")};
   if (end->code != 0) return {{}, first_line_in(errors)};
   if (auto image = image_in(output)) return {std::move(image), {}};
-  return {{}, tr("cannot read the image: it is broken (its decoder wrote no image)")};
+  return {{}, tr("cannot read the image: the file is corrupt (its decoder wrote no image)")};
 }
 
 }  // namespace editor

@@ -46,7 +46,7 @@ QImage fitted(const transport::Image& image, const QSize& pixels) {
 FittedImage::FittedImage(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Image"));
-  setToolTip(tr("The image so far. Click, or press Return, to open it"));
+  setToolTip(tr("The image rendered so far. Click or press Return to open it"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 

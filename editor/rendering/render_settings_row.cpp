@@ -78,8 +78,9 @@ RenderSettingsRow::RenderSettingsRow(QWidget* parent) : QWidget(parent), layout_
   layout_->setVerticalSpacing(2);
   width_ = add_number(tr("Width"), "BPT_Image_Resolution", 0, 0);
   height_ = add_number(tr("Height"), "BPT_Image_Resolution", 0, 1);
-  samples_ = add_number(tr("Samples"), "BPT_Samples", 0, 2,
-                        tr("<p>auto: as many as target error or time ask for, else the default.</p>"));
+  samples_ = add_number(
+      tr("Samples"), "BPT_Samples", 0, 2,
+      tr("<p>auto: no sample limit if there is a target error or a time limit, otherwise the default.</p>"));
   depth_ = add_number(tr("Depth"), "BPT_Depth", 0, 3);
   scheme_ = add<QComboBox>(tr("Sampling scheme"), "BPT_Pdf_Name", 1, 0, 2);
   scheme_->addItem(tr("as in the scene"), QString());

@@ -178,7 +178,7 @@ TEST_F(Browser, DrawsEachPixelWhereItIs) {
   image.pixels[0] = Rgb(std::numeric_limits<float>::quiet_NaN());
   browser_.show_image("dot", shared(image));
   EXPECT_EQ(shown({0, 0}), NanColour);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("1 NaN"); }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("1 NaN"); }));
 }
 
 TEST_F(Browser, ComparesByWipeFlipAndSide) {
@@ -213,9 +213,9 @@ TEST_F(Browser, SaysHowFarImagesAreApart) {
   browser_.show_image("b", shared(b));
   browser_.show_image("a", shared(a));
   browser_.select_reference("b");
-  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("RMSE"); }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("RMSE"); }));
   const transport::ImageError expected = transport::error_of(a, b);
-  const QString figures = text("Figures of the image");
+  const QString figures = text("Image statistics");
   EXPECT_TRUE(figures.contains("RMSE 0.125")) << figures.toStdString();
   EXPECT_TRUE(figures.contains("relMSE " + QString::number(expected.relmse, 'g', 4)))
       << figures.toStdString();
@@ -233,7 +233,7 @@ TEST_F(Browser, RefusesDifferencesOfOtherSizes) {
   browser_.show_image("a", shared(ramp(64, 48)));
   browser_.select_reference("b");
   browser_.set_comparison(Comparison::Signed);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("need one size"); }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("of the same size"); }));
   EXPECT_FALSE(browser_.pane().grab().isNull());
   browser_.remove_image("b");
   browser_.remove_image("a");

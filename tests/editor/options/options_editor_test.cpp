@@ -161,6 +161,9 @@ TEST_F(Editor, SearchFindsByMeaning) {
   EXPECT_TRUE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
   editor_.go_to(option("BPT_Seed"));
   EXPECT_FALSE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
+  editor_.form().search()->setText("spp");  // a synonym
+  EXPECT_FALSE(editor_.form().row_of(option("BPT_Samples"))->isHidden());
+  EXPECT_TRUE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
 }
 
 TEST_F(Editor, TellsOptionsThatAreRight) {

@@ -117,7 +117,7 @@ TEST_F(BrdfAssignments, TakeABrdfWithoutAName) {
 
 TEST_F(BrdfAssignments, SayWhyNothingIsAssigned) {
   EXPECT_FALSE(assign(*written("phong n=30")));
-  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("no face is selected"));
+  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("no selected face"));
   select({{1, 0}});
   EXPECT_FALSE(assign(*written("phong n=-1")));
   EXPECT_THAT(diagnostics_.to_text(), HasSubstr("'n' of 'phong'"));

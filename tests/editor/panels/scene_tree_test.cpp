@@ -99,7 +99,7 @@ TEST_F(SceneTrees, ListWhatThereIs) {
   EXPECT_TRUE(line("Objects", "light").isValid());
   EXPECT_EQ(line("BRDFs", "gold").siblingAtColumn(1).data(), "1 use");
   EXPECT_EQ(line("Colours", "red").siblingAtColumn(1).data(), "unused");
-  EXPECT_EQ(line("Meshes to use", "tile").siblingAtColumn(1).data(), "2 uses");
+  EXPECT_EQ(line("Mesh definitions", "tile").siblingAtColumn(1).data(), "2 uses");
 }
 
 TEST_F(SceneTrees, SelectFacesAndShowWhereTheyAre) {

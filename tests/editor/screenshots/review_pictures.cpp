@@ -91,8 +91,8 @@ void jobs(const Take& take) {
   stage.open(Samples + "cornell_box/cornell_box.grf");
   editor::JobList& jobs = stage.window().jobs();
   const auto render = [](editor::Job& job) { job.show_progress(0.43, 75); };
-  jobs.add({"Render cornell_box.exr", "pictures", render, {}, "Stop this render, and keep its image"});
-  jobs.add({"Render cornell_box_large.exr", "pictures", render, {}, "Stop this render, and keep its image"});
+  jobs.add({"Render cornell_box.exr", "pictures", render, {}, "Stop this render and keep its image"});
+  jobs.add({"Render cornell_box_large.exr", "pictures", render, {}, "Stop this render and keep its image"});
   jobs.add({"Save cornell_box.grf", "files", [](editor::Job&) {}, {}, {}});
   QTest::qWait(300);  // until the line at the bottom shows it
   take("jobs", stage.dock("jobs").grab());
