@@ -56,7 +56,7 @@ ImageBrowser& ImageController::browser() {
     menu_.addActions({tools.flip, tools.swap});
     menu_.menuAction()->setVisible(true);
   }
-  pages_.show_page(*browser_, tr("Images"), tr("Images of renders and files, to look at and to compare"));
+  pages_.show_page(*browser_, tr("Images"), tr("View and compare images of renders and files"));
   return *browser_;
 }
 

@@ -79,7 +79,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
   column_ = new QVBoxLayout(list);
   column_->setContentsMargins(0, Grid, 0, Grid);
   column_->setSpacing(Grid / 2);
-  hint_->setText(tr("Nothing is running. Imports, saving, renders and other long work appear here"));
+  hint_->setText(tr("No jobs are running. Imports, saves, renders and other long tasks appear here"));
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setWordWrap(true);
   column_->addWidget(hint_, 1);
@@ -88,7 +88,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
   area->setMinimumHeight(13 * Grid);
   area->setFrameStyle(QFrame::NoFrame);
   area->setAccessibleName(tr("Jobs"));
-  area->setToolTip(tr("Long work that runs or waits"));
+  area->setToolTip(tr("Running and queued jobs"));
   area->setWidgetResizable(true);
   area->setWidget(list);
   auto* layout = new QVBoxLayout(this);

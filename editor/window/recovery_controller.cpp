@@ -41,9 +41,8 @@ RecoveryController::RecoveryController(Document& document, JobList& jobs, const 
       files_(files),
       notice_(notice),
       recovery_(document, sessions) {
-  connect(&recovery_, &Recovery::failed, this, [this](const QString& message) {
-    emit failed(tr("Unsaved work is not kept against a crash: %1").arg(message));
-  });
+  connect(&recovery_, &Recovery::failed, this,
+          [this](const QString& message) { emit failed(tr("Autosave failed: %1").arg(message)); });
 }
 
 void RecoveryController::offer_lost_work() {
@@ -61,9 +60,9 @@ void RecoveryController::offer_lost_work() {
   const QString when = QLocale().toString(work.saved, QLocale::ShortFormat);
   notice_.show_notice(
       NoticeBar::Kind::Information,
-      tr("The last session ended unexpectedly. Unsaved work on %1 was kept at %2.").arg(name, when),
-      {{tr("Recover"), tr("Opens it as it was"), [this, work] { recover(work); }},
-       {tr("Discard"), tr("Deletes what was kept; this cannot be undone"), [this, work] {
+      tr("The last session ended unexpectedly. Unsaved work on %1 was autosaved at %2.").arg(name, when),
+      {{tr("Recover"), tr("Open the autosaved scene"), [this, work] { recover(work); }},
+       {tr("Discard"), tr("Delete the autosaved scene; this cannot be undone"), [this, work] {
           Recovery::discard(work);
           offer_lost_work();
         }}});
@@ -98,7 +97,7 @@ void RecoveryController::take(const LostWork& work, ReadWork read) {
   connect(
       &recovery_, &Recovery::kept, this, [work] { Recovery::discard(work); }, Qt::SingleShotConnection);
   recovery_.keep();
-  emit told(tr("Recovered: save it to keep it"));
+  emit told(tr("Recovered: save the scene to keep it"));
 }
 
 }  // namespace editor

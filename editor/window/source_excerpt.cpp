@@ -142,7 +142,7 @@ SourceExcerpt read_excerpt(const SourcePlace& place, const std::function<bool()>
   if (info.exists() && !info.isFile()) {
     excerpt.problem = text("%1 is not a file").arg(place.path);
   } else if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
-    excerpt.problem = text("%1 cannot be read: %2").arg(place.path, file.errorString());
+    excerpt.problem = text("Cannot read %1: %2").arg(place.path, file.errorString());
   }
   if (!excerpt.problem.isEmpty()) return excerpt;
   excerpt.line_count = count_lines(file, is_stopped);

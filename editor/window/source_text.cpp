@@ -98,7 +98,7 @@ SourceText::SourceText(QWidget* parent)
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setFrameShape(QFrame::NoFrame);
   setAccessibleName(tr("Text of the file"));
-  setToolTip(tr("The file as it is on disk. It is edited in the text editor."));
+  setToolTip(tr("The file as it is on disk, read-only. Edit it in the text editor."));
   numbers_->installEventFilter(this);
   connect(this, &QPlainTextEdit::updateRequest, this, [this](const QRect& area, int scrolled) {
     if (scrolled != 0) {

@@ -30,7 +30,7 @@ StatusLine::StatusLine(const Document& document, const JobList& jobs, QStatusBar
   progress_->setFixedSize(12 * Grid, Grid);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress"));
-  progress_->setToolTip(tr("How much of the work is done"));
+  progress_->setToolTip(tr("Progress of the job"));
   cancel_->setIcon(icon("stop"));
   cancel_->setText(tr("Cancel"));
   cancel_->setAccessibleName(tr("Cancel"));

@@ -73,7 +73,7 @@ void ViewLink::pick_face(const std::function<void(FaceId)>& picked) {
   picked_ = picked;
   view_.setCursor(Qt::CrossCursor);
   view_.setFocus();
-  emit told(tr("Click the face whose surface is to be copied, or press Escape"));
+  emit told(tr("Click the face to copy the surface from, or press Escape to cancel"));
 }
 
 void ViewLink::end_picking() {

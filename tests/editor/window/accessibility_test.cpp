@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -335,6 +336,28 @@ TEST_F(Accessibility, OfTheListOfShortcuts) {
   }
 }
 
+TEST_F(Accessibility, OfActionsBySynonyms) {
+  const test::TemporaryFolder folder;
+  MainWindow window(QString::fromStdString(folder.path("sessions")));
+  test::action(window, "Keyboard shortcuts").trigger();
+  auto* dialog = window.findChild<QDialog*>("shortcuts");
+  ASSERT_NE(dialog, nullptr);
+  auto* search = dialog->findChild<QLineEdit*>();
+  for (const auto& [query, name] :
+       {std::pair("merge", "Append..."), std::pair("glossy", "BRDF"), std::pair("tumble", "Orbit")}) {
+    search->setText(query);
+    const auto rows =
+        dialog->findChild<QTreeWidget*>()->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, 1);
+    ASSERT_FALSE(rows.isEmpty()) << name;
+    EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const auto* row) { return !row->isHidden(); }))
+        << query;
+  }
+  search->setText("zyzzyva");
+  for (const QTreeWidgetItem* row : dialog->findChild<QTreeWidget*>()->findItems("", Qt::MatchContains)) {
+    EXPECT_TRUE(row->isHidden());
+  }
+}
+
 /// Faces whose rows of the docks are as different as they can be.
 const std::string ManyRows = R"(def gold = brdf ward sx=0.2
 def dull = brdf diffuse kd=0.3
@@ -479,7 +502,7 @@ TEST_F(TabOrder, StaysWhereDocksAreMoved) {
   }
   window_.tabifyDockWidget(&dock("scene"), &dock("surface"));
   expect_tab_leads_to_all(window_.view());
-  test::action(window_, "Reset the layout").trigger();
+  test::action(window_, "Reset layout").trigger();
   expect_tab_leads_to_all(window_.view());
 }
 

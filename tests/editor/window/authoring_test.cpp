@@ -221,7 +221,7 @@ TEST_F(Authoring, KeepsOptionsAsStepsOfUndo) {
   EXPECT_FALSE(document().is_modified());
   window_.view().setFocus();
   QTest::keyClick(&window_.view(), Qt::Key_Left);
-  test::action(window_, "Camera from the view").trigger();
+  test::action(window_, "Align camera to view").trigger();
   ASSERT_TRUE(document().is_modified());
   EXPECT_FALSE(document().options().valid_options() == before);
   document().undo_stack().undo();

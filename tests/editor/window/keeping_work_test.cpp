@@ -175,7 +175,7 @@ TEST_F(KeepingWork, GivesNoIrradianceToASceneThatWasOpenedMeanwhile) {
   EXPECT_EQ(document().scene(), *other);
   EXPECT_EQ(document().path(), path("other.grf"));
   EXPECT_FALSE(document().is_modified());
-  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("irradiance that was baked is left out"));
+  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("baked irradiance was discarded"));
 }
 
 }  // namespace

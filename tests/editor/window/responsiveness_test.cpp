@@ -130,12 +130,12 @@ TEST_F(Responsiveness, OfSelections) {
       },
       trigger("None"));
   expect_quick("all", trigger("All"), trigger("None"));
-  expect_quick("inverse", trigger("Inverse"), half);
+  expect_quick("inverse", trigger("Invert"), half);
   expect_quick("grow", trigger("Grow"), half);
   expect_quick("shrink", trigger("Shrink"), half);
   expect_quick("connected", trigger("Connected"), one);
   expect_quick("coplanar", trigger("Within 15°"), one);
-  expect_quick("whole meshes", trigger("Whole meshes"), one);
+  expect_quick("whole meshes", trigger("Expand to whole mesh"), one);
   expect_quick("alike", trigger("BRDF"), one);
 }
 

@@ -96,10 +96,10 @@ class SourceViewTest : public testing::Test {
 };
 
 TEST_F(SourceViewTest, SaysWhatToDoWhileThereIsNoFile) {
-  EXPECT_THAT(labels(), HasSubstr("Choose a message"));
+  EXPECT_THAT(labels(), HasSubstr("Select a message"));
   for (const QToolButton* button : view_.findChildren<QToolButton*>()) {
     EXPECT_FALSE(button->isEnabled());
-    EXPECT_THAT(button->toolTip().toStdString(), HasSubstr("choose a message"));
+    EXPECT_THAT(button->toolTip().toStdString(), HasSubstr("select a message"));
   }
   view_.show(grf::SourceLocation());
   view_.read_again();
@@ -175,7 +175,7 @@ TEST_F(SourceViewTest, ReadsTheFileAgain) {
   QFile::remove(path);
   auto* again = view_.findChildren<QToolButton*>()[1];
   ASSERT_TRUE(comes([&] { QTest::mouseClick(again, Qt::LeftButton); }));
-  EXPECT_THAT(labels(), HasSubstr("scene.grf cannot be read: No such file"));
+  EXPECT_THAT(labels(), HasSubstr("scene.grf: No such file"));
   ASSERT_TRUE(shows(QString::fromStdString(folder_.path())));
   EXPECT_THAT(labels(), HasSubstr("is not a file"));
 }

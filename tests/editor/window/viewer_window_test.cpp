@@ -159,7 +159,7 @@ TEST_F(ViewerWindowTest, KeepsTheSceneWhenItsFileIsBroken) {
   ASSERT_TRUE(fails([&] { file("cube.grf", "begin mesh\n  brdf 7\n"); }));
   EXPECT_TRUE(window_.notice().isVisible());
   EXPECT_THAT(notice(), HasSubstr("cube.grf:2:8: error:"));
-  EXPECT_THAT(notice(), HasSubstr("shown as it was before"));
+  EXPECT_THAT(notice(), HasSubstr("previous version is still shown"));
   EXPECT_EQ(objects().meshes.size(), 1U);
   EXPECT_TRUE(window_.view().isVisible());
 
