@@ -148,7 +148,7 @@ bool has_its_terms(const grf::Definition::Body& body, const std::vector<PlacedDe
                  std::holds_alternative<grf::BrdfModel>(each.definition->body);
         });
     if (is_there) continue;
-    diagnostics.error(location, fmt::format("no BRDF called '{}' is defined there", term.brdf.name));
+    diagnostics.error(location, fmt::format("no BRDF '{}' is defined in that scope", term.brdf.name));
     return false;
   }
   return true;
@@ -184,11 +184,10 @@ std::set<std::string> taken_names(const grf::Scene& scene) {
 bool may_be_called(const std::string& name, const grf::Definition& definition,
                    grf::Diagnostics& diagnostics) {
   if (grf::is_identifier(name)) return true;
-  diagnostics.error(
-      definition.location,
-      fmt::format("'{}' cannot be a name: it has letters, digits, '_' and '$' alone, begins with "
-                  "no digit, and is none of begin, end, def, none, use, true, false",
-                  name));
+  diagnostics.error(definition.location,
+                    fmt::format("'{}' is not a valid name: use only letters, digits, '_' and '$', no digit "
+                                "first, and none of begin, end, def, none, use, true, false",
+                                name));
   return false;
 }
 
@@ -243,7 +242,7 @@ std::optional<grf::Scene> change_definition(const grf::Scene& scene, grf::SceneP
                                             grf::Diagnostics& diagnostics) {
   const grf::Definition* definition = definition_at(scene, path);
   if (definition == nullptr || definition->body.index() != body.index()) {
-    diagnostics.error({}, fmt::format("no {} is defined there", grf::kind_of(body)));
+    diagnostics.error({}, fmt::format("there is no {} definition at that place", grf::kind_of(body)));
     return std::nullopt;
   }
   if (!has_its_terms(body, definitions_at(scene, path), definition->location, diagnostics))
@@ -260,7 +259,7 @@ std::optional<grf::Scene> rename_definition(const grf::Scene& scene, grf::SceneP
                                             const std::string& name, grf::Diagnostics& diagnostics) {
   const grf::Definition* definition = definition_at(scene, path);
   if (definition == nullptr) {
-    diagnostics.error({}, "nothing is defined there");
+    diagnostics.error({}, "there is no definition at that place");
     return std::nullopt;
   }
   if (!may_be_called(name, *definition, diagnostics)) return std::nullopt;

@@ -218,7 +218,7 @@ void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, con
 }
 
 void Document::tell_of_places(std::size_t places) {
-  emit told(tr("The file is included at %n other place(s), where the edit holds too", nullptr, int(places)));
+  emit told(tr("The edit also applies at %n other place(s) that include the file", nullptr, int(places)));
 }
 
 void Document::push(const QString& text, ScenePatch patch, const QString& key) {

@@ -68,8 +68,8 @@ std::map<std::string, std::string> copy_images(const grf::Scene& scene, const st
     if (!is_ours) continue;
     const QString copy = copied(file.filePath(), destination);
     if (copy.isEmpty()) {
-      diagnostics.error(grf::whole_file(to), "the image " + file.filePath().toStdString() +
-                                                 " cannot be copied to the scene's folder");
+      diagnostics.error(grf::whole_file(to),
+                        "cannot copy the image " + file.filePath().toStdString() + " to the scene's folder");
     } else {
       names[name] = copy.toStdString();
     }

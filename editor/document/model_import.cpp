@@ -102,9 +102,9 @@ void ModelImport::start(const QString& file, const QStringList& options) {
   cancel();
   file_ = file;
   const QString program = bundled_program("grfconvert");
-  if (program.isEmpty()) return fail(tr("the program grfconvert is not there"));
+  if (program.isEmpty()) return fail(tr("cannot find the program grfconvert"));
   folder_ = ImportFolder::make(parent_);
-  if (!folder_) return fail(tr("no folder can be made in %1").arg(parent_));
+  if (!folder_) return fail(tr("cannot create a folder in %1").arg(parent_));
   output_ = folder_->path() + "/" + QFileInfo(file).completeBaseName() + ".grf";
   const QString memory = QString::number(qRound64(1024 * memory_limit())) + "MB";
   const QString time = QString::number(time_limit(QFileInfo(file).size()));
@@ -138,11 +138,9 @@ void ModelImport::cancel() {
 void ModelImport::read_output(const ChildEnd& end) {
   std::exchange(process_, nullptr)->deleteLater();
   const QString messages = QString::fromUtf8(messages_);
-  if (end.cause == ChildEnd::Cause::NotStarted)
-    return fail(tr("grfconvert cannot be started: %1").arg(end.why));
+  if (end.cause == ChildEnd::Cause::NotStarted) return fail(tr("cannot start grfconvert: %1").arg(end.why));
   if (end.cause != ChildEnd::Cause::Returned) return fail(tr("%1: grfconvert crashed").arg(file_));
-  if (end.code != 0)
-    return fail(messages.isEmpty() ? tr("%1 cannot be read").arg(file_) : messages.trimmed());
+  if (end.code != 0) return fail(messages.isEmpty() ? tr("cannot read %1").arg(file_) : messages.trimmed());
   reading_.setFuture(QtConcurrent::run(read_model, folder_, output_, losses_in(report_), messages));
 }
 

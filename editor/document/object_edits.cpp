@@ -17,7 +17,7 @@ namespace {
 using Step = grf::TransformStep;
 
 std::optional<grf::Scene> nothing_there(grf::Diagnostics& diagnostics) {
-  diagnostics.error({}, "nothing stands at that place");
+  diagnostics.error({}, "there is no object at that place");
   return std::nullopt;
 }
 

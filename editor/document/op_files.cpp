@@ -60,7 +60,7 @@ std::optional<std::string> op_text_of(const RenderOptions& render_options, const
     }
     if (text.set(option, words)) continue;
     diagnostics.error(grf::whole_file(op_path.toStdString()),
-                      fmt::format("{}: '{}' cannot be written in an OP file", option.key, words.front()));
+                      fmt::format("{}: cannot write '{}' in an OP file", option.key, words.front()));
     return std::nullopt;
   }
   return text.text();

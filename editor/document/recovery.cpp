@@ -142,8 +142,7 @@ QString write_work(const QString& folder, const grf::Scene& scene, const QString
                               {"imports", folders},
                               {"saved", QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs)},
                               {"includes", packing.names()}};
-  return write_record(folder, record) ? QString()
-                                      : Recovery::tr("The folder %1 cannot be written.").arg(folder);
+  return write_record(folder, record) ? QString() : Recovery::tr("Cannot write the folder %1.").arg(folder);
 }
 
 /// Includes by the paths of their files. Where other names are defined around it, one text reads as others.
@@ -255,7 +254,7 @@ void Recovery::keep() {
   timer_.stop();
   if (!document_.is_modified()) return;
   if (writing_.isRunning()) return timer_.start();
-  if (!QDir().mkpath(folder_)) return emit failed(tr("The folder %1 cannot be made.").arg(folder_));
+  if (!QDir().mkpath(folder_)) return emit failed(tr("Cannot create the folder %1.").arg(folder_));
   if (!lock_) {
     lock_.emplace(folder_ + "/" + LockFile);
     take_lock(*lock_);
