@@ -282,11 +282,11 @@ QString SceneView::text_of(const std::optional<SceneHit>& hit) const {
   if (!hit) return {};
   const MeshObject& mesh = objects_->meshes[hit->face.mesh];
   const Look& look = mesh.looks[(*mesh.mesh->surface_of_face)[hit->face.face]];
-  QStringList surface(look.brdf ? QString::fromStdString(look.brdf->keyword) : tr("diffuse by default"));
+  QStringList surface(look.brdf ? QString::fromStdString(look.brdf->keyword) : tr("default diffuse"));
   if (!look.texture.empty()) surface += tr("textured");
-  if (look.emission) surface += tr("emits");
+  if (look.emission) surface += tr("emissive");
   return tr("%1 · face %2 · %3")
-      .arg(mesh.name.empty() ? tr("mesh without a name") : QString::fromStdString(mesh.name),
+      .arg(mesh.name.empty() ? tr("unnamed mesh") : QString::fromStdString(mesh.name),
            QString::number(hit->face.face), mesh.is_light ? tr("light") : surface.join(", "));
 }
 

@@ -83,22 +83,22 @@ QStringList ViewDrawing::shortcomings() const {
   const auto tr = [](const char* text) { return QCoreApplication::translate("ViewDrawing", text); };
   const bool has_brdfs = state_.request.style.mode == DisplayMode::Brdf;
   for (const auto& [keyword, why] : has_brdfs ? painter_.refused() : std::map<std::string, QString>()) {
-    texts += tr("The graphics driver refuses the shader of the BRDF %1, which the 3D view therefore shows by "
-                "C++, more slowly: %2")
+    texts += tr("The graphics driver cannot compile the shader of the BRDF %1: the 3D view shades it on the "
+                "CPU, more slowly: %2")
                  .arg(QString::fromStdString(keyword), why);
   }
   for (const std::string& keyword : has_brdfs ? scene_.surfaces().not_shown : std::set<std::string>()) {
-    texts += tr("The 3D view shows the BRDF %1 as diffuse").arg(QString::fromStdString(keyword));
+    texts += tr("The BRDF %1 is previewed as diffuse in the 3D view").arg(QString::fromStdString(keyword));
   }
   for (const std::string& path : scene_.reduced_textures()) {
-    texts +=
-        tr("The 3D view shows %1 with fewer pixels, since the graphics driver takes no more than %2 in a row")
-            .arg(QString::fromStdString(path))
-            .arg(limits_.texture_side);
+    texts += tr("The 3D view shows %1 at a lower resolution: the graphics driver's textures have at most %2 "
+                "pixels per row")
+                 .arg(QString::fromStdString(path))
+                 .arg(limits_.texture_side);
   }
   if (scene_.left_out() > 0) {
-    texts += tr("The 3D view leaves %1 of %2 meshes out, since the graphics driver takes tables of no more "
-                "than %3 entries: split the scene into files, and open one at a time")
+    texts += tr("The 3D view leaves out %1 of %2 meshes: the graphics driver's buffers have at most %3 "
+                "entries. Split the scene into files, and open one at a time")
                  .arg(scene_.left_out())
                  .arg(state_.objects->meshes.size())
                  .arg(limits_.buffer_texels);

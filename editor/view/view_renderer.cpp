@@ -50,12 +50,12 @@ void ViewRenderer::order(const std::function<void(Orders&)>& change) {
 
 void ViewRenderer::make_drawing(QOpenGLContext* context) {
   auto* gl = context != nullptr ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
-  if (gl == nullptr) return warn(tr("The 3D view needs OpenGL 3.3, which this screen has not."));
+  if (gl == nullptr) return warn(tr("The 3D view needs OpenGL 3.3, which this display does not support."));
   gl->initializeOpenGLFunctions();
   try {
     drawing_ = std::make_unique<ViewDrawing>(*gl, driver_);
   } catch (const ShaderRefused& refused) {
-    warn(tr("The 3D view cannot draw, since the graphics driver refuses a shader: %1").arg(refused.what()));
+    warn(tr("The 3D view cannot draw: the graphics driver cannot compile a shader: %1").arg(refused.what()));
   }
 }
 

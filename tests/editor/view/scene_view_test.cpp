@@ -328,7 +328,7 @@ TEST(SceneView, SaysWhatIsUnderThePointer) {
   QSignalSpy spy(&shown.view, &SceneView::hovered);
   shown.move(shown.pixel_of(Vec3d(0.3, 0.2, 1)), Qt::NoButton, Qt::NoModifier);
   ASSERT_TRUE(test::wait_for([&] { return spy.count() > 0; }));
-  EXPECT_EQ(spy.last().front().toString(), "cube · face 0 · diffuse by default");
+  EXPECT_EQ(spy.last().front().toString(), "cube · face 0 · default diffuse");
 }
 
 TEST(SceneView, ALightIsDraggedInThePlaneOfTheView) {
@@ -395,7 +395,8 @@ TEST(SceneView, OutlivesADecoderOfTexturesThatCrashes) {
   view.show();
   EXPECT_TRUE(test::wait_for([&] { return view.is_complete(); }));
   ASSERT_EQ(spy.count(), 1);
-  EXPECT_TRUE(spy.front().front().toString().contains("evil.png: cannot read the image: it is broken (its"));
+  EXPECT_TRUE(
+      spy.front().front().toString().contains("evil.png: cannot read the image: the file is corrupt (its"));
   EXPECT_EQ(view.face_at({150, 100}), Front);
 }
 
