@@ -18,7 +18,7 @@
 namespace editor {
 
 /// Counts the references to each definition: from surfaces of meshes, `use` blocks and terms of `combine`,
-/// except those inside the excluded definitions. Definitions without references are not in the map. Keys
+/// except those inside the paths `without`. Definitions without references are not in the map. Keys
 /// point into the scene.
 std::unordered_map<const grf::Definition*, std::size_t> count_uses(
     const grf::Scene& scene, const std::vector<grf::ScenePath>& without = {});
