@@ -30,7 +30,7 @@ int fail(const QString& message) {
   return BadCommandLine;
 }
 
-/// Closes the window once it shows its scene in full, and says how long that took.
+/// Closes the window once the scene is shown in full, and prints how long that took.
 void tell_startup_time(editor::MainWindow& window, const QElapsedTimer& since) {
   auto* timer = new QTimer(&window);
   QObject::connect(timer, &QTimer::timeout, &window, [&window, since] {

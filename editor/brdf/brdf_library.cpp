@@ -24,7 +24,7 @@ namespace {
 
 constexpr int TileSide = 8 * Grid;
 constexpr int TileMargin = Grid / 2;
-/// The light alone shows a white matte surface as white, and there is a sky besides.
+/// The light alone shows a white diffuse surface as white, and the sky adds to it.
 constexpr double PictureStops = -1;
 constexpr int PictureSamples = 32;
 
@@ -52,10 +52,10 @@ void add_presets(std::vector<LibraryEntry>& entries) {
   }
 }
 
-/// The same for BRDFs that look the same.
+/// Cache key of thumbnails, equal for BRDFs with the same text.
 QString picture_key(const LibraryEntry& entry) { return QString::fromStdString(grf::to_text(entry.brdf)); }
 
-/// A sphere with some room around it, for a screen of that many pixels a device-independent one.
+/// A thumbnail of a sphere with a margin, for a device pixel ratio.
 QImage picture_of(const grf::BrdfModel& model, const Definitions& definitions, double ratio,
                   const StopFlag& stop) {
   SphereScene scene;
@@ -74,7 +74,7 @@ QImage picture_of(const grf::BrdfModel& model, const Definitions& definitions, d
   return picture;
 }
 
-/// A picture, or an empty tile, which has the colours of its BRDF, selected or not.
+/// An icon with the same colours whether selected or not; an empty tile without a thumbnail.
 QIcon icon_of(QPixmap picture) {
   if (picture.isNull()) {
     picture = QPixmap(TileSide, TileSide);
@@ -304,7 +304,7 @@ void BrdfLibrary::rename(QListWidgetItem* item) {
   const LibraryEntry entry = list_->entries()[static_cast<std::size_t>(list_->row(item))];
   if (entry.source != LibraryEntry::Source::Folder || item->text() == entry.name) return;
   const QString problem = folder_.rename(entry.name, item->text());
-  // Not from inside of the item's own signal.
+  // Queued, since this runs inside the item's own signal.
   QMetaObject::invokeMethod(
       this,
       [this, problem] {

@@ -34,7 +34,7 @@ QComboBox* list_of(const QStringList& items, const QString& name, const QString&
   return list;
 }
 
-/// Angles in degrees, or nothing if one is none.
+/// Parses angles in degrees; nothing if one is invalid.
 std::optional<std::vector<double>> read_views(const QString& text) {
   std::vector<double> views;
   for (const QString& word : text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts)) {
@@ -194,7 +194,7 @@ void BrdfPlots::compute() {
     albedo_ = {};
     return draw();
   }
-  // What is not looked at waits.
+  // Hidden plots are updated when they are shown.
   if (!isVisible()) return;
   if (kind_ == Kind::Albedo) {
     if (albedo_is_old_) compute_albedo(RoughSamples);
@@ -242,7 +242,7 @@ void BrdfPlots::draw() {
   const bool is_empty = is_albedo ? albedo_.degrees.empty() : curves_.curves.empty();
   plot_->setVisible(!is_empty);
   lobe_controls_->setVisible(!is_albedo && !is_empty);
-  layout()->activate();  // a polar plot follows the shape of its place
+  layout()->activate();  // a polar plot depends on the aspect ratio of its widget
   if (is_empty) {
     words_->setAlignment(Qt::AlignCenter);
     show_words(brdf_ ? QString() : hint_, false);

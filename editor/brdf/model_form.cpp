@@ -74,7 +74,7 @@ void BrdfForm::build_chooser() {
   chooser_->completer()->setCompletionMode(QCompleter::PopupCompletion);
   connect(chooser_, &QComboBox::activated, this, &BrdfForm::choose);
   connect(chooser_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
-    // What names no model goes back to the one that is there.
+    // Text that names no model reverts to the current model.
     if (chooser_->findText(chooser_->currentText(), Qt::MatchFixedString) < 0) refresh();
   });
 }

@@ -25,7 +25,7 @@ bool are_equal(const std::vector<Value>& values) {
   return std::all_of(values.begin(), values.end(), [&](const Value& one) { return one == values.front(); });
 }
 
-/// Where a slider ends whose parameter has no end.
+/// The upper end of the slider of an unbounded parameter.
 double slider_end(const grf::ParameterInfo& parameter) {
   return parameter.maximum < 1e30F ? parameter.maximum : 100 * std::max(1.0F, parameter.default_value);
 }

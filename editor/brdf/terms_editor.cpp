@@ -105,7 +105,7 @@ void TermsEditor::add_row(std::size_t index) {
 }
 
 void TermsEditor::add_term() {
-  // One that is not there yet, if there is one.
+  // Prefers a BRDF that is not in the sum yet.
   const auto is_new = [this](const QString& name) {
     return std::none_of(terms_.begin(), terms_.end(), [&](const grf::CombineTerm& term) {
       return QString::fromStdString(term.brdf.name) == name;

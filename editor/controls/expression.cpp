@@ -9,7 +9,7 @@
 namespace editor {
 namespace {
 
-/// muParser takes plain functions for units: one a factor that is used.
+/// A unit as a function for muParser, one for each factor in use.
 template <int Numerator, int Denominator>
 double scaled(double x) {
   return x * Numerator / Denominator;

@@ -24,7 +24,7 @@
 namespace editor {
 namespace {
 
-/// Runs work on a thread, and gives its result to the receiver, if that still lives then.
+/// Runs work in a thread, and delivers its result if the receiver still lives.
 template <class Work, class Take>
 void run_aside(QObject* receiver, const Work& work, const Take& take) {
   using Result = std::invoke_result_t<Work>;
@@ -197,7 +197,7 @@ void ImageBrowser::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-// What is shown
+// Display
 
 ScreenSettings ImageBrowser::screen_settings() const {
   ScreenSettings settings = tools_->controls().settings();
@@ -241,7 +241,7 @@ bool ImageBrowser::is_current(const ImageAnalysis& made) const {
          made.kind == tools_->difference();
 }
 
-/// One at a time: of an image that changes all the while, the states between are left out.
+/// Runs one analysis at a time: intermediate states of an image that keeps changing are skipped.
 void ImageBrowser::start_analysis() {
   if (is_analysing_) return;
   is_analysing_ = true;

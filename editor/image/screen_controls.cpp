@@ -36,7 +36,7 @@ ScreenControls::ScreenControls(QWidget* parent)
   add_exposure();
   add_curve();
   add_view();
-  // In a wide window the controls stay together.
+  // The controls stay together in a wide window.
   row->setStretchFactor(slider_, 3);
   row->addStretch(1);
 }

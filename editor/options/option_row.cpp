@@ -37,7 +37,7 @@ OptionRow::OptionRow(const options::OptionInfo& option, OpDocument& document, QW
                         .arg(text_of(option.meaning), text_of(option.default_value), legal_values(option)));
   message_->hide();
   key_->setMinimumWidth(KeyWidth);
-  key_->setFixedHeight(3 * Grid);  // that of one control
+  key_->setFixedHeight(3 * Grid);  // height of one control
   key_->setBuddy(field_);
   const auto reset = [this] {
     document_.set_words(option_, {});
@@ -90,7 +90,7 @@ bool OptionRow::matches(const QString& query) const {
   return matches_search(key_->text() + ' ' + meaning_->text(), query);
 }
 
-/// A bar at the left of those that the file names.
+/// Paints a bar at the left of options that the file sets.
 void OptionRow::paintEvent(QPaintEvent*) {
   if (!is_given_) return;
   const ThemeColours colours = colours_of(theme_of(palette()));

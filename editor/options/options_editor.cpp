@@ -108,7 +108,7 @@ bool OptionsEditor::open(const QString& path) {
 }
 
 bool OptionsEditor::save(const QString& path) {
-  // A shortcut saves while a number is being typed.
+  // The shortcut may save while a number is being typed.
   for (NumberBox* box : form_->findChildren<NumberBox*>()) box->commit();
   grf::Diagnostics diagnostics;
   const bool is_written = document_.save(path, diagnostics);
@@ -154,7 +154,7 @@ void OptionsEditor::follow_message(int row) {
   if (row < first || row - first >= int(entries.size())) return;
   const grf::Diagnostic& entry = entries[std::size_t(row - first)];
   const options::OptionInfo* option = option_of(entry, document_.op_text());
-  // A line that is given twice, or has no effect, is no matter of a control.
+  // A duplicate line, or one without effect, is not shown by a control.
   if (option != nullptr && form_->is_usable(*option)) return form_->go_to(*option);
   if (option != nullptr) form_->show_option(*option);
   if (entry.location.line > 0) text_->go_to(entry.location.line, entry.location.column);
@@ -164,7 +164,7 @@ void OptionsEditor::go_to(const options::OptionInfo& option) { form_->go_to(opti
 
 void OptionsEditor::start_search() { form_->search()->setFocus(Qt::ShortcutFocusReason); }
 
-/// Fields have steps of undo of their own, which would be in the way of those of the document.
+/// Disables the undo steps of text fields, which would interfere with those of the document.
 bool OptionsEditor::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);

@@ -15,7 +15,7 @@
 namespace editor {
 namespace {
 
-/// Completes names that start at a folder, and leaves them relative.
+/// Completes file names relative to a folder.
 class RelativeCompleter : public QCompleter {
  public:
   RelativeCompleter(const PathField* field, QString folder, QObject* parent)
@@ -64,7 +64,7 @@ void PathField::set_folder(const QString& folder) {
   completer_ = nullptr;
 }
 
-/// Folders are looked at once somebody types.
+/// Lists folders once the user types.
 void PathField::complete() {
   if (completer_ != nullptr) return;
   completer_ = new RelativeCompleter(this, folder_.isEmpty() ? QDir::currentPath() : folder_, this);
@@ -79,7 +79,7 @@ void PathField::complete() {
 QString PathField::relative(const QString& path) const {
   if (folder_.isEmpty()) return path;
   const QString relative = QDir(folder_).relativeFilePath(path);
-  // A path that climbs far says more when it starts at the root.
+  // A path that climbs far is more readable as an absolute one.
   return relative.startsWith(QStringLiteral("../../../")) ? path : relative;
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double Largest = std::numeric_limits<float>::max();
 
-/// With four digits; large numbers are whole ones, as they are read more easily than with an exponent.
+/// Formats with four digits; large numbers as integers, which are more readable than an exponent.
 QString text_of(double number) {
   const bool is_large = number >= 1e4 && number < 1e7;
   return is_large ? QLocale::c().toString(number, 'f', 0).remove(',') : QLocale::c().toString(number, 'g', 4);
@@ -44,7 +44,7 @@ QString name_of(const Emitter& emitter) {
   return name;
 }
 
-/// A light over the middle of what there is, that shines down.
+/// An area light above the centre of the bounds, facing down.
 grf::AreaLight light_over(const grf::Box3d& bounds) {
   constexpr double Part = 0.25;
   const bool is_empty = bounds.isEmpty();

@@ -75,7 +75,7 @@ void MessagePanel::add_warning(const QString& message) {
 
 QSize MessagePanel::sizeHint() const { return {640, 200}; }
 
-// Wrapped lines have other heights.
+// The height of wrapped lines depends on the width.
 void MessagePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   view_->doItemsLayout();

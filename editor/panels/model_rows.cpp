@@ -19,7 +19,7 @@
 namespace editor {
 namespace {
 
-/// What an entry of a list stands for.
+/// The kinds of list entries.
 enum class Choice { None, OnTheSpot, Named, Model };
 
 constexpr int KindRole = Qt::UserRole;
@@ -165,7 +165,7 @@ void BrdfRow::define_common() {
     emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
     return;
   }
-  // Meshes are in the same order as before, so the selection is that of the new scene too.
+  // The order of meshes is unchanged, so the selection is valid in the new scene too.
   SurfaceEdit edit;
   edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{defined->name, {}});
   const SceneObjects objects = objects_of(defined->scene, document_.path().toStdString());

@@ -23,7 +23,7 @@
 namespace editor {
 namespace {
 
-/// All faces of an entry's meshes and of those inside of it.
+/// Adds all faces of an entry's meshes and of its descendants.
 void add_faces(const SceneEntry& entry, FaceSelection& selection) {
   if (entry.mesh) selection.set_mesh(*entry.mesh);
   for (const auto& child : entry.children) add_faces(*child, selection);
@@ -161,7 +161,7 @@ void SceneTree::select_faces_of_chosen() {
   emit chosen(path);
 }
 
-// Faces that were selected elsewhere: the line of the first of them becomes the current one.
+// After a selection made elsewhere, the item of its first face becomes the current one.
 void SceneTree::show_selection() {
   pages_->setCurrentIndex(document_.scene().contents.blocks.empty() ? 0 : 1);
   if (is_selecting_) return;
@@ -193,7 +193,7 @@ void SceneTree::show_search() {
 void SceneTree::rename_chosen() { view_->edit(view_->currentIndex().siblingAtColumn(0)); }
 
 void SceneTree::duplicate_chosen() {
-  // Beside itself by a part of the scene, so that it is seen.
+  // The copy is offset by a part of the scene, so that it is visible.
   constexpr double Part = 0.1;
   const grf::Box3d& bounds = document_.objects().bounds;
   const double offset = bounds.isEmpty() ? 1 : Part * bounds.size().length();

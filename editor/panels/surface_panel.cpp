@@ -26,7 +26,7 @@
 namespace editor {
 namespace {
 
-/// An attribute with a name replaced by what it means, where the name does not mean that for all.
+/// Replaces a named attribute by its value if the name does not mean that for all faces.
 template <class Body>
 void write_out(std::optional<std::variant<Body, grf::Reference>>& attribute,
                const std::vector<PlacedDefinition>& there, const std::vector<PlacedDefinition>& here) {

@@ -90,7 +90,7 @@ void TexturePreview::paintEvent(QPaintEvent*) {
   painter.drawImage(place, shown_.image);
   painter.setClipRect(place);
   painter.setBrush(Qt::NoBrush);
-  // Dark under the accent, so that the lines are seen on any image.
+  // Dark lines under the accent make it visible on any image.
   for (const QPen& pen : {QPen(QColor(0, 0, 0, 160), 3), QPen(colours.accent, 1.25)}) {
     painter.setPen(pen);
     for (const QPolygonF& outline : outlines_) {

@@ -20,7 +20,7 @@
 namespace editor {
 namespace {
 
-/// The image of the first selected face; empty: it has none.
+/// The image of the first selected face; empty if it has none.
 QString first_image(const Document& document) {
   const FaceSelection& selection = document.selection();
   for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
@@ -106,7 +106,7 @@ void TextureRow::show_facts(const SurfaceFacts& facts) {
 }
 
 void TextureRow::assign_file(const QString& path) {
-  // Named from the scene's own file, so that both can be moved together.
+  // The name is relative to the scene's own file, so that both can be moved together.
   const QString scene = document_.path();
   const QString name = scene.isEmpty() || QFileInfo(path).isRelative()
                            ? path

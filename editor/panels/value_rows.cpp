@@ -35,7 +35,7 @@ QVBoxLayout* lines_of(QWidget* row) {
   return layout;
 }
 
-/// Shows a value that faces have in common.
+/// Shows a value that the faces share.
 void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::Colour>& value) {
   if (is_mixed) {
     fields->show_blank(mixed_text());

@@ -16,7 +16,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ImageProcess", text); }
 
-/// A file in memory: a child writes to it as fast as it can, and what it wrote is read once it has ended.
+/// Opens an in-memory file: a child writes to it at full speed, and it is read after the child ends.
 bool open_memory(QFile& file) {
   const int descriptor = ::memfd_create("image", MFD_CLOEXEC);
   return descriptor >= 0 && file.open(descriptor, QIODevice::ReadWrite, QFile::AutoCloseHandle);
@@ -27,7 +27,7 @@ QString first_line_in(QFile& file) {
   return file.seek(0) ? QString::fromUtf8(file.readLine(Longest)).trimmed() : QString();
 }
 
-/// An image as `bpt decode` writes it. None of it is believed: a file that took the decoder over may have had
+/// Parses an image as `bpt decode` writes it. It is untrusted: a file that exploits the decoder may have had
 /// it write anything.
 std::optional<transport::Image> image_in(QFile& file) {
   std::array<std::int32_t, 2> size = {};

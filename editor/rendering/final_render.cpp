@@ -44,9 +44,9 @@ bool FinalRender::is_foreign(const QString& output) const {
 bool FinalRender::lock_output() {
   const QFileInfo image(output_);
   lock_ = std::make_unique<QLockFile>(image.dir().filePath("." + image.fileName() + ".lock"));
-  lock_->setStaleLockTime(0);  // as long as its program lives
+  lock_->setStaleLockTime(0);  // while its process lives
   if (lock_->tryLock()) return true;
-  // Where no lock can be made, neither can the image: the renderer says it better.
+  // If no lock can be made, the image cannot be written either: the renderer reports that better.
   return lock_->error() != QLockFile::LockFailedError;
 }
 
@@ -131,7 +131,7 @@ void FinalRender::end(const RendererEnd& end) {
   reading_.setFuture(QtConcurrent::run(&FinalRender::read_result, result, copy));
 }
 
-/// A link costs no time and no space; the renderer replaces files, it does not write into them.
+/// Keeps a hard link, at no cost: the renderer replaces files instead of writing into them.
 FinalRender::Left FinalRender::read_result(FinalRenderResult result, const QString& copy) {
   const bool is_kept =
       ::link(QFile::encodeName(result.image).constData(), QFile::encodeName(copy).constData()) == 0 ||

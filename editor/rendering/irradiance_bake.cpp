@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-/// Leaves what does not concern the irradiance, or would make files.
+/// Resets options that do not concern the irradiance, or would write files.
 options::RenderOptions bake_options(options::RenderOptions render_options, const QString& scene_path,
                                     const QString& snapshot) {
   render_options = with_absolute_paths(std::move(render_options), scene_path);
@@ -123,7 +123,7 @@ void IrradianceBake::give_up(const QString& why) {
   emit failed(why);
 }
 
-/// Places in the snapshot mean nothing to the scene's author; the lines that are quoted do.
+/// Removes locations in the snapshot, which mean nothing to the user; quoted lines are kept.
 QString IrradianceBake::without_snapshot(QString text) const {
   const QString name = QRegularExpression::escape(file("")) + "i?grf";
   return text.remove(QRegularExpression(name + "(:\\d+:\\d+)?: "));

@@ -112,7 +112,8 @@ QPlainTextEdit* RenderPanel::make_log() {
   auto* log = new QPlainTextEdit(this);
   log->setReadOnly(true);
   log->setFrameStyle(QFrame::NoFrame);
-  log->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));  // carets stand under their words
+  log->setFont(QFontDatabase::systemFont(
+      QFontDatabase::FixedFont));  // fixed width, so that carets are under their words
   log->document()->setDocumentMargin(Grid);
   log->setMaximumBlockCount(2000);
   log->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -222,7 +223,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   say(text);
   log(text);
   update_actions();
-  resumes_after_ = false;  // its images would hide this one
+  resumes_after_ = false;  // preview images would hide this one
   end_job();
 }
 
@@ -238,7 +239,7 @@ void RenderPanel::show_options() {
 }
 
 void RenderPanel::toggle_preview() {
-  settings_->commit();  // a button that is clicked takes no focus
+  settings_->commit();  // clicking a button does not take the focus
   if (!preview_.is_on()) return restart_preview();
   if (preview_.is_paused()) {
     preview_.resume();
@@ -248,7 +249,7 @@ void RenderPanel::toggle_preview() {
 }
 
 void RenderPanel::restart_preview() {
-  if (final_.is_running()) {  // the processor is the render's
+  if (final_.is_running()) {  // the render has priority
     resumes_after_ = false;
     return preview_.stop();
   }
@@ -258,7 +259,7 @@ void RenderPanel::restart_preview() {
   update_actions();
 }
 
-/// The scene and its options are rendered as they are now, also if other renders come before.
+/// Renders the scene and its options as they are now, also if the render is queued.
 void RenderPanel::render() {
   settings_->commit();
   FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options(),
@@ -279,7 +280,7 @@ void RenderPanel::begin(Job& job, const FinalRenderRequest& request) {
   final_.start(request);
 }
 
-/// The next render begins, if one waits.
+/// Ends the current job, so that the next render starts.
 void RenderPanel::end_job() {
   if (job_) job_->end();
 }
@@ -301,7 +302,7 @@ void RenderPanel::stop() {
   preview_.stop();
 }
 
-/// What authors wrote is theirs: an OP file that is there is changed only where they say so.
+/// Changes an existing OP file only if its author agrees.
 void RenderPanel::keep_op_file() {
   if (document_.path().isEmpty()) return;
   const QString op_file = op_file_beside(document_.path());
@@ -310,7 +311,7 @@ void RenderPanel::keep_op_file() {
     options_.save_beside(document_.path(), diagnostics);
     return log(QString::fromStdString(diagnostics.to_text()));
   }
-  // What is wrong with it was said when the scene was opened.
+  // Its errors were reported when the scene was opened.
   auto there = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), diagnostics);
   RenderOptions now = options_.valid_options();
   if (there) now.scene = there->scene;

@@ -8,8 +8,7 @@
 namespace editor {
 namespace {
 
-/// The window comes first; and a run that is ended as the editor quits has some seconds to keep what there
-/// is.
+/// The window has priority, and a run that is cancelled when the editor quits has some seconds to save.
 constexpr ChildManners Manners = {.niceness = 5, .patience = 5000};
 
 }  // namespace
