@@ -62,7 +62,7 @@ void ImageTools::make_actions() {
   swap = add_action("swap", tr("Swap A and B"), tr("Exchange the image and the reference."), Qt::Key_X);
 }
 
-/// Keys of the view that need no button: they work the controls.
+/// Adds shortcuts without buttons: they operate the controls.
 void ImageTools::add_keys() {
   const auto add_step = [this](const QKeySequence& key, const QString& text, const QString& help,
                                float stops) {

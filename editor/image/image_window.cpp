@@ -27,7 +27,7 @@ void ImageWindow::listen(quint16 port) {
 
 void ImageWindow::make_menus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  // Here the window is the image's alone, and its keys work everywhere.
+  // The window has no other contents, so the shortcuts work everywhere in it.
   const auto add = [&](QAction* action, const QKeySequence& key) {
     action->setShortcut(key);
     action->setShortcutContext(Qt::WindowShortcut);
