@@ -33,7 +33,7 @@ void BakeController::begin(Job& job) {
   job_ = &job;
   imports_ = document_.imports();
   options::RenderOptions bake_options = document_.options().valid_options();
-  bake_options.samples.reset();  // those of a pixel say nothing of a vertex
+  bake_options.samples.reset();  // samples per pixel are not samples per vertex
   bake_.start(document_.scene(), document_.path(), bake_options);
 }
 

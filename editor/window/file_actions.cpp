@@ -29,7 +29,7 @@ constexpr int MostRecentFiles = 10;
 const QString Reading = QStringLiteral("reading");
 const QString Writing = QStringLiteral("writing");
 
-/// "Title (*.a *.b)" of each format that is written, GRF left out.
+/// File dialog filters "Title (*.a *.b)" of the writable formats except GRF.
 QString export_filter() {
   QStringList filters;
   for (const convert::Format& format : convert::formats()) {
@@ -45,7 +45,7 @@ QString name_for_export(const Document& document) {
   return QFileInfo(document.path().isEmpty() ? "scene" : document.path()).completeBaseName();
 }
 
-/// The same name with the extension of files that may have irradiance.
+/// Replaces the extension by that of files that may have irradiance.
 QString igrf_name(const QString& file) {
   const QFileInfo info(file);
   return info.dir().filePath(info.completeBaseName() + ".igrf");
@@ -165,7 +165,7 @@ void FileActions::ask_where_to_save(const std::function<void()>& then) {
                                          igrf_name(proposal), tr("IGRF scenes (*.igrf)"))
           : QFileDialog::getSaveFileName(&window_, tr("Save as"), proposal, tr("GRF scenes (*.grf *.igrf)"));
   if (file.isEmpty()) return;
-  if (!is_grf(file)) {  // the dialog has asked about the name without it
+  if (!is_grf(file)) {  // the dialog has asked about the name without the extension
     file += is_igrf ? ".igrf" : ".grf";
     if (QFileInfo::exists(file) && !may_replace({file})) return;
   }
@@ -223,7 +223,7 @@ void FileActions::take(const std::shared_ptr<const LoadedScene>& loaded) {
   }
   emit done(model.losses.isEmpty() ? did.arg(name)
                                    : tr("%1, with losses: %2").arg(did.arg(name), model.losses.join("; ")));
-  if (job) job->end();  // a question may have taken so long that it was cancelled
+  if (job) job->end();  // a question may have taken so long that the job was cancelled
 }
 
 void FileActions::fail(const LoadFailure& failure) {
@@ -234,7 +234,7 @@ void FileActions::fail(const LoadFailure& failure) {
 
 void FileActions::save(const std::function<void()>& then) {
   if (is_saving()) return after_saving([this, then] { save(then); });
-  // A file that had no irradiance is kept: scenes with it go beside.
+  // A file without irradiance is not overwritten: scenes with irradiance get a file beside it.
   const bool needs_igrf =
       grf::has_irradiance(document_.scene().contents) && !grf::is_igrf_name(document_.path().toStdString());
   if (document_.path().isEmpty() || needs_igrf) return ask_where_to_save(then);
@@ -253,7 +253,7 @@ void FileActions::save_as(const QString& file, const std::function<void()>& then
   });
 }
 
-/// The document is saved as it is when those before are written.
+/// Saves the document as it is when the preceding jobs of the queue have ended.
 void FileActions::write(Job& job, const QString& file) {
   is_saved_ = false;
   const SaveRequest request = document_.save_request(file);
@@ -276,7 +276,7 @@ void FileActions::after_saving(const std::function<void()>& then) {
   after_saving_.push_back(then);
 }
 
-/// What other programs have written is replaced only where the author says so.
+/// Overwrites changes by other programs only if the user agrees.
 bool FileActions::may_write(const SaveRequest& request) {
   QStringList replaced = outside_.files();
   if (request.path != document_.path()) replaced.removeAll(document_.path());

@@ -27,7 +27,7 @@ QString state_text(const Job& job) {
 
 }  // namespace
 
-/// The line of one job.
+/// The row of one job.
 class JobRow : public QWidget {
  public:
   JobRow(Job* job, QWidget* parent) : QWidget(parent), job_(job) {
@@ -58,7 +58,7 @@ class JobRow : public QWidget {
 
   void show_job() {
     const bool is_known = job_->state() == Job::State::Waiting || job_->done() >= 0;
-    progress_->setRange(0, is_known ? 1000 : 0);  // without a range it moves to and fro
+    progress_->setRange(0, is_known ? 1000 : 0);  // without a range it is indeterminate
     if (is_known) progress_->setValue(static_cast<int>(1000 * std::max(0.0, job_->done())));
     state_->setText(state_text(*job_));
     cancel_->setToolTip(job_->cancel_tip());

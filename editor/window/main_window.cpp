@@ -56,7 +56,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
       recovery_(new RecoveryController(document_, jobs_, sessions, *files_, *notice_, this)) {
   setAcceptDrops(true);
   resize(200 * Grid, 125 * Grid);
-  // What was said of the scene before; whoever has to say something of this one hears of it later.
+  // Notices about the former scene are hidden; those about the new one follow.
   connect(&document_, &Document::taken, notice_, &QWidget::hide);
   make_docks();
   render_link_ = new RenderLink(document_, *view_, *render_, *this);
@@ -79,7 +79,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // Widgets hear of the document until they are gone, which is before it is.
+  // Widgets listen to the document until they are destroyed, which must be before it is.
   delete takeCentralWidget();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) delete dock;
 }
@@ -215,7 +215,7 @@ void MainWindow::connect_panels() {
 }
 
 void MainWindow::connect_renders() {
-  // Whoever begins a render wants to see it.
+  // Starting a render shows its dock.
   const auto show_render = [this] { Docks::show(render_dock_); };
   connect(render_->preview_action(), &QAction::triggered, this, show_render);
   connect(render_->render_action(), &QAction::triggered, this, show_render);
@@ -281,8 +281,8 @@ void MainWindow::open(const QStringList& files) {
 
 void MainWindow::offer_lost_work() { recovery_->offer_lost_work(); }
 
-// Qt makes the bars of docks that share a place when it needs them. Each dock has its key, so they take no
-// focus, out of which Tab would not lead.
+// Qt creates the tab bars of docks on demand. Each dock has its shortcut, so the bars take no focus, which
+// Tab could not leave.
 void MainWindow::childEvent(QChildEvent* event) {
   QMainWindow::childEvent(event);
   auto* bar = event->added() || event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
@@ -295,7 +295,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   const auto at_once = std::make_shared<QCloseEvent*>(event);
   files_->leave([this, at_once] {
-    if (*at_once == nullptr) {  // something had to be written first
+    if (*at_once == nullptr) {  // a file had to be written first
       close();
       return;
     }
@@ -307,7 +307,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   *at_once = nullptr;
 }
 
-/// A render that is ended keeps the image so far, a bake keeps nothing, and what waits is not begun.
+/// A cancelled render keeps its image so far, a bake keeps nothing, and queued jobs are not started.
 bool MainWindow::may_end_work() {
   const bool renders = render_->final_render().is_running();
   if (!renders && !bake_->is_running()) return true;
@@ -328,7 +328,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-/// The first file is opened and the others are merged in; with Shift all are.
+/// Opens the first file and appends the others; with Shift appends all.
 void MainWindow::dropEvent(QDropEvent* event) {
   QStringList dropped;
   for (const QUrl& url : event->mimeData()->urls()) {

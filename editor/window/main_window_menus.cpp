@@ -1,4 +1,4 @@
-// The menus of the window, in which every action has a place.
+// The menus of the main window, which contain every action.
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
@@ -38,7 +38,7 @@ QMenu* add_menu(QMenuBar& bar, const QString& title) {
   return menu;
 }
 
-/// The menu's entry of the command that is next, with its name.
+/// Shows the name of the next command in the menu entry.
 QAction* name_command(QAction* action, const QString& tip) {
   action->setToolTip(tip);
   action->setStatusTip(tip);
@@ -132,7 +132,7 @@ void MainWindow::make_window_menu() {
   menu->addAction(new_action(*this,
                              {tr("&Reset layout"), {}, {}, tr("Restore the default layout of the docks")},
                              [this] { docks_.reset(); }));
-  // Docks that are folded away are one click away.
+  // Hidden docks have a button each.
   for (QDockWidget* dock : {render_dock_, message_dock_, job_dock_}) {
     auto* button = new QToolButton(statusBar());
     button->setDefaultAction(docks_.action_of(dock));

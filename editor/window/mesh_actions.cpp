@@ -14,17 +14,17 @@
 namespace editor {
 namespace {
 
-/// Faces that a window still shows at ease: more are a matter for `grfconvert --subdivide`.
+/// The maximum number of faces that the editor handles well: more need `grfconvert --subdivide`.
 constexpr double MostFaces = 2e7;
-/// Enough that noise of a scan goes, and few enough that a nose stays.
+/// Enough to remove the noise of a scan, and few enough to keep features such as a nose.
 constexpr int SmoothingSteps = 10;
-/// So few faces are edited before anyone notices.
+/// Meshes with fewer faces are edited synchronously, without a noticeable delay.
 constexpr std::size_t FewFaces = 20'000;
 
 const QString MeshQueue = QStringLiteral("meshes");
 
-/// Gives a mesh the geometry that was made from it, if it is still as it was then but for the values of its
-/// surfaces, which stay. False: it is not.
+/// Sets the edited geometry of a mesh if it is unchanged except for its surfaces, which are kept. Returns
+/// false if it is not.
 bool take_geometry(grf::Shared<grf::Mesh>& now, const grf::Mesh& before, const grf::Mesh& edited) {
   const bool is_same = now->geometry.shares(before.geometry) && now->irradiance.shares(before.irradiance) &&
                        now->surface_of_face.shares(before.surface_of_face);
@@ -49,7 +49,7 @@ struct MeshActions::Edited {
   std::shared_ptr<const SceneObjects> objects;
   FaceSelection selection;
   grf::Scene after;
-  bool keeps_places = false;  ///< no mesh is gone
+  bool keeps_places = false;  ///< no mesh was removed
 };
 
 MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
@@ -138,7 +138,7 @@ void MeshActions::start(const QString& title, const FaceSelection& selection, co
   const auto work = [snapshot, edit] {
     Edited edited = snapshot;
     edited.after = edit({edited.before, *edited.objects, edited.selection});
-    // What is found once is kept with the meshes: found here, the window need not do it.
+    // Derived data is cached with the meshes: computed here, it does not delay the window.
     edited.keeps_places = have_same_places(*edited.objects, objects_of(edited.after, {}));
     return edited;
   };

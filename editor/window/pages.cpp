@@ -10,7 +10,7 @@ namespace editor {
 
 Pages::Pages(QWidget* parent) : QTabWidget(parent) {
   setDocumentMode(true);
-  setFocusPolicy(Qt::NoFocus);  // it would give the focus to its bar, also where that is hidden
+  setFocusPolicy(Qt::NoFocus);  // it would pass the focus to its tab bar, even if hidden
   tabBar()->setAutoHide(true);
   setTabsClosable(true);
   setAccessibleName(tr("Pages"));

@@ -18,7 +18,7 @@ namespace editor {
 
 namespace {
 
-/// Removes what sessions that crashed imported, unless their work can be recovered.
+/// Removes the import folders of crashed sessions, unless their work can be recovered.
 void remove_imports_without(const std::vector<LostWork>& all) {
   QStringList kept;
   for (const LostWork& work : all) kept += work.imports;
@@ -46,7 +46,7 @@ RecoveryController::RecoveryController(Document& document, JobList& jobs, const 
 }
 
 void RecoveryController::offer_lost_work() {
-  if (files_.is_importing()) {  // a scene that comes takes away what is said before
+  if (files_.is_importing()) {  // an opened scene would hide the notice
     connect(&files_, &FileActions::idle, this, &RecoveryController::offer_lost_work,
             Qt::SingleShotConnection);
     return;
@@ -93,7 +93,7 @@ void RecoveryController::recover(const LostWork& work) {
 void RecoveryController::take(const LostWork& work, ReadWork read) {
   document_.take(std::move(*read.scene), work.path, read.diagnostics, true);
   for (const QString& folder : work.imports) document_.add_import(ImportFolder::adopt(folder));
-  // The other is gone only once this session has it.
+  // The old autosave is removed only once this session has its own.
   connect(
       &recovery_, &Recovery::kept, this, [work] { Recovery::discard(work); }, Qt::SingleShotConnection);
   recovery_.keep();

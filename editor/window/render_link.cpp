@@ -86,7 +86,8 @@ void RenderLink::move_camera(const transport::View& camera, bool is_done) {
   if (is_done) document_.finish_gesture();
 }
 
-/// The 3D view of a scene that was opened begins where its camera is; of others the camera is the view's.
+/// The 3D view of an opened scene starts at its render camera; for other scenes the camera is that of the
+/// view.
 void RenderLink::take_scene() {
   const bool has_camera = document_.options().valid_options().viewer.has_value();
   follow_->setChecked(!has_camera);

@@ -20,7 +20,7 @@ namespace {
 
 const char ListName[] = "shortcuts";
 
-/// What the 3D view does by itself: see SceneView.
+/// Mouse and keyboard gestures of the 3D view: see SceneView.
 constexpr std::pair<const char*, const char*> Gestures[] = {
     {"Click", "Select a face; with Shift add it, with Ctrl remove it"},
     {"Drag from a face", "Select the faces in a box, with Alt in a lasso"},
@@ -41,7 +41,7 @@ void add_row(QTreeWidgetItem& group, const QAction& action, const QString& befor
   row->setToolTip(1, action.statusTip().isEmpty() ? action.toolTip() : action.statusTip());
 }
 
-/// Those of menus in it have the menu's name before their own, which alone says little.
+/// Adds the actions of a menu; those of submenus are prefixed by the submenu's name.
 void add_actions(QTreeWidgetItem& group, const QMenu& menu, const QString& before = {}) {
   for (const QAction* action : menu.actions()) {
     if (action->menu() != nullptr) add_actions(group, *action->menu(), action->text().remove('&') + ": ");
@@ -58,7 +58,7 @@ QTreeWidgetItem* new_group(QTreeWidget& list, const QString& name) {
   return group;
 }
 
-/// Whether its key holds in one control alone, and no menu says it.
+/// Whether the shortcut works only in one control, and the action is in no menu.
 bool is_of_control(const QAction& action) {
   const QObjectList places = action.associatedObjects();
   const bool has_menu = std::any_of(places.begin(), places.end(), [](const QObject* place) {
@@ -137,7 +137,7 @@ void show_shortcuts(QMainWindow& window) {
   auto* dialog = window.findChild<QDialog*>(ListName);
   if (dialog == nullptr) dialog = make_dialog(window);
   auto* list = dialog->findChild<QTreeWidget*>();
-  fill(*list, window);  // pages that came since have keys, too
+  fill(*list, window);  // new pages may have shortcuts, too
   list->resizeColumnToContents(0);
   filter(*list, dialog->findChild<QLineEdit*>()->text());
   dialog->show();

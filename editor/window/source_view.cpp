@@ -19,7 +19,7 @@
 namespace editor {
 namespace {
 
-/// What is left out, in words; empty: nothing.
+/// A note about omitted text; empty if the file is shown in full.
 QString note_of(const SourceExcerpt& excerpt) {
   if (excerpt.is_whole()) return {};
   const auto number = [](qint64 value) { return QLocale().toString(value); };
@@ -36,7 +36,7 @@ QString note_of(const SourceExcerpt& excerpt) {
   return parts.join(' ');
 }
 
-/// With the user's folder as `~`, as people know it.
+/// Abbreviates the user's home folder as `~`.
 QString path_text(const QString& path) {
   const QString home = QDir::homePath() + '/';
   return QDir::toNativeSeparators(path.startsWith(home) ? "~/" + path.mid(home.size()) : path);
@@ -165,7 +165,7 @@ void SourceView::show_path() {
 
 void SourceView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  layout()->activate();  // the label has its new width
+  layout()->activate();  // updates the width of the label
   show_path();
 }
 

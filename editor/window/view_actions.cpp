@@ -62,7 +62,7 @@ void ViewActions::make_overlays() {
 }
 
 void ViewActions::make_places() {
-  // Letters and digits are the view's: in fields and lists they are typed.
+  // Letters and digits are shortcuts only in the view, since fields and lists need them for typing.
   const auto add = [this](const QString& text, Qt::Key key, const QString& tip, const QString& icon = {}) {
     QAction* made = new_action(window_, {text, icon, key, tip}, [this, key] { view_.press(key); });
     window_.removeAction(made);

@@ -26,7 +26,7 @@
 namespace editor {
 namespace {
 
-/// The first local file that is dropped; empty: there is none.
+/// The first dropped local file; empty if there is none.
 QString dropped_file(const QMimeData& data) {
   for (const QUrl& url : data.urls()) {
     if (url.isLocalFile()) return url.toLocalFile();
@@ -69,7 +69,7 @@ ViewerWindow::ViewerWindow(QWidget* parent)
   connect(view_, &SceneView::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text); });
   connect(view_, &SceneView::selection_made, this, &ViewerWindow::show_selection);
-  // What was dragged goes back to where the scene has it.
+  // A dragged object returns to its position in the scene.
   connect(view_, &SceneView::object_moved, this, [this] {
     view_->show(view_->shared_objects());
     statusBar()->showMessage(tr("The viewer moves nothing: open the scene in the editor for that"));
@@ -153,7 +153,7 @@ void ViewerWindow::ask_for_file() { open(ask_for_scene_or_model(*this, tr("Open"
 void ViewerWindow::open(const QString& file) {
   if (file.isEmpty()) return;
   path_ = QFileInfo(file).absoluteFilePath();
-  // From now on: what comes while it is read is a change.
+  // Watches from now on, so that a change while reading is noticed.
   watch_.follow({path_});
   reload_->setEnabled(true);
   reload_->setToolTip(tr("Reload the file; this also happens when the file changes"));
