@@ -20,7 +20,7 @@ const options::PathOption* path_option(const OptionInfo& option) {
   return std::get_if<options::PathOption>(&option.value);
 }
 
-/// Whether the text gives the option another value, or one that cannot be read.
+/// Whether the text sets the option to another value, or to an unreadable one.
 bool has_other(const options::OpText& text, const RenderOptions& there, const RenderOptions& wanted,
                const OptionInfo& option) {
   if (option_words(there, option) != option_words(wanted, option)) return true;
