@@ -1,4 +1,4 @@
-// The image view as its user sees it: a window, files, keys and the mouse.
+// Tests of the image view by a window, files, keys and the mouse.
 #include "editor/image/image_browser.h"
 
 #include <QAction>
@@ -34,7 +34,7 @@ namespace {
 using reflectance::Rgb;
 using transport::Image;
 
-/// Each pixel says where it is.
+/// An image whose pixels encode their position.
 Image ramp(int width, int height, float blue = 0) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y) {
@@ -304,7 +304,7 @@ TEST(ImageSelection, KeepsTheTwoImagesApart) {
   EXPECT_EQ(images.image().image, nullptr);
 }
 
-/// The least processor time of several calls, in seconds: other work of the machine takes no part in it.
+/// The least processor time of several calls, in seconds, without other processes.
 template <typename Function>
 double least_time(const Function& function) {
   std::clock_t best = std::numeric_limits<std::clock_t>::max();
@@ -316,7 +316,7 @@ double least_time(const Function& function) {
   return static_cast<double>(best) / CLOCKS_PER_SEC;
 }
 
-// Machines differ, so the time is compared with that of the formula for each value.
+// The time is relative to that of the formula for each value, since machines differ.
 TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
   const Image image = ramp(1920, 1080);
   const double table = least_time([&](int i) {
@@ -337,7 +337,7 @@ TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
   });
   EXPECT_GT(rows.back(), 0);
   RecordProperty("share", std::to_string(table / formula));
-  // Sanitizers slow down memory, and not the power.
+  // Sanitizers slow down memory accesses more than arithmetic.
   EXPECT_LT(table, (test::HasSanitizers ? 4 : 0.6) * formula);
 }
 

@@ -38,7 +38,7 @@ class SceneTrees : public testing::Test {
   }
 
   QTreeView* view() const { return tree_.view(); }
-  /// The line of that name, under the headline or line of that other name.
+  /// The item of that name, under the group or item of that other name.
   QModelIndex line(const QString& parent, const QString& name) const {
     const QAbstractItemModel& model = *view()->model();
     const QModelIndexList parents =
@@ -218,7 +218,7 @@ TEST_F(SceneTrees, AreQuickWithManyInstances) {
   SurfaceEdit edit;
   edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(0.5F));
   document_.edit_surfaces("Colour", edit);
-  // A tenth of this is usual; slow machines and sanitizers are not to fail.
+  // A tenth of this is usual; the limit allows for slow machines and sanitizers.
   EXPECT_LT(timer.elapsed(), 1000);
   RecordProperty("milliseconds", static_cast<int>(timer.elapsed()));
 }

@@ -50,7 +50,7 @@ class SurfacePanels : public testing::Test {
     for (const FaceId& face : faces) selection.set(face);
     document_.select(selection);
   }
-  /// The control of that accessible name.
+  /// The control with that accessible name.
   template <class Widget>
   Widget* find(const QString& name) const {
     for (Widget* widget : panel_.findChildren<Widget*>()) {
@@ -80,7 +80,7 @@ class SurfacePanels : public testing::Test {
     QTest::mouseClick(viewport, Qt::LeftButton, {}, place);
     ASSERT_TRUE(QTest::qWaitFor([box] { return !box->view()->isVisible(); }));
   }
-  /// Whether a label that is seen has the words.
+  /// Whether a visible label contains the words.
   bool says(const QString& words) const {
     const auto labels = panel_.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&words](const QLabel* label) {
@@ -102,7 +102,7 @@ TEST_F(SurfacePanels, SayWhatToDoWithoutASelection) {
 }
 
 TEST_F(SurfacePanels, MakeAWholeSurfaceAndUndoIt) {
-  QApplication::setDoubleClickInterval(1);  // the second click is one of its own
+  QApplication::setDoubleClickInterval(1);  // the second click is no double click
   const grf::Scene before = document_.scene();
   select({{1, 0}, {1, 1}});
   choose("BRDF", "new ward");

@@ -14,7 +14,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// A shell script in the place of `bpt`, and what comes of an image that it reads.
+/// A shell script in place of `bpt`, and the result of reading an image with it.
 class ImageProcesses : public testing::Test {
  protected:
   std::string read_by(const std::string& script, const ImageProcess::Limits& limits = {}) {

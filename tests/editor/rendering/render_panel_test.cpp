@@ -56,7 +56,7 @@ class RenderPanelTest : public testing::Test {
     document_.take(scene, scene_path, {});
   }
   const options::RenderOptions& options() const { return options_.valid_options(); }
-  /// A scene whose OP file asks for few samples of a small image.
+  /// A scene whose OP file sets few samples and a small image.
   void open(int samples) {
     folder_.add("scene.op",
                 "# keep me\nBPT_Scene scene.grf\nBPT_Image_Resolution 96 72\nBPT_Viewer 0 2 6\n"

@@ -1,4 +1,4 @@
-// What an author has made is not lost: to a bake, to another program, to the end of the window.
+// Tests that no work is lost: to a bake, to another program, to closing the window.
 #include <QAbstractButton>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -143,7 +143,7 @@ TEST_F(KeepingWork, AsksBeforeClosingEndsARenderOrABake) {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     if (question == nullptr) return;
     asked << question->text();
-    // The bake may be ready by then, and is not saved.
+    // The bake may have finished by then, and is not saved.
     QAbstractButton* answer = question->button(button);
     (answer != nullptr ? answer : question->button(QMessageBox::Discard))->click();
   });
