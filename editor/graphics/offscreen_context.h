@@ -7,16 +7,16 @@ class QOpenGLContext;
 
 namespace editor {
 
-/// An OpenGL 3.3 core context without a window. It is made and destroyed in the GUI's thread, and used in
-/// one.
+/// An OpenGL 3.3 core context without a window. It is created and destroyed in the GUI thread, and used in
+/// one thread.
 class OffscreenContext {
  public:
   OffscreenContext();
   ~OffscreenContext();
 
-  /// Makes the context when it is asked for first. Null without OpenGL 3.3.
+  /// Creates the context on the first call. Null without OpenGL 3.3.
   QOpenGLContext* make_current();
-  /// In the thread that uses it, once what lives in the context is destroyed.
+  /// Releases the context in the thread that uses it, after its objects are destroyed.
   void end();
 
  private:

@@ -17,7 +17,7 @@ bool JobList::is_busy(const QString& queue) const {
   return std::any_of(jobs_.begin(), jobs_.end(), [&](const Job* job) { return job->queue() == queue; });
 }
 
-/// Those that wait go first: none of them shall begin because another one has ended.
+/// Cancels queued jobs first, so that none of them starts when a running one ends.
 void JobList::cancel(const QString& queue) {
   const std::vector<Job*> all = jobs_;
   for (auto job = all.rbegin(); job != all.rend(); ++job) {

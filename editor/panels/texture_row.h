@@ -12,17 +12,17 @@ namespace editor {
 
 class TexturePreview;
 
-/// The image on the faces: a file, or a texture of the scene by its name.
+/// Chooses the texture of the faces: an image file, or a named texture of the scene.
 class TextureRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit TextureRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
+  /// The control that the row's label focuses.
   QWidget* field() const;
 
-  /// Puts the image of a file on the selected faces.
+  /// Assigns an image file to the selected faces.
   void assign_file(const QString& path);
 
  private:
@@ -33,7 +33,7 @@ class TextureRow : public QWidget {
   Document& document_;
   QStringList names_;
   QString shown_;
-  QComboBox* choice_;  ///< a file's name can be typed
+  QComboBox* choice_;  ///< editable, for file names
   QToolButton* browse_;
   QToolButton* reset_;
   TexturePreview* preview_;

@@ -1,4 +1,4 @@
-// The rows of the surface panel for colours, emission, irradiance and vertices.
+// The rows of the Surface dock for colours, emission, irradiance and normals.
 #pragma once
 
 #include <QWidget>
@@ -14,14 +14,14 @@ namespace editor {
 class ColourFields;
 class NumberBox;
 
-/// What multiplies the BRDF: a colour by its name, or numbers.
+/// Edits the colour that multiplies the BRDF: a named one, or RGB values.
 class ColourRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit ColourRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
+  /// The control that the row's label focuses.
   QWidget* field() const;
 
  private:
@@ -34,14 +34,14 @@ class ColourRow : public QWidget {
   QToolButton* reset_;
 };
 
-/// What makes the faces an area light: a radiance, or the power of all of them together.
+/// Edits the emission that makes the faces an area light, by radiance or total power.
 class EmissionRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit EmissionRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
+  /// The control that the row's label focuses.
   QWidget* field() const;
 
  private:
@@ -51,7 +51,7 @@ class EmissionRow : public QWidget {
   QToolButton* reset_;
 };
 
-/// A value of the faces' vertices: their colour or their irradiance.
+/// Edits a vertex attribute of the faces: colour or irradiance.
 class VertexRow : public QWidget {
   Q_OBJECT
 
@@ -60,7 +60,7 @@ class VertexRow : public QWidget {
 
   VertexRow(Document& document, Kind kind, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
+  /// The control that the row's label focuses.
   QWidget* field() const;
 
  signals:
@@ -76,14 +76,14 @@ class VertexRow : public QWidget {
   QToolButton* bake_ = nullptr;
 };
 
-/// Making normals anew.
+/// Recomputes or flips vertex normals.
 class NormalsRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit NormalsRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
+  /// The control that the row's label focuses.
   QWidget* field() const;
 
  private:

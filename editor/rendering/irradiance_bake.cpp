@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-/// Leaves what does not concern the irradiance, or would make files.
+/// Resets options that do not concern the irradiance, or would write files.
 options::RenderOptions bake_options(options::RenderOptions render_options, const QString& scene_path,
                                     const QString& snapshot) {
   render_options = with_absolute_paths(std::move(render_options), scene_path);
@@ -47,7 +47,7 @@ QString IrradianceBake::file(const char* extension) const { return folder_.fileP
 void IrradianceBake::start(const grf::Scene& scene, const QString& path,
                            options::RenderOptions render_options, int directions) {
   if (is_running_) {
-    emit failed(tr("irradiance is being baked: stop that first"));
+    emit failed(tr("irradiance is already being baked: stop that first"));
     return;
   }
   if (const QString why = process_.why_missing(); !why.isEmpty()) {
@@ -73,7 +73,7 @@ void IrradianceBake::start(const grf::Scene& scene, const QString& path,
 
 void IrradianceBake::run(const QString& problem) {
   if (!problem.isEmpty()) return give_up(problem);
-  if (is_stopped_) return give_up(tr("stopped before there was irradiance"));
+  if (is_stopped_) return give_up(tr("stopped before any irradiance was computed"));
   QStringList arguments = {"bake", file("op"), "-o", file("igrf"), "--progress", "json", "--json"};
   if (directions_ > 0) arguments << "--directions" << QString::number(directions_);
   process_.start(arguments);
@@ -95,7 +95,7 @@ void IrradianceBake::read(const QByteArray& line) {
 
 void IrradianceBake::end(const RendererEnd& end) {
   if (!end.problem.isEmpty()) return give_up(without_snapshot(end.problem));
-  if (!summary_) return give_up(tr("stopped before there was irradiance"));
+  if (!summary_) return give_up(tr("stopped before any irradiance was computed"));
   result_ = {*summary_, without_snapshot(process_.lines().join('\n')), end.is_interrupted};
   reading_.setFuture(QtConcurrent::run([file = file("igrf").toStdString(), snapshot = snapshot_] {
     grf::Diagnostics diagnostics;
@@ -123,7 +123,7 @@ void IrradianceBake::give_up(const QString& why) {
   emit failed(why);
 }
 
-/// Places in the snapshot mean nothing to the scene's author; the lines that are quoted do.
+/// Removes locations in the snapshot, which mean nothing to the user; quoted lines are kept.
 QString IrradianceBake::without_snapshot(QString text) const {
   const QString name = QRegularExpression::escape(file("")) + "i?grf";
   return text.remove(QRegularExpression(name + "(:\\d+:\\d+)?: "));

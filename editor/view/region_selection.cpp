@@ -11,7 +11,7 @@ namespace {
 
 using grf::Vec3d;
 
-/// Which pixels are inside a polygon.
+/// A mask of the pixels inside a polygon.
 class Mask {
  public:
   Mask(const QPolygonF& region, const QSize& size)
@@ -28,7 +28,7 @@ class Mask {
 
   const QRect& rectangle() const { return rectangle_; }
   bool empty() const { return rectangle_.isEmpty(); }
-  /// For a pixel of the rectangle, whose corner is (0,0).
+  /// The position is relative to the rectangle's corner (0,0).
   bool has(int x, int y) const { return image_.constScanLine(y)[x] != 0; }
 
  private:
@@ -36,7 +36,7 @@ class Mask {
   QImage image_;
 };
 
-/// An instance, with what is computed once for all of its faces.
+/// An instance with precomputed values for all of its faces.
 struct PlacedMesh {
   std::uint32_t mesh = 0;
   const MeshGeometry* geometry = nullptr;
@@ -77,7 +77,7 @@ std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
 }
 
 /// Calls visit(face, x, y, centre) for each face of a mesh whose centre is in the region: the pixel in the
-/// mask's rectangle, and the centre in the world.
+/// mask's rectangle, and the centre in world space.
 template <class Visit>
 void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh& mesh, const Visit& visit) {
   if (mesh.geometry == nullptr) return;
@@ -98,7 +98,7 @@ void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh&
   }
 }
 
-/// Tells whether a face that is too small for a pixel lies on the face that its pixel shows.
+/// Tells whether a face smaller than a pixel lies on the face that its pixel shows.
 class SmallFaces {
  public:
   explicit SmallFaces(const SeenScene& scene) : scene_(scene) {}
@@ -107,12 +107,12 @@ class SmallFaces {
                std::uint32_t shown_face) const {
     const Vec3d centre = mesh.centre(face);
     const double pixel = 2 * scene_.camera.half_height_at(centre) / scene_.size.height();
-    if (mesh.radius(face) > 1.5 * pixel) return false;  // it would have a pixel
+    if (mesh.radius(face) > 1.5 * pixel) return false;  // else it would cover a pixel
     const ViewCamera& camera = scene_.camera;
     const Vec3d along = camera.is_orthographic() ? camera.forward() : (centre - camera.eye()).normalized();
     const double cosine = along.dot(mesh.normal(face));
     const double shown_cosine = along.dot(shown.normal(shown_face));
-    if (cosine * shown_cosine <= 0) return false;  // from the other side
+    if (cosine * shown_cosine <= 0) return false;  // the back side
     const double behind = (centre - shown.centre(shown_face)).dot(shown.normal(shown_face)) / shown_cosine;
     const double slope = std::max(0.15, std::min(std::abs(cosine), std::abs(shown_cosine)));
     return std::abs(behind) <= 2 * pixel / slope;

@@ -1,5 +1,5 @@
-// A document that is driven by thousands of random edits, undos, redos, saves, reloads, results that come
-// late and files that other programs change, compared with a model of plain values after each.
+// Fuzzes a document with thousands of random edits, undos, redos, saves, reloads, late results and external
+// file changes, and compares it with a model of plain values after each.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -58,7 +58,7 @@ std::string main_text() {
          "params begin dependent view (1,2,3) end\n end\n";
 }
 
-/// What may be in the file that is included: first, and when other programs write it.
+/// Contents of the included file: initially, and when other programs write it.
 std::vector<std::string> part_texts() {
   return {mesh_text("\"panel\" texture \"part.png\"") + "transform translation (1,2,3) begin " +
               mesh_text("\"knob\" rgb (0,0,1)") + "end\n",
@@ -75,7 +75,7 @@ std::string colour_text(const grf::Colour& colour) {
 
 Plain3 plain(const grf::Vec3d& value) { return {float(value.x), float(value.y), float(value.z)}; }
 
-/// A mesh at a place in the world.
+/// A mesh instance in world space.
 struct Placed {
   const grf::Mesh* mesh = nullptr;
   grf::Matrix44d to_world;
@@ -113,7 +113,7 @@ std::vector<Placed> placed_meshes(const grf::Scene& scene) {
   return placed;
 }
 
-/// The irradiance at the first vertex of each mesh where it stands; -1: none.
+/// The irradiance at the first vertex of each mesh instance; -1 for none.
 std::vector<float> irradiances(const std::vector<Placed>& meshes) {
   std::vector<float> values;
   for (const Placed& each : meshes) {
@@ -123,7 +123,7 @@ std::vector<float> irradiances(const std::vector<Placed>& meshes) {
   return values;
 }
 
-/// The meshes with irradiance: 1 that of the first one, 2 that of the second, and so on.
+/// The meshes with irradiance: 1 for the first one, 2 for the second, and so on.
 grf::Scene baked(const std::vector<Placed>& meshes) {
   grf::Scene scene;
   for (const Placed& each : meshes) {
@@ -137,8 +137,7 @@ grf::Scene baked(const std::vector<Placed>& meshes) {
   return scene;
 }
 
-/// An operation is a choice of what to do and the seed of all choices in it, so that a sequence of them still
-/// is one if some are left out.
+/// An operation and the seed of its choices, so that a sequence stays valid if some are left out.
 struct Operation {
   std::size_t kind = 0;
   std::uint32_t seed = 0;
@@ -155,7 +154,7 @@ class Session {
     modelled_.check();
   }
 
-  /// Returns what is wrong after an operation, or nothing.
+  /// Returns an error message after an operation, or nothing.
   std::string run(const Operation& operation) {
     random_.seed(operation.seed);
     (this->*Operations[operation.kind].run)();
@@ -174,7 +173,7 @@ class Session {
   std::size_t below(std::size_t count) { return random_() % count; }
   bool one_in(std::size_t count) { return below(count) == 0; }
   float number() { return static_cast<float>(below(8)); }
-  /// One of few, so that faces come to have what others have.
+  /// One of few colours, so that faces come to share them.
   grf::Colour colour() { return {float(below(2)), float(below(2)), float(below(2))}; }
   grf::Vec3d offset() { return {double(number()) * 2, double(number()) * 2, double(number()) * 2}; }
   QString key(const char* name) { return one_in(2) ? QString(name) : QString(); }
@@ -197,7 +196,7 @@ class Session {
   }
   bool is_full() const { return modelled_.places().size() > 40; }
 
-  /// What an edit gives is to be taken.
+  /// Applies the result of an edit.
   void replace(const QString& text, std::optional<grf::Scene> scene, PlainProject after,
                const QString& key = {}) {
     if (scene) return modelled_.replace(text, std::move(*scene), std::move(after), key);
@@ -222,8 +221,7 @@ class Session {
     }
     modelled_.document().select(std::move(selection));
   }
-  /// The selected meshes, each written place of one once, with the faces that are selected at some of its
-  /// places.
+  /// The selected meshes, each place in a file once, with the faces that are selected in some instance.
   Chosen chosen() {
     std::map<std::tuple<std::string, std::string, std::size_t>, Chosen::value_type> all;
     for (const PlainPlace& each : modelled_.places()) {
@@ -240,7 +238,7 @@ class Session {
   SelectedFaces selected_faces() {
     return {modelled_.scene(), modelled_.document().objects(), modelled_.selection()};
   }
-  /// A name that means the same, and something of this kind, for all selected faces.
+  /// A name of this kind with the same meaning for all selected faces.
   template <class Body>
   std::optional<std::string> name_for_selection() {
     const SceneObjects& objects = modelled_.document().objects();
@@ -256,7 +254,7 @@ class Session {
     return names.empty() || one_in(2) ? std::nullopt : std::optional(names[below(names.size())]);
   }
 
-  /// What a mesh says before its faces is what they have where all have the same.
+  /// The mesh's own surface is that of its faces if they all share one.
   static void follow_faces(PlainMesh& mesh) {
     if (mesh.faces.empty()) return;
     const PlainSurface& first = mesh.faces.front().surface;
@@ -264,7 +262,7 @@ class Session {
                                     [&](const PlainFace& face) { return face.surface == first; });
     if (is_one) mesh.own = first;
   }
-  /// Gives the selected faces something; the action says the same of a plain surface.
+  /// Edits the selected faces; the action edits a plain surface likewise.
   void edit_surfaces(const char* text, const SurfaceEdit& edit, const QString& key,
                      const std::function<void(PlainSurface&, const std::string& naming_file)>& action) {
     PlainProject after = modelled_.state();
@@ -376,7 +374,7 @@ class Session {
     for (const auto& [place, faces] : chosen()) {
       std::vector<PlainFace>& coarse = plain_mesh_at(after, place).faces;
       std::vector<PlainFace> fine = plain_mesh_at(found, place).faces;
-      // Where the vertices are is the business of other tests.
+      // Vertex positions are covered by other tests.
       auto child = fine.begin();
       for (const PlainFace& face : coarse) {
         for (std::size_t i = 0; i < face.corners.size() && child != fine.end(); ++i, ++child) {
@@ -399,7 +397,7 @@ class Session {
       follow_faces(plain_mesh_at(after, place));
       if (all.empty()) empty.push_back(place);
     }
-    // Objects first, and from the last on: the others stay where they are.
+    // Objects first, and backwards, so that the remaining places stay valid.
     std::sort(empty.begin(), empty.end(), [](const PlainPlace& a, const PlainPlace& b) {
       return std::pair(!a.is_definition(), a.object) > std::pair(!b.is_definition(), b.object);
     });
@@ -589,7 +587,7 @@ class Session {
     if (one_in(2)) modelled_.write(main_, main_text());
   }
 
-  // Results that come late.
+  // Late results.
 
   void merge() {
     if (is_full()) return;
@@ -609,7 +607,7 @@ class Session {
     snapshot_ = modelled_.scene();
     scenes_at_snapshot_ = modelled_.scenes();
   }
-  /// Irradiance is for meshes whose geometry and place are those of the snapshot.
+  /// Irradiance is applied to meshes whose geometry and transform equal those of the snapshot.
   void finish_bake() {
     if (!snapshot_) return;
     const std::vector<Placed> then = placed_meshes(*snapshot_);
@@ -631,7 +629,7 @@ class Session {
     if (modelled_.scenes() != scenes_at_snapshot_ && result.meshes > 0) {
       modelled_.fail("irradiance of a scene that was replaced");
     }
-    // What becomes of includes and names is the business of other tests.
+    // Includes and names are covered by other tests.
     PlainReading reading = plain_reading(result.scene, modelled_.path());
     PlainProject& after = reading.project;
     if (result.meshes == 0 || !reading.has_one_meaning_per_name || have_unclear_names(after)) return;
@@ -699,7 +697,7 @@ std::string problem_of(const std::vector<Operation>& operations) {
   return {};
 }
 
-/// Leaves out what the problem does not need, and tells what remains.
+/// Removes operations that are not needed for the failure, and prints the rest.
 std::string story_of(std::vector<Operation> operations) {
   for (std::size_t i = operations.size(); i-- > 0;) {
     std::vector<Operation> fewer = operations;
