@@ -80,8 +80,8 @@ bool Parser::parse_keyword(Model& model) {
 }
 
 // In a list of definitions, `name = value` is one more parameter and `name = brdf ...` the next definition:
-// that name, already taken from the text, is handed back. Where `brdf` was forgotten, the model's keyword is
-// taken for the value, which `check` explains.
+// that name, already read, is returned in `next`. If `brdf` was forgotten, the model's keyword is parsed as
+// the value, and `check` explains the mistake.
 bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) {
   while (lexer_.peek().kind == TokenKind::Word && lexer_.peek_second().is('=')) {
     const std::uint32_t line_before = lexer_.line_of_last();
@@ -124,8 +124,8 @@ bool Parser::parse_value(const Token& name, Value& value) {
   return parse_number(value.emplace<float>());
 }
 
-// The comma may be missing. A number is the weight of one more term if a word follows it, and else begins a
-// face.
+// Parses the terms of a `combine`; commas are optional. A number is the weight of another term if a word
+// follows it, and otherwise begins a face.
 bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
   const auto at_term = [this] {
     return lexer_.peek().kind == TokenKind::Number && lexer_.peek_second().kind == TokenKind::Word;
@@ -144,7 +144,7 @@ bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
   return true;
 }
 
-// The statement itself is read even if the file is not, so reading goes on behind it.
+// The statement itself is parsed even if the file cannot be read, so parsing continues after it.
 bool Parser::parse_brdf_file(BrdfModel& brdf) {
   const Token name = lexer_.next();
   const SourceLocation location = lexer_.location(name);
