@@ -59,7 +59,7 @@ std::optional<WrittenFiles> write_embedded_files(std::span<const EmbeddedFile> f
     if (is_own_name(file.name)) {
       path = write_beside(file, output, written.created, diagnostics);
     } else {
-      diagnostics.error(grf::whole_file(output), fmt::format("no file can be called '{}'", file.name));
+      diagnostics.error(grf::whole_file(output), fmt::format("'{}' is not a valid file name", file.name));
     }
     if (path.empty()) {
       remove_created(written);
@@ -67,8 +67,9 @@ std::optional<WrittenFiles> write_embedded_files(std::span<const EmbeddedFile> f
     }
     const std::string name = std::filesystem::path(path).filename().string();
     if (name != file.name) {
-      diagnostics.note(grf::whole_file(path),
-                       fmt::format("'{}' goes by this name, since another file has that one", file.name));
+      diagnostics.note(
+          grf::whole_file(path),
+          fmt::format("'{}' is written under this name, since another file has its own", file.name));
     }
     written.names[file.name] = name;
     written.paths.push_back(path);

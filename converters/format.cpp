@@ -84,11 +84,10 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
   if (const Format* format = format_of_name(path)) return format;
   // A file that cannot be read is one of no format for another reason.
   if (const auto whole = grf::read_file(path, diagnostics)) {
-    diagnostics.error(
-        grf::whole_file(path),
-        whole->empty()
-            ? "the file is empty"
-            : fmt::format("neither content nor name are those of a known format ({})", readable_formats()));
+    diagnostics.error(grf::whole_file(path),
+                      whole->empty() ? "the file is empty"
+                                     : fmt::format("the format is unknown, by content and by name ({})",
+                                                   readable_formats()));
   }
   return nullptr;
 }
@@ -96,7 +95,7 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
 std::optional<Import> read(const Format& format, const std::string& path, const ReadOptions& options,
                            grf::Diagnostics& diagnostics) {
   if (format.read == nullptr) {
-    diagnostics.error(grf::whole_file(path), fmt::format("{} files are not read", format.name));
+    diagnostics.error(grf::whole_file(path), fmt::format("{} files cannot be read", format.name));
     return std::nullopt;
   }
   std::optional<Import> import = format.read(path, options, diagnostics);

@@ -276,7 +276,7 @@ class Downgrade {
 
   void warn_of_radiance(const grf::SourceLocation& location) {
     diagnostics_.warning(location,
-                         "a mesh light of the grammar of 2008 has the radiance 1: another one is lost");
+                         "mesh lights have the radiance 1 in the grammar of 2008: another one is lost");
   }
 
   // Of what reflects. A face that was said to emit nothing is as black as one that emits.
@@ -310,7 +310,7 @@ class Downgrade {
       if (is_word) {
         diagnostics_.warning(
             argument.location,
-            fmt::format("'{}' has a word as value, which the grammar of 2008 has not: it is lost",
+            fmt::format("'{}' has a word as value, which the grammar of 2008 lacks: it is lost",
                         argument.name));
       }
       return is_word;
@@ -323,7 +323,7 @@ class Downgrade {
       if (std::holds_alternative<grf::Word>(argument.value)) {
         diagnostics_.error(
             argument.location,
-            fmt::format("'{}' has a word as value, which the grammar of 2008 has not", argument.name));
+            fmt::format("'{}' has a word as value, which the grammar of 2008 lacks", argument.name));
       }
       if (!std::holds_alternative<grf::Colour>(argument.value)) continue;
       diagnostics_.error(argument.location,
@@ -355,9 +355,9 @@ std::optional<grf::Scene> to_grf2008(const grf::Scene& scene, const std::string&
   trial.run(scene);
   const std::optional<ChangedFile>& changed = trial.changed_file();
   if (changed) {
-    diagnostics.warning(
-        changed->named_at,
-        fmt::format("'{}' has what the grammar of 2008 lacks: all files are written as one", changed->name));
+    diagnostics.warning(changed->named_at,
+                        fmt::format("'{}' needs what the grammar of 2008 lacks: all files are written as one",
+                                    changed->name));
   }
   grf::Scene result = Downgrade(diagnostics).run(changed ? grf::flatten(scene, path) : scene);
   if (diagnostics.error_count() > errors_before) return std::nullopt;

@@ -184,9 +184,9 @@ class Check {
     const bool takes_file = info.takes == ModelInfo::Takes::DataFile;
     std::string wrong;
     if (takes_file && brdf.data_file.empty()) {
-      wrong = fmt::format("'{}' needs the name of a file with its data", info.keyword);
+      wrong = fmt::format("'{}' needs the name of a data file", info.keyword);
     } else if (!takes_file && !brdf.data_file.empty()) {
-      wrong = fmt::format("'{}' reads no file", info.keyword);
+      wrong = fmt::format("'{}' takes no data file", info.keyword);
     } else if (takes_file) {
       const std::string path = path_of(brdf.location, brdf.data_file);
       std::error_code error;
@@ -197,7 +197,7 @@ class Check {
 
   void check_combine(const BrdfModel& brdf, const Scope& scope) {
     if (brdf.terms.empty())
-      diagnostics_.error(brdf.location, "'combine' of nothing, expected weights and names");
+      diagnostics_.error(brdf.location, "'combine' without terms, expected weights and names");
     for (const CombineTerm& term : brdf.terms) {
       check_reference<BrdfModel>(term.brdf, "BRDF", scope);
       if (term.weight < 0) {

@@ -98,7 +98,7 @@ void Parser::parse_reference(Reference& reference) {
   std::string suggestion = did_you_mean(name.text, scope.names_of<Body>());
   const auto parameter = context_.word_parameters.find(reference.name);
   if (parameter != context_.word_parameters.end()) {
-    suggestion = fmt::format("'{} = {}' is a parameter, for want of 'brdf' or 'pdf'", parameter->first,
+    suggestion = fmt::format("'{} = {}' is a parameter, because 'brdf' or 'pdf' is missing", parameter->first,
                              parameter->second);
   }
   error(name, fmt::format("no {} called '{}' is defined here{}{}", expected, name.text,

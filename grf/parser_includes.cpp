@@ -56,7 +56,7 @@ bool Parser::may_include(const OpenFile& included, const SourceLocation& locatio
   }
   if (++context_.include_count > MostIncludes) {
     context_.diagnostics.error(
-        location, fmt::format("more than {} includes, each counted as often as its place is included itself",
+        location, fmt::format("more than {} includes, each counted as often as its file is included itself",
                               MostIncludes));
     context_.gave_up = true;
   }
@@ -79,7 +79,7 @@ std::optional<IncludeOrigin> Parser::contents_of(const OpenFile& included, const
   if (!text) return std::nullopt;
   if (is_read_too_often(included, text->size())) {
     context_.diagnostics.error(location, fmt::format("the same files are included too often with other "
-                                                     "definitions in force: more than {} MiB were read again",
+                                                     "definitions in scope: more than {} MiB were read again",
                                                      MostBytesReadAgain >> 20U));
     context_.gave_up = true;
     return std::nullopt;

@@ -29,8 +29,7 @@ std::optional<BrdfModel> Parser::parse_lone_brdf() {
   BrdfModel brdf;
   if (!parse_keyword(brdf)) return std::nullopt;
   if (same_keyword(brdf.keyword, "combine")) {
-    context_.diagnostics.error(brdf.location,
-                               "a 'combine' of names, where nothing is defined that could have them");
+    context_.diagnostics.error(brdf.location, "a 'combine' of names, but a single BRDF has no definitions");
     return std::nullopt;
   }
   if (lexer_.peek().kind == TokenKind::String) brdf.data_file = lexer_.next().text;
@@ -137,7 +136,7 @@ bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
     if (!parse_number(term.weight)) return false;
     if (term.weight < 0)
       error(weight, fmt::format("the weight {} of a BRDF, expected 0 or more", weight.text));
-    if (!at_identifier()) return fail_expected("the name of a BRDF, behind its weight");
+    if (!at_identifier()) return fail_expected("the name of a BRDF, after its weight");
     parse_reference<BrdfModel>(term.brdf);
     terms.push_back(std::move(term));
   } while (accept(',') || at_term());

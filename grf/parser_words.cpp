@@ -26,7 +26,7 @@ std::string description_of_invalid(std::string_view text) {
   const bool is_ascii = (static_cast<unsigned char>(text.front()) & 0x80U) == 0;
   if (text.size() == 1 && (!is_ascii || text.front() < ' ')) {
     return fmt::format("the byte 0x{:02x}{}", static_cast<unsigned char>(text.front()),
-                       is_ascii ? "" : ", which is no UTF-8");
+                       is_ascii ? "" : ", which is not UTF-8");
   }
   const bool opens_string = text.starts_with('"') || text.starts_with("\u201C") || text.starts_with("\u201D");
   if (opens_string) return "a string without its closing quote";

@@ -33,7 +33,8 @@ void append(std::string& text, std::span<const std::uint32_t> corners);
 
 inline constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
 inline constexpr std::string_view NoValueWord =
-    "it would have words as values of parameters that are no names, or that begin a definition (such as rgb)";
+    "it would have words as values of parameters that are not names, or that begin a definition (such as "
+    "rgb)";
 
 bool is_finite(const Vec2f& v);
 bool is_finite(const Vec3f& v);

@@ -104,8 +104,8 @@ std::optional<Import> read_lwo(const std::string& path, const ReadOptions&, grf:
     size += std::uint64_t{static_cast<std::uint8_t>(bytes[4 + i])} << (24 - 8 * i);
   }
   if (size > bytes.size()) {
-    diagnostics.error(source->location, fmt::format("the file has {} bytes, and says that it has {}: it was "
-                                                    "cut off, or is damaged",
+    diagnostics.error(source->location, fmt::format("the file has {} bytes, and says that it has {}: it is "
+                                                    "truncated or damaged",
                                                     bytes.size(), size));
     return {};
   }

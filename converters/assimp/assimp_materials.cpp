@@ -171,7 +171,7 @@ constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
      "diffuse kd=1 texture \"wood.png\"", ""},
     {"emissive colour > 0", "`light rgb` on the faces", "X: diffuse 0.5; emissive 3",
      "diffuse kd=0.5 light rgb (3, 3, 3)", ""},
-    {"the same in 3DS", "a share of the diffuse colour", "3DS: diffuse 0.5; emissive 0.5",
+    {"the same in 3DS", "a fraction of the diffuse colour", "3DS: diffuse 0.5; emissive 0.5",
      "diffuse kd=0.5 light rgb (0.25, 0.25, 0.25)", ""},
     {"no shading in COLLADA", "no reflection", "COLLADA: shadingm 9; diffuse 0.5; emissive 3",
      "diffuse kd=0 light rgb (3, 3, 3)", ""},
@@ -179,7 +179,7 @@ constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
     {"other maps", "lost", "3DS: diffuse 0.5; bump wood.png", "diffuse kd=0.5", "bump map"},
     {"metallic and roughness", "lost", "FBX: diffuse 0.5; roughnessFactor 0.5", "diffuse kd=0.5",
      "physically based parameters"},
-    {"all others", "kept in the comment alone", "3DS: diffuse 0.5; ambient 0.5", "diffuse kd=0.5", ""},
+    {"all others", "kept only in the comment", "3DS: diffuse 0.5; ambient 0.5", "diffuse kd=0.5", ""},
 }};
 
 /// 3D Studio's percentage of glossiness is a logarithm of the exponent, which goes up to 1024.

@@ -88,7 +88,7 @@ std::optional<Import> SceneMaker::run() {
   for (grf::Block& block : unplaced_meshes()) blocks.push_back(std::move(block));
   if (!finite_) return fail("a vertex is not finite, or too large for a float");
   report();
-  if (face_count_ == 0) return fail("the file has no faces, and nothing else can be kept");
+  if (face_count_ == 0) return fail("the file has no faces, and only faces can be imported");
   std::vector<grf::Definition> definitions = materials_.definitions();
   std::move(mesh_definitions_.begin(), mesh_definitions_.end(), std::back_inserter(definitions));
   return Import{scene_of(std::move(definitions), std::move(blocks), location_), textures_.take()};

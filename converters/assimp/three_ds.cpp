@@ -102,7 +102,7 @@ class ThreeDsReader {
         return std::pair(id, data.take_data(length - ChunkHeaderSize));
       }
     }
-    error(begin, "the file was cut off, or is damaged: a chunk ends behind the one that it is in");
+    error(begin, "the file is truncated or damaged: a chunk extends past its parent chunk");
     return {};
   }
 
@@ -195,7 +195,7 @@ class ThreeDsReader {
     const std::size_t count = data.size() < 2 ? 0 : data.take_index();
     const std::size_t there = data.size() / bytes_each;
     if (count <= there) return count;
-    error(begin, fmt::format("the list of {} {} ends behind {}", count, of_what, there));
+    error(begin, fmt::format("the list of {} {} ends after {}", count, of_what, there));
     return 0;
   }
 

@@ -66,7 +66,7 @@ bool make_folder(const std::string& path) {
   std::filesystem::create_directories(path, error);
   if (!error) return true;
   grf::Diagnostics diagnostics;
-  diagnostics.error(grf::whole_file(path), fmt::format("cannot make the folder: {}", error.message()));
+  diagnostics.error(grf::whole_file(path), fmt::format("cannot create the folder: {}", error.message()));
   print(diagnostics, true);
   return false;
 }

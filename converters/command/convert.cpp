@@ -173,11 +173,12 @@ const Format* output_format(const ConvertOptions& options) {
 std::string problem_of(const ConvertOptions& options) {
   const Format* format = output_format(options);
   if (format == nullptr) {
-    return fmt::format("the name '{}' does not say its format: give it by --to ({})", options.output,
+    return fmt::format("the format of '{}' is unknown: give it by --to ({})", options.output,
                        writable_formats());
   }
   if (format->write == nullptr) {
-    return fmt::format("{} files are not written; what is: {}", format->name, writable_formats());
+    return fmt::format("{} files cannot be written; the formats that can are: {}", format->name,
+                       writable_formats());
   }
   if ((options.flat || options.grf2008) && format->name != "grf") {
     return fmt::format("--flatten and --grf2008 are for GRF files, and this is {}", format->name);

@@ -23,11 +23,10 @@ std::string size_text(std::uint64_t bytes) {
 std::string why_it_died(const Ending& ending, const Limits& limits) {
   switch (ending.cause) {
     case Ending::Cause::OutOfMemory:
-      return limits.memory == 0
-                 ? "out of memory"
-                 : fmt::format("more memory is needed than the limit of {}", size_text(limits.memory));
+      return limits.memory == 0 ? "out of memory"
+                                : fmt::format("exceeded the memory limit of {}", size_text(limits.memory));
     case Ending::Cause::OutOfTime:
-      return fmt::format("not done within the limit of {:g} s", limits.seconds);
+      return fmt::format("exceeded the time limit of {:g} s", limits.seconds);
     case Ending::Cause::Crashed:
       return fmt::format("the conversion crashed ({})", ::strsignal(ending.signal));
     case Ending::Cause::Returned:

@@ -122,11 +122,11 @@ std::optional<std::size_t> GltfAccessors::checked_count(int index, std::size_t c
   const bool of_a_kind =
       integers ? is_index_type(accessor->componentType) : component_bytes(accessor->componentType) != 0;
   if (!of_a_kind) {
-    return fail(
-        fmt::format("accessor {}: components of type {} cannot stand here", index, accessor->componentType));
+    return fail(fmt::format("accessor {}: components of type {} are not allowed here", index,
+                            accessor->componentType));
   }
   if (components_of(*accessor) != components) {
-    return fail(fmt::format("accessor {}: found {} numbers an element, expected {}", index,
+    return fail(fmt::format("accessor {}: found {} numbers per element, expected {}", index,
                             components_of(*accessor), components));
   }
   // All but what sparse values leave at zero is borne out by a buffer.
@@ -288,8 +288,8 @@ bool GltfAccessors::spend(std::size_t elements) {
     spent_ += elements;
     return true;
   }
-  fail(fmt::format("the file asks for more than {} vertices and corners, which {} bytes do not bear out",
-                   limit, file_.bytes));
+  fail(fmt::format("the file expands to more than {} vertices and corners, too many for its {} bytes", limit,
+                   file_.bytes));
   return false;
 }
 

@@ -72,7 +72,7 @@ std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
   constexpr std::size_t ChunkHeaderBytes = 8;
   if (bytes.size() < HeaderBytes + ChunkHeaderBytes) return {"", "the file ends inside its header"};
   const std::uint32_t version = word_at(bytes, 4);
-  if (version != 2) return {"", fmt::format("the file is glTF {}, and glTF 2 alone is read", version)};
+  if (version != 2) return {"", fmt::format("the file is glTF {}, and only glTF 2 can be read", version)};
   const std::size_t length = word_at(bytes, 8);
   if (length != bytes.size() && (length > bytes.size() || !is_padding(bytes.substr(length)))) {
     return {"", fmt::format("the file has {} bytes, and says that it has {}", bytes.size(), length)};
@@ -80,13 +80,13 @@ std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
   const std::size_t json = HeaderBytes + ChunkHeaderBytes;
   const std::size_t json_bytes = word_at(bytes, HeaderBytes);
   if (word_at(bytes, HeaderBytes + 4) != JsonChunk || json + json_bytes > length) {
-    return {"", "the first part of the file is no JSON, or is cut off"};
+    return {"", "the first part of the file is not JSON, or is truncated"};
   }
   std::size_t rest = length - json - json_bytes;
   while (rest != 0) {
     const std::size_t part = rest < ChunkHeaderBytes ? 0 : word_at(bytes, length - rest);
     if (rest < ChunkHeaderBytes || part > rest - ChunkHeaderBytes) {
-      return {"", "the binary part of the file is cut off"};
+      return {"", "the binary part of the file is truncated"};
     }
     rest -= ChunkHeaderBytes + part;
   }
@@ -213,7 +213,7 @@ class Loader {
     errors = errors_of(errors);
     if (parsed && errors.empty()) return true;
     if (lacks_extension()) return false;  // which may be why it does not hold
-    fail(errors.empty() ? "the file is no glTF 2 model" : errors);
+    fail(errors.empty() ? "the file is not a glTF 2 model" : errors);
     return false;
   }
 
@@ -230,7 +230,7 @@ class Loader {
   bool is_understood() {
     const std::string& version = file_.model.asset.version;
     if (version != "2" && !version.starts_with("2.")) {
-      fail(fmt::format("the file is glTF {}, and glTF 2 alone is read", version));
+      fail(fmt::format("the file is glTF {}, and only glTF 2 can be read", version));
       return false;
     }
     if (lacks_extension()) return false;
@@ -241,7 +241,7 @@ class Loader {
     if (!passed_over.empty()) {
       diagnostics_.warning(
           location_,
-          fmt::format("{} passed over: {}", counted(passed_over.size(), "extension was", "extensions were"),
+          fmt::format("{} skipped: {}", counted(passed_over.size(), "extension was", "extensions were"),
                       listed(passed_over)));
     }
     return true;

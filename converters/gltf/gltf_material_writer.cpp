@@ -183,8 +183,8 @@ void GltfMaterialWriter::report() const {
                                      counted(files.size(), one, many), listed(paths)));
   };
   warn(unreadable_, "image cannot be read", "images cannot be read");
-  warn(unknown_, "image is neither PNG nor JPEG, all that glTF has",
-       "images are neither PNG nor JPEG, all that glTF has");
+  warn(unknown_, "image is neither PNG nor JPEG, the formats of glTF",
+       "images are neither PNG nor JPEG, the formats of glTF");
 }
 
 std::span<const MaterialRule> gltf_material_writer_rules() { return GltfWriterRules; }

@@ -89,7 +89,7 @@ constexpr std::array<MaterialRule, 15> GltfRules = {{
      "diffuse kd=1", ""},
     {"`KHR_materials_unlit`", "`diffuse kd=D`, lost",
      "\"extensions\": {\"KHR_materials_unlit\": {}}, \"pbrMetallicRoughness\": {\"metallicFactor\": 0}",
-     "diffuse kd=1", "without light"},
+     "diffuse kd=1", "unlit shading"},
     {"`baseColorTexture`", "`texture`, which multiplies all of the BRDF",
      "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\": {\"index\": 0}}",
      "ashikhmin ex=0 Rs=0.04 Rd=1 texture \"wood.png\"", ""},

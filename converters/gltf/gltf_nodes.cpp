@@ -86,7 +86,7 @@ bool GltfNodes::find_parents() {
     for (const int child : nodes[i].children) {
       if (!exists(child)) return accessors_.fail(fmt::format("there is no node {}", child)), false;
       int& parent = parents_[static_cast<std::size_t>(child)];
-      if (parent >= 0) return accessors_.fail(fmt::format("node {} stands in two others", child)), false;
+      if (parent >= 0) return accessors_.fail(fmt::format("node {} has two parents", child)), false;
       parent = static_cast<int>(i);
     }
   }
@@ -94,7 +94,7 @@ bool GltfNodes::find_parents() {
     int depth = 0;
     for (int node = static_cast<int>(i); node >= 0; node = parents_[static_cast<std::size_t>(node)]) {
       if (++depth > Deepest) {
-        accessors_.fail(fmt::format("node {} stands in itself, or in more than {} others", i, Deepest));
+        accessors_.fail(fmt::format("node {} is its own ancestor, or is nested deeper than {}", i, Deepest));
         return false;
       }
     }
@@ -118,11 +118,11 @@ bool GltfNodes::find_roots() {
   }
   std::sort(roots_.begin(), roots_.end());
   const bool twice = std::adjacent_find(roots_.begin(), roots_.end()) != roots_.end();
-  if (twice) return accessors_.fail("a node stands twice in its scene"), false;
+  if (twice) return accessors_.fail("a node is twice a root of its scene"), false;
   roots_ = model.scenes[scene].nodes;
   const auto is_child = [this](int node) { return parents_[static_cast<std::size_t>(node)] >= 0; };
   if (std::any_of(roots_.begin(), roots_.end(), is_child)) {
-    return accessors_.fail("a node stands in its scene, and in another node"), false;
+    return accessors_.fail("a node is a root of its scene, and a child of another node"), false;
   }
   return true;
 }
@@ -132,7 +132,7 @@ bool GltfNodes::find_transforms() {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto matrix = local_matrix(nodes[i]);
     if (!matrix || !is_finite(*matrix) || !is_affine(*matrix)) {
-      return accessors_.fail(fmt::format("node {} has a transform that is none", i)), false;
+      return accessors_.fail(fmt::format("node {} has an invalid transform", i)), false;
     }
     to_parent_.push_back(*matrix);
   }

@@ -70,7 +70,7 @@ class SceneReader {
     }
     std::move(skinned_.begin(), skinned_.end(), std::back_inserter(blocks));
     report();
-    if (blocks.empty()) return accessors_.fail("the file has no faces, and nothing else can be kept");
+    if (blocks.empty()) return accessors_.fail("the file has no faces, and only faces can be imported");
     std::vector<grf::Definition> definitions = materials_.definitions();
     std::move(shared_.begin(), shared_.end(), std::back_inserter(definitions));
     return scene_of(std::move(definitions), std::move(blocks), location_);
@@ -213,7 +213,7 @@ class SceneReader {
     }
     if (unplaced.empty()) return;
     diagnostics_.warning(location_,
-                         fmt::format("{} left out that the scene has no place for: {}",
+                         fmt::format("{} left out that no node of the scene uses: {}",
                                      counted(unplaced.size(), "mesh was", "meshes were"), listed(unplaced)));
   }
 

@@ -56,7 +56,7 @@ class Writer {
     const std::string text = to_utf8(grf::to_text(stubs));
     grf::Diagnostics problems;
     if (!grf::read_text(text, path_, problems)) {
-      return fail(fmt::format("the scene has what GRF cannot say ({})", problems.entries().front().message));
+      return fail(fmt::format("the scene cannot be written as GRF ({})", problems.entries().front().message));
     }
     document_.json()["extras"]["grf"] = {{"check", NoCheck}, {"scene", text}, {"meshes", std::move(lists)}};
     return true;

@@ -72,7 +72,7 @@ std::optional<std::vector<grf::TransformStep>> read_transform_steps(std::string_
     } else {
       const grf::Vec3f value(*kind == Kind::Rotation ? *vector * Degree : *vector);
       if (*kind == Kind::Scale && (value.x == 0 || value.y == 0 || value.z == 0))
-        problem = "a scale of zero leaves nothing";
+        problem = "a scale of zero makes the scene degenerate";
       steps.push_back({*kind, value});
     }
   }

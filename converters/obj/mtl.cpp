@@ -74,10 +74,10 @@ constexpr std::array<MaterialRule, 14> MtlRules = {{
     {"`Pr`, `Pm` and other extensions", "lost", "Kd 0.5; Pr 0.3", "diffuse kd=0.5",
      "physically based parameters"},
     {"values out of range", "clamped", "Kd 1.5", "diffuse kd=1", "out of range"},
-    {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept in the comment alone", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
+    {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept only in the comment", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
      ""},
     {"`# grf: BRDF`, `# grf rgb: (R, G, B)`",
-     "that very BRDF and colour, whatever the values say; `# grf: none`: the faces have no BRDF",
+     "exactly that BRDF and colour, whatever the values say; `# grf: none`: the faces have no BRDF",
      "# grf: ward sx=0.1; # grf rgb: (0.5, 1, 1); Kd 0.5", "ward sx=0.1 rgb (0.5, 1, 1)", ""},
 }};
 
@@ -225,7 +225,7 @@ void MtlReader::read_exact_brdf_of(const Statement& comment, std::string_view te
         read_exact_brdf(text, [this](const std::string& name) { return identifiers_.contains(name); });
     if (!exact.brdf) {
       diagnostics_.warning(reader_.location(comment.keyword),
-                           fmt::format("'{}' is no BRDF: the values of MTL beside it are used", text));
+                           fmt::format("'{}' is not a BRDF: the values of MTL beside it are used", text));
       return;
     }
   }
@@ -244,7 +244,8 @@ void MtlReader::read_exact_colour(const Statement& comment, std::string_view tex
     if (const auto number = parse_float(word); number && *number >= 0) components.push_back(*number);
   }
   if (components.size() != 3 || !current_->exact) {
-    diagnostics_.warning(reader_.location(comment.keyword), "no colour behind a BRDF: it is left out");
+    diagnostics_.warning(reader_.location(comment.keyword),
+                         "this is not a colour after a BRDF: it is ignored");
     return;
   }
   current_->exact->colour = grf::Colour(components[0], components[1], components[2]);

@@ -75,7 +75,7 @@ std::optional<grf::Scene> ObjReader::run(ObjText text) {
   const std::size_t faces = text_.face_count();
   if (faces == 0) {
     report();
-    diagnostics_.error(location_, "the file has no faces, and nothing else can be kept");
+    diagnostics_.error(location_, "the file has no faces, and only faces can be imported");
     return std::nullopt;
   }
   if (!text_.smoothing.empty()) smooth();

@@ -127,8 +127,9 @@ void ObjMaterials::report(const grf::SourceLocation& location) const {
     }
   }
   if (!defined_again_.empty()) {
-    diagnostics_.warning(location, fmt::format("materials are defined again ({}): the first definition holds",
-                                               listed(defined_again_)));
+    diagnostics_.warning(location,
+                         fmt::format("materials are defined again ({}): the first definition is used",
+                                     listed(defined_again_)));
   }
   if (!clamped_.empty()) {
     diagnostics_.warning(location, fmt::format("values of materials are out of range, and were clamped ({})",

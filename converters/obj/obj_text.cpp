@@ -98,8 +98,7 @@ std::optional<ObjText> ObjParser::run() {
   }
   if (failed()) return std::nullopt;
   if (reader_.ends_inside_line()) {
-    diagnostics_.warning(reader_.whole_file(),
-                         "the file does not end with a line end: it may have been cut off");
+    diagnostics_.warning(reader_.whole_file(), "the file does not end with a line end: it may be truncated");
   }
   text_.loose_vertices = count_loose_vertices();
   return std::move(text_);
@@ -146,7 +145,7 @@ void ObjParser::read_cut(const Statement& statement) {
   if (why.empty()) {
     read(statement);
   } else {
-    fail(statement.keyword, "the file was cut off inside this statement: " + why);
+    fail(statement.keyword, "the file is truncated in this statement: " + why);
   }
 }
 

@@ -243,7 +243,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   const WorldMeshes meshes(flat);
   const grf::SourceLocation location = grf::whole_file(path);
   if (!meshes.is_finite()) {
-    diagnostics.error(location, "a transform moves a vertex so far that no float holds it");
+    diagnostics.error(location, "a transform moves a vertex out of the range of a float");
     return false;
   }
   const MtlWriter materials(flat, meshes);
@@ -261,7 +261,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   losses.report(location, diagnostics);
   if (materials.approximated_faces() > 0) {
     diagnostics.note(location,
-                     fmt::format("{} a BRDF that MTL only comes near: comments have the exact one",
+                     fmt::format("{} a BRDF that MTL only approximates: comments have the exact one",
                                  counted(materials.approximated_faces(), "face has", "faces have")));
   }
   return true;

@@ -108,7 +108,7 @@ bool StatementReader::next(Statement& statement) {
   return false;
 }
 
-// The characters up to the next line end that no backslash takes away, which is passed over.
+// The characters up to the next line end that no backslash takes away, which is skipped.
 std::string_view StatementReader::next_line() {
   const char* begin = position_;
   while (position_ != end_ && !is_line_end(*position_)) {

@@ -67,7 +67,7 @@ class OffReader {
     if (!read_header() || !read_vertices() || !read_faces()) return {};
     warn_of_rest();
     if (faces_.empty()) {
-      fail(reader_.whole_file(), "the file has no faces, and nothing else can be kept");
+      fail(reader_.whole_file(), "the file has no faces, and only faces can be imported");
       return {};
     }
     return scene();
@@ -171,7 +171,7 @@ bool OffReader::read_vertices() {
   while (vertices_.size() < vertex_count_) {
     if (!next_line()) {
       return fail(reader_.whole_file(),
-                  fmt::format("the file ends behind {} of {} vertices", vertices_.size(), vertex_count_));
+                  fmt::format("the file ends after {} of {} vertices", vertices_.size(), vertex_count_));
     }
     if (!read_vertex()) return false;
   }
@@ -217,7 +217,7 @@ grf::Colour OffReader::colour_at(std::size_t first) const {
 bool OffReader::read_faces() {
   for (std::size_t i = 0; i < face_count_; ++i) {
     if (!next_line()) {
-      return fail(reader_.whole_file(), fmt::format("the file ends behind {} of {} faces", i, face_count_));
+      return fail(reader_.whole_file(), fmt::format("the file ends after {} of {} faces", i, face_count_));
     }
     if (!read_face()) return false;
   }
@@ -263,7 +263,7 @@ void OffReader::warn_of_rest() {
   std::size_t lines = 0;
   while (next_line()) ++lines;
   if (lines > 0) {
-    diagnostics_.warning(reader_.whole_file(), fmt::format("{} not read behind the last face",
+    diagnostics_.warning(reader_.whole_file(), fmt::format("{} not read after the last face",
                                                            counted(lines, "line is", "lines are")));
   }
   losses_.report(reader_.whole_file(), diagnostics_);

@@ -62,7 +62,7 @@ class ElementReader {
   std::vector<grf::Vec2f> uvs_;
 };
 
-// Faces may stand before the vertices that they need: then they are passed over, and read when those are
+// Faces may stand before the vertices that they need: then they are skipped, and read when those are
 // there.
 bool ElementReader::run() {
   const PlyElement* vertices = header_.find("vertex");

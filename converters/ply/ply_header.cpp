@@ -215,7 +215,7 @@ void HeaderReader::read_property() {
   property.name = words_.back();
   for (std::size_t i = is_list ? 2 : 1; i + 1 < words_.size(); ++i) {
     const auto type = type_of(words_[i]);
-    if (!type) return fail(words_[i], fmt::format("'{}' is no type of PLY", words_[i]));
+    if (!type) return fail(words_[i], fmt::format("'{}' is not a type of PLY", words_[i]));
     if (is_list && i == 2) {
       if (is_float(*type)) return fail(words_[i], "a list is counted by an integer");
       property.count_type = type;
@@ -232,9 +232,9 @@ void HeaderReader::pass_over() {
   if (words_.empty() || words_.front() == "obj_info") return;
   const std::string suggestion = grf::did_you_mean(
       words_.front(), {"comment", "element", "end_header", "format", "obj_info", "property"});
-  const std::string message = fmt::format("found '{}', expected a word of PLY headers", words_.front());
+  const std::string message = fmt::format("found '{}', expected a keyword of PLY headers", words_.front());
   if (!suggestion.empty()) return fail(words_.front(), fmt::format("{}: {}", message, suggestion));
-  diagnostics_.warning(place_of(words_.front()), message + ": the line is passed over");
+  diagnostics_.warning(place_of(words_.front()), message + ": the line is skipped");
 }
 
 void HeaderReader::check_names(const PlyElement& element) {
@@ -256,7 +256,7 @@ void HeaderReader::check_room() {
     if (size > 0 && element.count > left / size) {
       diagnostics_.error(
           element.location,
-          fmt::format("the file is too short for {} elements '{}': it has {} bytes behind its header",
+          fmt::format("the file is too short for {} elements '{}': it has {} bytes after its header",
                       element.count, element.name, room));
       return;
     }

@@ -219,10 +219,9 @@ void PlyMesh::report(const grf::SourceLocation& location, grf::Diagnostics& diag
   for (const grf::Definition& material : materials_.definitions()) {
     names.push_back(grf::from_identifier(material.name));
   }
-  diagnostics.note(
-      location,
-      fmt::format("{} of materials of which the file has the names alone ({}): BRDF {}",
-                  counted(faces_with_material_, "face is", "faces are"), listed(names), grf::to_text(brdf_)));
+  diagnostics.note(location, fmt::format("{} of materials of which the file has only the names ({}): BRDF {}",
+                                         counted(faces_with_material_, "face is", "faces are"), listed(names),
+                                         grf::to_text(brdf_)));
 }
 
 std::string material_name(const std::string& comment) {

@@ -110,7 +110,7 @@ bool PlyValues::fail(const std::string& message) {
   return false;
 }
 
-bool PlyValues::fail_at_end() { return fail("the file ends here: it was cut off, or its header is wrong"); }
+bool PlyValues::fail_at_end() { return fail("the file ends here: it is truncated, or its header is wrong"); }
 
 bool PlyValues::next_of_bytes(PlyType type, double& value) {
   const std::size_t size = size_of(type);

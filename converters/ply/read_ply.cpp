@@ -60,7 +60,8 @@ std::optional<grf::Scene> PlyReader::run() {
   std::size_t end = 0;
   if (!read_ply_elements(source_, header_, mesh, end, diagnostics_)) return std::nullopt;
   if (mesh.face_count() == 0) {
-    fail(source_.whole_file(), "no face of the file has three corners or more, and nothing else can be kept");
+    fail(source_.whole_file(),
+         "no face of the file has three corners or more, and only faces can be imported");
     return std::nullopt;
   }
   if (!check_rest(end)) return std::nullopt;
@@ -90,7 +91,7 @@ bool PlyReader::check_elements() {
                   [](const PlyElement& element) { return is_face_element(element) && element.count > 0; });
   if (!has_faces) {
     return fail(source_.whole_file(),
-                fmt::format("the file is a cloud of {}: it has no faces, and nothing else can be kept",
+                fmt::format("the file is a cloud of {}: it has no faces, and only faces can be imported",
                             counted(vertices->count, "point", "points")));
   }
   for (const PlyElement& element : header_.elements) {
@@ -151,9 +152,9 @@ bool PlyReader::check_rest(std::size_t end) {
   const std::string_view rest = std::string_view(*source_.bytes).substr(end);
   if (is_padding(rest)) return true;
   return fail(source_.whole_file(),
-              fmt::format("{} behind the last element: the header has a wrong count or property, or the file "
+              fmt::format("{} the last element: the header has a wrong count or property, or the file "
                           "was damaged",
-                          counted(rest.size(), "byte stands", "bytes stand")));
+                          counted(rest.size(), "byte follows", "bytes follow")));
 }
 
 /// Whether the elements of a binary file end where the file does.

@@ -238,10 +238,10 @@ bool PlyWriter::write(const std::string& path, grf::Diagnostics& diagnostics) co
     diagnostics.error(grf::whole_file(path), fmt::format("cannot write the file: {}", why));
     return false;
   };
-  if (faces_ == 0) return fail("the scene has no faces that are no lights");
-  if (!world_.is_finite()) return fail("a transform moves a vertex so far that no float holds it");
+  if (faces_ == 0) return fail("the scene has no faces other than lights");
+  if (!world_.is_finite()) return fail("a transform moves a vertex out of the range of a float");
   if (vertices_ > std::numeric_limits<std::int32_t>::max())
-    return fail("PLY has no numbers for so many vertices");
+    return fail("there are too many vertices for PLY");
   const bool is_written = grf::replace_file(
       path,
       [this](const grf::FileWriter& write) {

@@ -83,10 +83,10 @@ bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostic
     diagnostics.error(grf::whole_file(path), fmt::format("cannot write the file: {}", why));
     return false;
   };
-  if (triangles == 0) return fail("the scene has no faces that are no lights");
-  if (!world.is_finite()) return fail("a transform moves a vertex so far that no float holds it");
+  if (triangles == 0) return fail("the scene has no faces other than lights");
+  if (!world.is_finite()) return fail("a transform moves a vertex out of the range of a float");
   if (triangles > std::numeric_limits<std::uint32_t>::max())
-    return fail("STL cannot count so many triangles");
+    return fail("there are too many triangles for STL");
   const auto fill = [&](const grf::FileWriter& write) { return write_all(world, triangles, write); };
   if (!grf::replace_file(path, fill, diagnostics)) return false;
   Losses losses;

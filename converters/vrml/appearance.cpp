@@ -47,8 +47,8 @@ constexpr std::array<MaterialRule, 13> Rules = {{
     {"`transparency` > 0", "lost", "material Material { transparency 0.5 }", "diffuse kd=0.8",
      "transparency"},
     {"`PixelTexture`, `MovieTexture`, `image` of `Texture2`", "lost",
-     "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was passed over"},
-    {"`ambientIntensity`, `ambientColor`", "kept in the comment alone",
+     "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was skipped"},
+    {"`ambientIntensity`, `ambientColor`", "kept only in the comment",
      "material Material { ambientIntensity 0.5 }", "diffuse kd=0.8", ""},
     {"several values in a `Material` of VRML 1.0, bound to faces, that differ in `diffuseColor` alone and "
      "have no highlight",

@@ -78,7 +78,7 @@ std::span<const double> NodeReader::numbers(std::string_view name, std::size_t g
   const auto* numbers = value<std::vector<double>>(name, "a list of numbers");
   if (numbers == nullptr) return {};
   if (numbers->size() % group_size == 0) return *numbers;
-  error_at(name, fmt::format("the field '{}' has {} numbers, which are no groups of {}", name,
+  error_at(name, fmt::format("the field '{}' has {} numbers, which is not a multiple of {}", name,
                              numbers->size(), group_size));
   return {};
 }

@@ -118,17 +118,17 @@ bool is_standard_type(std::string_view type, Version version) {
 
 std::string_view why_passed_over(std::string_view type, Version version) {
   if (type == "Script" || type.ends_with("Sensor") || type.ends_with("Interpolator")) {
-    return "GRF scenes stand still";
+    return "GRF scenes are static";
   }
   if (!is_standard_type(type, version)) return "the standard has no node of that name";
-  if (is_one_of(type, {"IndexedLineSet", "PointSet", "Text", "AsciiText"})) return "GRF has faces alone";
+  if (is_one_of(type, {"IndexedLineSet", "PointSet", "Text", "AsciiText"})) return "GRF has only faces";
   if (is_one_of(type, {"Sound", "AudioClip"})) return "GRF has no sound";
   if (is_one_of(type, {"Background", "Fog"})) return "GRF has none";
   if (is_one_of(type, {"MovieTexture", "PixelTexture"})) return "textures are images in files of their own";
   if (is_one_of(type, {"NavigationInfo", "WorldInfo", "Info", "FontStyle"})) {
-    return "it makes nothing that is seen";
+    return "it has no geometry";
   }
-  return "it has no place there";
+  return "it is not allowed there";
 }
 
 bool is_light(std::string_view type) {

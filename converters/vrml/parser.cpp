@@ -117,7 +117,7 @@ const Node* Parser::parse_node() {
 
 const Node* Parser::parse_node(std::string_view name, const Token& type) {
   if (!lexer_.peek().is('{')) {
-    fail(lexer_.peek(), fmt::format("'{{' behind the node type '{}'", type.text));
+    fail(lexer_.peek(), fmt::format("'{{' after the node type '{}'", type.text));
     return nullptr;
   }
   if (depth_ == DeepestNode) {

@@ -16,7 +16,7 @@ constexpr std::size_t MostGeneratedFaces = 5'000'000;
 void Report::pass_over(const Node& node) {
   if (is_light(node.type)) return losses_.add(Loss::LightSource);
   if (is_camera(node.type)) return losses_.add(Loss::Camera);
-  add(fmt::format("{} node was passed over", node.type), fmt::format("{} nodes were passed over", node.type),
+  add(fmt::format("{} node was skipped", node.type), fmt::format("{} nodes were skipped", node.type),
       why_passed_over(node.type, node.source->version()));
 }
 

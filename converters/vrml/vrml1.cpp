@@ -138,7 +138,7 @@ std::optional<Matrix44d> Vrml1Reader::transform_of(const Node& node) {
   const auto numbers = fields.exactly("matrix", 16);
   for (std::size_t i = 0; i < numbers.size(); ++i) matrix[static_cast<int>(i / 4)][i % 4] = numbers[i];
   if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || matrix[3][3] != 1) {
-    fields.error_at("matrix", "the last column of the matrix is 0 0 0 1: GRF has affine transforms alone");
+    fields.error_at("matrix", "the last column of the matrix is 0 0 0 1: GRF has only affine transforms");
   }
   return matrix;
 }

@@ -33,7 +33,7 @@ ReadBinding binding_of(const Node* node, Report& report) {
   if (word == "PER_PART_INDEXED" || word == "PER_FACE_INDEXED") return {Binding::IndexedFaces, false};
   if (word == "PER_VERTEX") return {Binding::CornersInOrder, false};
   if (word == "PER_VERTEX_INDEXED") return {Binding::IndexedCorners, false};
-  reader.error_at("value", fmt::format("'{}' is no binding", word));
+  reader.error_at("value", fmt::format("'{}' is not a binding", word));
   return {};
 }
 
@@ -214,8 +214,7 @@ void ShapeReader::look_by_corners(std::vector<std::uint32_t> materials) {
   parts_.polygons.colours = picked(colours, materials);
   if (!differs_in_diffuse_colour_alone(*state_.material, report_)) {
     report_.add("face has one material", "faces have one material",
-                "of those of their corners, the diffuse colours alone are kept",
-                parts_.polygons.face_count());
+                "only the diffuse colours of those of their corners are kept", parts_.polygons.face_count());
   }
   look_.has_colours = true;
   look_the_same();

@@ -75,7 +75,7 @@ std::optional<grf::Scene> World::read(std::shared_ptr<const Source> source) {
   appearances_.materials().report(location, report_.diagnostics());
   report_.finish(location);
   if (blocks.empty()) {
-    report_.diagnostics().error(location, "the file has no faces, and nothing else can be kept");
+    report_.diagnostics().error(location, "the file has no faces, and only faces can be imported");
     return std::nullopt;
   }
   std::vector<grf::Definition> definitions = appearances_.materials().definitions();
@@ -93,11 +93,10 @@ const OpenDocument* World::open(std::shared_ptr<const Source> source, const std:
   if (!is_new) return &open;
   open = {parse(std::move(source), report_.diagnostics()), folder, canonical};
   if (open.document == nullptr) return nullptr;
-  report_.add("ROUTE was passed over", "ROUTEs were passed over", "GRF scenes stand still",
-              open.document->routes);
+  report_.add("ROUTE was skipped", "ROUTEs were skipped", "GRF scenes are static", open.document->routes);
   for (const std::string_view prototype : open.document->prototypes) {
-    report_.add(fmt::format("prototype '{}' was passed over", prototype),
-                fmt::format("prototypes '{}' were passed over", prototype), "prototypes are not carried out");
+    report_.add(fmt::format("prototype '{}' was skipped", prototype),
+                fmt::format("prototypes '{}' were skipped", prototype), "prototypes are not supported");
   }
   return &open;
 }

@@ -87,7 +87,8 @@ TEST(Writing, TellsAKeywordFromADefinitionOfTheSameSpelling) {
 
 TEST(Writing, GivesAnythingButAReferenceItsOwnSpelling) {
   const std::string colour = "def ward = rgb (1, 0, 0) begin " + triangle("brdf ward") + "end";
-  EXPECT_THAT(to_text(scene_of(colour)), HasSubstr("    brdf ward\n")) << "the name of a colour is no BRDF";
+  EXPECT_THAT(to_text(scene_of(colour)), HasSubstr("    brdf ward\n"))
+      << "the name of a colour is not a BRDF";
   const std::string parameters = "def ward = brdf phong begin " + triangle("brdf ward sx=1") + "end";
   EXPECT_THAT(to_text(scene_of(parameters)), HasSubstr("    brdf ward sx=1\n"));
   const std::string definition = "def ward = brdf phong begin def shiny = brdf ward begin end end";

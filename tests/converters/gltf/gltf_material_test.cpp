@@ -118,7 +118,7 @@ TEST(GltfMaterial, TheBaseColoursTextureMultiplies) {
   ASSERT_TRUE(reading.scene);
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
   EXPECT_EQ(std::get<grf::Texture>(mesh.surface(0).texture.value()).file, "wood a.png");
-  EXPECT_THAT(reading.text(), HasSubstr("1 face lost how its texture goes on outside the image"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost the wrap mode of its texture"));
 }
 
 TEST(GltfMaterial, EmissionIsRadiance) {

@@ -123,7 +123,7 @@ TEST(ObjWriter, WritesMaterialsByTheNamesOfDefinitions) {
   EXPECT_THAT(
       out.mtl,
       HasSubstr("newmtl unused\n# grf: specular ks=0.9\nKd 0 0 0\nKs 0.9 0.9 0.9\nNs 1000\nillum 3\n"));
-  EXPECT_THAT(out.messages(), HasSubstr("note: 1 face has a BRDF that MTL only comes near"));
+  EXPECT_THAT(out.messages(), HasSubstr("note: 1 face has a BRDF that MTL only approximates"));
   EXPECT_EQ(out.diagnostics.warning_count(), 0U);
 }
 
