@@ -242,7 +242,7 @@ Format stl_format() {
   format.loses =
       "when read, normals of facets that their corners contradict; when written, shared vertices, polygons "
       "(cut into triangles), names, materials, colours, textures and their coordinates, normals, lights, "
-      "irradiance, transforms and instances (the faces stand where they put them)";
+      "irradiance, transforms and instances (applied)";
   return format;
 }
 

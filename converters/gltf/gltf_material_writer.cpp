@@ -49,13 +49,13 @@ void emit(json& material, json& root, const grf::Colour& radiance) {
 
 /// What `GltfMaterialWriter::material` writes of a surface.
 constexpr std::array<MaterialRule, 6> GltfWriterRules = {{
-    {"a matte part m under a highlight g", "D = m/(1 - g) and F0 = g, solved for base colour and metallic",
-     "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
+    {"a diffuse lobe m under a glossy lobe g",
+     "D = m/(1 - g) and F0 = g, solved for base colour and metallic", "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 0, "
      "\"roughnessFactor\": 0.5}",
      ""},
-    {"the highlight's exponent h", "`roughnessFactor` = (2/(h + 2))^(1/4); 0 for a mirror",
-     "brdf specular ks=0.5",
+    {"the glossy lobe's exponent h",
+     "`roughnessFactor` = (2/(h + 2))^(1/4); 0 for perfect specular reflection", "brdf specular ks=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 1, "
      "\"roughnessFactor\": 0}",
      ""},

@@ -79,7 +79,7 @@ constexpr std::array<MaterialRule, 15> GltfRules = {{
      "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}}, \"pbrMetallicRoughness\": {\"metallicFactor\": "
      "0, \"roughnessFactor\": 0.5}",
      "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
-    {"`KHR_materials_pbrSpecularGlossiness`", "read in place of metallic-roughness",
+    {"`KHR_materials_pbrSpecularGlossiness`", "read instead of metallic-roughness",
      "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"specularFactor\": [0.25, 0.25, 0.25], "
      "\"glossinessFactor\": 0.5}}",
      "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
@@ -106,7 +106,7 @@ constexpr std::array<MaterialRule, 15> GltfRules = {{
      "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "normal map"},
     {"other extensions", "lost", "\"extensions\": {\"KHR_materials_sheen\": {}}",
      "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "what KHR_materials_sheen says"},
-    {"`extras` with a BRDF, and the values that were written with it", "that very BRDF",
+    {"`extras` with a BRDF, and the values that were written with it", "exactly that BRDF",
      "\"extras\": {\"grf\": {\"brdf\": \"oren r=0.5\"}}, \"pbrMetallicRoughness\": {\"baseColorFactor\": "
      "[0.5, 0.5, 0.5, 1], \"metallicFactor\": 0}",
      "oren r=0.5", ""},

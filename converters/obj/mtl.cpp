@@ -57,7 +57,7 @@ constexpr std::array<MaterialRule, 14> MtlRules = {{
      "Kd 0.8; Ks 0.4 0.1 0.1; Ns 10", "lewis n=10 ks=(0.4, 0.1, 0.1) kd=(0.6, 0.8, 0.8)", ""},
     {"the same with `illum` 3 to 9 (a traced reflection) and `Ns` of 900 or more, or none",
      "`specular ks=Ks`", "Kd 0; Ks 0.5; Ns 1000; illum 3", "specular ks=0.5", ""},
-    {"and a diffuse part is left", "`lewis n=1000000 ks=Ks kd=Kd`, a lobe of a tenth of a degree",
+    {"and a diffuse part is left", "`lewis n=1000000 ks=Ks kd=Kd`, a lobe a tenth of a degree wide",
      "Kd 0.5; Ks 0.5; illum 3", "lewis n=1000000 ks=0.5 kd=0.5", ""},
     {"`Ke` > 0", "`light rgb` on the faces, which keep their BRDF", "Kd 0.5; Ke 3 2 1",
      "diffuse kd=0.5 light rgb (3, 2, 1)", ""},

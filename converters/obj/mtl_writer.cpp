@@ -57,10 +57,11 @@ bool is_exact_in_mtl(const grf::BrdfModel& brdf) {
 
 /// What `MtlWriter::text_of` writes of a surface.
 constexpr std::array<MaterialRule, 6> MtlWriterRules = {{
-    {"only a matte part", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1", ""},
-    {"a highlight of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
+    {"only a diffuse lobe", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1",
+     ""},
+    {"a glossy lobe of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
      "Kd 0.375 0.375 0.375; Ks 0.25 0.25 0.25; Ns 20; illum 2", ""},
-    {"a mirror", "`Ks`, `Ns 1000`, `illum 3`", "brdf coupled R0=0.5 Rm=0.5",
+    {"perfect specular reflection", "`Ks`, `Ns 1000`, `illum 3`", "brdf coupled R0=0.5 Rm=0.5",
      "Kd 0.25 0.25 0.25; Ks 0.5 0.5 0.5; Ns 1000; illum 3", ""},
     {"`rgb` of a face", "a factor of `Kd` and `Ks`", "rgb (0.5, 1, 1) brdf diffuse kd=0.5",
      "Kd 0.25 0.5 0.5; Ks 0 0 0; illum 1", ""},

@@ -36,8 +36,7 @@ constexpr std::array<MaterialRule, 13> Rules = {{
      "colours of vertices or faces, and `kd` = 1; in GRF they tint the highlight too",
      "material Material {}; color Color { color [ 1 0 0, 0 1 0 ] } colorPerVertex FALSE",
      "diffuse kd=1 rgb (1, 0, 0)", ""},
-    {"`ImageTexture`",
-     "`texture`, and `kd` = 1, since an image takes the place of `diffuseColor` and of colours",
+    {"`ImageTexture`", "`texture`, and `kd` = 1, since an image replaces `diffuseColor` and colours",
      "material Material {} texture ImageTexture { url \"wood.png\" }", "diffuse kd=1 texture \"wood.png\"",
      ""},
     {"`Texture2` of VRML 1.0", "`texture`, and `kd` = `diffuseColor`",
@@ -50,11 +49,11 @@ constexpr std::array<MaterialRule, 13> Rules = {{
      "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was skipped"},
     {"`ambientIntensity`, `ambientColor`", "kept only in the comment",
      "material Material { ambientIntensity 0.5 }", "diffuse kd=0.8", ""},
-    {"several values in a `Material` of VRML 1.0, bound to faces, that differ in `diffuseColor` alone and "
+    {"several values in a `Material` of VRML 1.0, bound to faces, that differ only in `diffuseColor` and "
      "have no highlight",
      "colours of faces", "Material { diffuseColor [ 1 0 0, 0 1 0 ] } MaterialBinding { value PER_FACE }",
      "diffuse kd=1 rgb (1, 0, 0)", ""},
-    {"others bound to faces", "one definition a value, `name_0` and so on",
+    {"others bound to faces", "one definition per value, `name_0` and so on",
      "Material { diffuseColor [ 1 0 0, 0 1 0 ] shininess [ 0.5, 1 ] specularColor 0.1 0.1 0.1 } "
      "MaterialBinding { value PER_FACE }",
      "lewis n=16 ks=0.1 kd=(0.9, 0, 0)", ""},

@@ -1,5 +1,5 @@
 // What is written of each BRDF for programs that know none of GRF's: the numbers in the MTL and glTF files,
-// against numbers worked out by hand from the table "Parts of BRDFs" of FORMATS.md.
+// against numbers worked out by hand from the table "Lobes of BRDFs" of FORMATS.md.
 #include <cmath>
 #include <limits>
 #include <map>
