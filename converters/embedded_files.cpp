@@ -10,7 +10,7 @@
 namespace convert {
 namespace {
 
-/// The name itself, then with `_2`, `_3` and so on before its extension.
+/// Returns the n-th candidate name: the name itself, then with `_2`, `_3` and so on before its extension.
 std::string candidate(const std::string& name, int attempt) {
   if (attempt == 1) return name;
   const std::filesystem::path path(name);
@@ -25,7 +25,7 @@ bool holds(const std::string& path, const std::string& bytes) {
   return present && *present == bytes;
 }
 
-/// The path at which the file stands now; empty after an error.
+/// Writes a file under a free name and returns its path; empty after an error.
 std::string write_beside(const EmbeddedFile& file, const std::string& output,
                          std::vector<std::string>& created, grf::Diagnostics& diagnostics) {
   for (int attempt = 1;; ++attempt) {

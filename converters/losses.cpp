@@ -10,8 +10,8 @@ namespace convert {
 namespace {
 
 struct LossText {
-  std::string_view one;   ///< behind a count of one
-  std::string_view many;  ///< behind any other
+  std::string_view one;   ///< text after a count of one
+  std::string_view many;  ///< text after any other count
   std::string_view why;
 };
 

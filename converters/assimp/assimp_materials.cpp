@@ -15,7 +15,7 @@
 namespace convert {
 namespace {
 
-/// The number that a float was written as, so that 0.9 stays 0.9 in double.
+/// Returns the shortest decimal of a float as a double, so that 0.9 stays 0.9.
 double as_written(float value) {
   const std::string text = fmt::format("{}", value);
   double number = value;
@@ -38,7 +38,7 @@ std::optional<grf::Vec3d> colour_of(const aiMaterial& material, const char* key,
   return grf::Vec3d(as_written(c.r), as_written(c.g), as_written(c.b));
 }
 
-// What Assimp's data holds is anywhere in memory, and so has to be copied to be looked at.
+// Assimp's data can be unaligned, and so is copied.
 template <class T>
 std::string numbers_text(const aiMaterialProperty& property) {
   constexpr std::size_t MostNumbers = 16;
@@ -70,7 +70,8 @@ std::string value_text(const aiMaterial& material, const aiMaterialProperty& pro
   }
 }
 
-/// `diffuse 0.5 0.5 0.5`, `file Diffuse wood.png`: Assimp's names without what stands before the point.
+/// Formats a property, such as `diffuse 0.5 0.5 0.5` or `file Diffuse wood.png`: Assimp's name without its
+/// prefix.
 std::string property_text(const aiMaterial& material, const aiMaterialProperty& property) {
   std::string text = text_of(property.mKey);
   text.erase(0, text.find('.') == std::string::npos ? 0 : text.find('.') + 1);
@@ -97,14 +98,14 @@ int shading_of(const aiMaterial& material) {
   return shading;
 }
 
-/// Whether a shading model has a highlight: without one, Assimp may have made up a specular colour.
+/// Returns whether a shading model has a highlight: otherwise Assimp may have invented a specular colour.
 bool has_highlight(int shading) {
   constexpr std::array<int, 5> Matt = {aiShadingMode_Flat, aiShadingMode_Gouraud, aiShadingMode_OrenNayar,
                                        aiShadingMode_Minnaert, aiShadingMode_NoShading};
   return std::find(Matt.begin(), Matt.end(), shading) == Matt.end();
 }
 
-/// What faces lose, each kind once.
+/// Returns the losses of faces with a material, each kind once.
 std::vector<Loss> losses_of(const aiMaterial& material) {
   std::vector<Loss> losses;
   const auto lose_if = [&losses](bool is_lost, Loss loss) {
@@ -153,7 +154,7 @@ void read_diffuse_map(const aiMaterial& material, AssimpMaterial& result) {
   }
 }
 
-/// What `read_material` reads, and the mapping makes of it; examples are named as in comments.
+/// The table of conversions by `read_material` and the mapping; examples are written as in comments.
 constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
     {"shading flat, Gouraud, Oren-Nayar, Minnaert or none, or no specular colour", "`diffuse kd=diffuse`",
      "AC3D: shadingm 2; diffuse 0.5; specular 0.25", "diffuse kd=0.5", ""},
@@ -185,7 +186,7 @@ constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
 /// 3D Studio's percentage of glossiness is a logarithm of the exponent, which goes up to 1024.
 double exponent_of_percentage(double percentage) { return std::exp2(percentage / 10); }
 
-/// Assimp makes it of a percentage in floats, which leaves 0.19999999 of 20.
+/// Restores a percentage that Assimp converted in float, which makes 0.19999999 of 20.
 double strength_of(const aiMaterial& material) {
   constexpr double Digits = 1e6;
   return std::round(number_of(material, AI_MATKEY_SHININESS_STRENGTH).value_or(1) * Digits) / Digits;
@@ -240,7 +241,7 @@ AssimpMaterial read_material(const aiMaterial& material, const AssimpRules& rule
 bool is_invented(const aiMaterial& material, const AssimpRules& rules) {
   if (!rules.has_materials) return true;
   const std::string name = text_of(material.GetName());
-  // A file may have a material of the first name, which then has more to it than a name and a colour.
+  // A file may have a material of the first name, which then has more properties than a name and a colour.
   return (name == AI_DEFAULT_MATERIAL_NAME && material.mNumProperties <= 2) || name == "%%%DEFAULT";
 }
 

@@ -20,7 +20,7 @@
 namespace convert {
 namespace {
 
-/// The name of an output in the folder. A file with irradiance is to be called so.
+/// Returns the file name of an output in the folder. The extension of a file with irradiance is kept.
 std::string name_in_folder(const std::string& folder, const std::string& input, const Format& format) {
   const std::filesystem::path path(input);
   const bool is_igrf = format.name == "grf" && grf::is_igrf_name(input);
@@ -35,14 +35,14 @@ bool looks_like_a_file(const std::string& path) {
   return !path.ends_with('/') && format_of_name(path) != nullptr;
 }
 
-/// All conversions to be made. Where that cannot be, there are none, and `problem` says why.
+/// Lists all conversions; empty after an error, with the reason in `problem`.
 std::vector<ConvertOptions> conversions_of(const BatchOptions& options, std::string& problem) {
   const bool has_folder = is_folder_of_outputs(options);
   if (has_folder && looks_like_a_file(options.output)) {
     problem = fmt::format("several files are to be written, and '{}' is no folder", options.output);
   }
   std::vector<ConvertOptions> conversions;
-  std::map<std::string, std::string> input_of;  // by what is written
+  std::map<std::string, std::string> input_of;  // by output
   for (const std::string& input : options.inputs) {
     ConvertOptions conversion = options.each;
     conversion.input.path = input;
@@ -71,7 +71,7 @@ bool make_folder(const std::string& path) {
   return false;
 }
 
-/// Prints what becomes of the files.
+/// Prints the results of the conversions.
 class Report {
  public:
   explicit Report(const BatchOptions& options)
@@ -115,7 +115,7 @@ class Report {
   bool is_batch() const { return options_.inputs.size() > 1; }
 
   const BatchOptions& options_;
-  std::vector<nlohmann::ordered_json> results_;  // by file; null where there is none
+  std::vector<nlohmann::ordered_json> results_;  // by file; null if it failed
   std::vector<std::string> failed_;
   Progress progress_;
 };

@@ -19,7 +19,7 @@ std::string size_text(std::uint64_t bytes) {
   return size < Giga ? fmt::format("{:.4g} MB", size / Mega) : fmt::format("{:.4g} GB", size / Giga);
 }
 
-/// What to tell of a child that did not end by itself.
+/// Returns the error message for a child that crashed or exceeded a limit.
 std::string why_it_died(const Ending& ending, const Limits& limits) {
   switch (ending.cause) {
     case Ending::Cause::OutOfMemory:

@@ -82,7 +82,7 @@ class Operator {
   void decimate_mesh(grf::Mesh& mesh, double ratio) {
     Decimated decimated = decimate(mesh, ratio);
     const std::size_t left = decimated.mesh.face_count();
-    // The last collapse can take two triangles or one.
+    // The last collapse can remove two triangles or one.
     if (left > decimated.triangles_wanted + 1) {
       ++meshes_held_;
       triangles_held_ += left - decimated.triangles_wanted;

@@ -42,7 +42,7 @@ std::optional<double> number_of(const std::string& word) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
-/// The three numbers from a word on; nothing if they are not there.
+/// Parses three numbers from a word on; returns nothing if they are missing.
 std::optional<grf::Vec3d> vector_at(const std::vector<std::string>& words, std::size_t at) {
   if (at + 3 > words.size()) return std::nullopt;
   grf::Vec3d vector;

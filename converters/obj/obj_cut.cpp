@@ -58,7 +58,7 @@ std::string CutDetector::why_numbers_cut(const Statement& statement) const {
   const std::size_t count = statement.arguments.size();
   const Usage* usage = usage_of(statement.keyword);
   const std::size_t least = statement.keyword == "vt" ? 2 : 3;
-  // Others may have none at all, which is an error of theirs.
+  // Statements without any numbers are a different error.
   const std::size_t expected = usage == nullptr ? least : std::max<std::size_t>(usage->fewest_arguments, 1);
   if (count < expected) return fmt::format("it has {} of {} numbers", count, expected);
   const std::string_view last = statement.arguments.back();
