@@ -20,7 +20,7 @@
 namespace convert {
 namespace {
 
-/// Returns the file name of an output in the folder. The extension of a file with irradiance is kept.
+/// Returns the path of an output in the folder, with the format's extension; `.igrf` stays.
 std::string name_in_folder(const std::string& folder, const std::string& input, const Format& format) {
   const std::filesystem::path path(input);
   const bool is_igrf = format.name == "grf" && grf::is_igrf_name(input);
@@ -28,7 +28,7 @@ std::string name_in_folder(const std::string& folder, const std::string& input, 
   return (std::filesystem::path(folder) / path.stem()).string() + fmt::format(".{}", extension);
 }
 
-/// There is such a file, or there is nothing and the name is that of a file of some format.
+/// Returns whether the path is an existing file, or does not exist and has the extension of a format.
 bool looks_like_a_file(const std::string& path) {
   std::error_code error;
   if (std::filesystem::exists(path, error)) return !std::filesystem::is_directory(path, error);
@@ -39,7 +39,7 @@ bool looks_like_a_file(const std::string& path) {
 std::vector<ConvertOptions> conversions_of(const BatchOptions& options, std::string& problem) {
   const bool has_folder = is_folder_of_outputs(options);
   if (has_folder && looks_like_a_file(options.output)) {
-    problem = fmt::format("several files are to be written, and '{}' is no folder", options.output);
+    problem = fmt::format("several files need an output folder, and '{}' is a file", options.output);
   }
   std::vector<ConvertOptions> conversions;
   std::map<std::string, std::string> input_of;  // by output

@@ -21,8 +21,8 @@ bool is_finite(const Matrix44d& matrix) {
   return true;
 }
 
-// Columns of glTF are rows here: vectors stand on the other side of the matrix, so that the numbers keep
-// their places.
+// glTF's matrices are column-major for column vectors, so that the numbers are in the same order for row
+// vectors.
 template <class Numbers>
 Matrix44d matrix_of(const Numbers& numbers) {
   Matrix44d matrix;
@@ -33,7 +33,7 @@ Matrix44d matrix_of(const Numbers& numbers) {
   return matrix;
 }
 
-/// Of a quaternion of any length but zero.
+/// Converts a non-zero quaternion of any length to a matrix.
 Matrix44d rotation_of(const std::vector<double>& q) {
   const double squared = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   Matrix44d matrix;
@@ -55,7 +55,7 @@ Matrix44d rotation_of(const std::vector<double>& q) {
   return matrix;
 }
 
-/// Nothing if an array has another length than it should.
+/// Returns the transform of a node; nothing if an array has a wrong length.
 std::optional<Matrix44d> local_matrix(const tinygltf::Node& node) {
   const auto has_length = [](const std::vector<double>& values, std::size_t length) {
     return values.empty() || values.size() == length;

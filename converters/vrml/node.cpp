@@ -50,7 +50,7 @@ grf::Vec3d NodeReader::triple(std::string_view name, const grf::Vec3d& fallback)
 }
 
 bool NodeReader::flag(std::string_view name, bool fallback) const {
-  // VRML 1.0 has 0 and 1 as well.
+  // VRML 1.0 also has 0 and 1 as booleans.
   const Field* field = find(name);
   if (field != nullptr && std::holds_alternative<std::vector<double>>(field->value)) {
     return number(name, fallback ? 1 : 0) != 0;

@@ -7,7 +7,7 @@
 namespace convert::vrml {
 namespace {
 
-// ISO/IEC 14772-1, chapter 6, without Script.
+// The node types of VRML97 (ISO/IEC 14772-1, chapter 6), without Script.
 constexpr std::array<std::string_view, 53> Vrml97Types = {
     "Anchor",
     "Appearance",
@@ -64,7 +64,7 @@ constexpr std::array<std::string_view, 53> Vrml97Types = {
     "WorldInfo",
 };
 
-// The specification of VRML 1.0 of 26 May 1995, section "Nodes".
+// The node types of VRML 1.0 (specification of 26 May 1995, section "Nodes").
 constexpr std::array<std::string_view, 36> Vrml1Types = {
     "AsciiText",
     "Cone",

@@ -8,7 +8,7 @@
 namespace convert::vrml {
 namespace {
 
-/// A few bytes of text make an extrusion or a sphere of any number of faces.
+/// The maximum number of generated faces: a few bytes of text can make any number.
 constexpr std::size_t MostGeneratedFaces = 5'000'000;
 
 }  // namespace

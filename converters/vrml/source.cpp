@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view Vrml1Header = "#VRML V1.0 ascii";
 constexpr std::string_view Vrml97Header = "#VRML V2.0 utf8";
 
-/// Of a compressed file: a few hundred bytes can stand for as many megabytes.
+/// The maximum decompressed size, against zip bombs.
 constexpr std::size_t LargestInflated = std::size_t{256} << 20U;
 
 std::optional<Version> version_of(std::string_view text) {

@@ -1,4 +1,4 @@
-// VRML97: a tree of grouping nodes with shapes as its leaves.
+// The reader of VRML97: a scene graph of grouping nodes with shapes as its leaves.
 
 #include "converters/vrml/transforms.h"
 #include "converters/vrml/vrml97_geometry.h"
@@ -54,7 +54,7 @@ Blocks Vrml97Reader::read(const Node& node, Place place) {
     report_.add("Billboard is static", "Billboards are static", "in VRML it faces the viewer");
     return read_children(node, place);
   }
-  // Of a Collision, the proxy is not seen.
+  // The proxy of a Collision is invisible.
   if (node.type == "Collision") return read_children(node, place);
   report_.pass_over(node);
   return {};
