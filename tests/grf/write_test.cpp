@@ -102,7 +102,7 @@ TEST(Writing, GivesTheSameBytesAgainForSurfacesThatAreEqualButWrittenOtherwise) 
   EXPECT_EQ(to_text(scene_of(text)), text);
 }
 
-/// What a scene that no text gives is written as, which has to be text that can be read.
+/// Returns the text of a scene that no text gives, which must be readable.
 std::string written(const Scene& scene) {
   scene_of(to_text(scene));
   return to_text(scene);

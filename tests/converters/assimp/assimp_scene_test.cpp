@@ -1,4 +1,4 @@
-// What all formats that come in through Assimp have in common, shown by COLLADA.
+// Tests of the common features of all formats imported by Assimp, by the example of COLLADA.
 #include "converters/assimp/assimp_scene.h"
 
 #include <cmath>

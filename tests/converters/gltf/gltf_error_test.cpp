@@ -1,4 +1,4 @@
-// Files that say what cannot be: each is an error that names the place, and none is read half.
+// Tests of invalid glTF files: each gives an error with its location, and no scene.
 #include <random>
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What the reader makes of each thing that a glTF file can say of shapes and places.
+// Tests of the glTF reader on geometry, nodes and skins.
 #include <cmath>
 #include <limits>
 #include <numbers>

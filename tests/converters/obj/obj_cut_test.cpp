@@ -1,4 +1,4 @@
-// Files that were cut off inside their last line, which Assimp takes for whole ones.
+// Tests of files that are truncated in their last line, which Assimp reads as complete.
 #include <string>
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// What the writer of OBJ and MTL makes of a scene.
+// Tests of the writer of OBJ and MTL.
 #include "converters/obj/obj_writer.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// PLY files that are broken: one clear error, with the line, or the byte of a binary file.
+// Tests of corrupt PLY files: one error, with the line, or the byte offset of a binary file.
 #include <bit>
 #include <string>
 

@@ -1,4 +1,4 @@
-// How VRML is written: words, values, nodes, what is skipped, and what is an error where.
+// Tests of the syntax of VRML: words, values, nodes, skipped nodes, and the location of errors.
 #include <cmath>
 
 #include <gmock/gmock.h>
