@@ -265,7 +265,7 @@ TEST(Grfconvert2008, WritesNoExtensions) {
   const test::Outcome outcome = grfconvert({scene, "-o", output, "--grf2008"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err,
-              HasSubstr(scene + ":1:1: warning: a mesh light of the grammar of 2008 has the radiance 1"));
+              HasSubstr(scene + ":1:1: warning: mesh lights have the radiance 1 in the grammar of 2008"));
   EXPECT_THAT(test::bytes_of(output), StartsWith("// lamp\nmesh light begin\n"));
 }
 

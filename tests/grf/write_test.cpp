@@ -362,7 +362,7 @@ TEST_F(WriteTest, RefusesWordsThatCannotBeReadAgain) {
     std::get<PdfModel>(*surface.pdf).arguments[0].value = Word{word};
     EXPECT_EQ(write_scene(scene, "scene.grf", false),
               "scene.grf: error: cannot write the file: it would have words as values of parameters that are "
-              "no names, or that begin a definition (such as rgb)\n")
+              "not names, or that begin a definition (such as rgb)\n")
         << word;
   }
   EXPECT_THAT(folder.names(), ElementsAre());

@@ -230,7 +230,7 @@ TEST(Gltf, AFlatNodeIsLeftOut) {
   const Reading reading = maker.read();
   ASSERT_TRUE(reading.scene) << reading.text();
   EXPECT_EQ(world_corners(*reading.scene).size(), 3U);
-  EXPECT_THAT(reading.text(), HasSubstr("1 mesh was left out: a transform without height"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 mesh was left out: its transform is singular"));
 }
 
 TEST(Gltf, SkinnedMeshesStandWhereTheirJointsAre) {
