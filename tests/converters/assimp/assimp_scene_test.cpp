@@ -97,7 +97,7 @@ TEST(AssimpScene, ASingularTransformLeavesOutWhatIsUnderIt) {
   parts.nodes = "<node>{}</node><node><scale>1 0 1</scale><node>{}</node><node>{}</node></node>";
   const Reading reading = read_collada(parts);
   EXPECT_EQ(grf::summarize(scene_of(reading)).faces, 1U);
-  EXPECT_THAT(reading.text(), HasSubstr("warning: 2 meshes were left out: a transform without"));
+  EXPECT_THAT(reading.text(), HasSubstr("warning: 2 meshes were left out: its transform is"));
 }
 
 TEST(AssimpScene, AMirroredObjectIsPlacedSo) {

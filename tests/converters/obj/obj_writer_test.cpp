@@ -260,7 +260,7 @@ TEST(ObjWriter, ATransformBeyondFloatsIsAnError) {
                      "scene.grf", diagnostics);
   ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
   EXPECT_FALSE(write_obj(*scene, folder.path("out.obj"), diagnostics));
-  EXPECT_THAT(diagnostics.to_text(), HasSubstr("error: a transform moves a vertex so far"));
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("error: a transform moves a vertex out of the range"));
   EXPECT_THAT(folder.names(), IsEmpty());
 }
 
