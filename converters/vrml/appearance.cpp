@@ -28,7 +28,7 @@ constexpr std::array<MaterialRule, 13> Rules = {{
      "material Material {}", "diffuse kd=0.8", ""},
     {"`specularColor` > 0",
      "`lewis n=32*shininess ks=specularColor kd=diffuseColor`, since 128 times shininess is the exponent of "
-     "a half vector",
+     "the half vector",
      "material Material { specularColor 0.1 0.1 0.1 shininess 0.5 }", "lewis n=16 ks=0.1 kd=0.8", ""},
     {"`emissiveColor` > 0", "`light rgb` on the faces, which keep their BRDF",
      "material Material { emissiveColor 1 0.5 0 }", "diffuse kd=0.8 light rgb (1, 0.5, 0)", ""},
