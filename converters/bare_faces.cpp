@@ -18,7 +18,7 @@ class Giver {
   }
 
  private:
-  // A mesh is edited, and so copied if it is shared, only if there is something to give.
+  // A mesh is edited, and so copied if it is shared, only if a face needs the BRDF.
   void give(grf::Shared<grf::Mesh>& mesh) {
     if (std::none_of(mesh->surfaces.begin(), mesh->surfaces.end(), is_bare)) return;
     for (grf::Surface& surface : mesh.edit().surfaces) {

@@ -4,7 +4,7 @@
 
 namespace convert {
 
-/// Gives the BRDF to all faces that have none and emit no light, in included files too.
+/// Assigns the BRDF to all faces that have none and emit no light, in included files too.
 void give_bare_faces(grf::Scene& scene, const grf::BrdfModel& brdf);
 
 }  // namespace convert

@@ -65,12 +65,12 @@ const BrdfParts Unknown = {Vec3d(0.5), Vec3d(0), 0};
 double mean(double a, double b) { return std::sqrt(std::max(a, 0.0) * std::max(b, 0.0)); }
 double strength(const Vec3d& v) { return v.x + v.y + v.z; }
 
-/// Of a lobe about the mirror direction, as one about the half vector.
+/// Converts a Phong exponent, about the mirror direction, to a Blinn-Phong exponent.
 double about_half(double exponent) { return 4 * exponent; }
 
 BrdfParts matte(const Vec3d& albedo) { return {albedo, Vec3d(0), 0}; }
 
-// The lobe is not normalised: this is what it reflects at the normal.
+// The lobe is not normalised: the factor is its albedo at normal incidence.
 BrdfParts phong(const Arguments& a) {
   const double n = a.number({"n"}, 100);
   return {a.colour({"kd"}, 0.6), a.colour({"ks"}, 0.4) * (2 * std::numbers::pi / (n + 2)), about_half(n)};
@@ -113,7 +113,7 @@ BrdfParts coupled(const Arguments& a) {
   return {a.colour({"Rm"}, 0.5) * (Vec3d(1) - polish), polish, Mirror};
 }
 
-// Its facets are GGX's, of alpha^2 = Sr.
+// The microfacet distribution is GGX with alpha^2 = Sr.
 BrdfParts schlick(const Arguments& a) {
   const Vec3d outer = a.colour({"SC"}, 0.7);
   const Vec3d below = a.flag("Ly") ? a.colour({"DC"}, 0.5) * (Vec3d(1) - outer) : Vec3d(0);
@@ -131,7 +131,7 @@ BrdfParts strauss(const Arguments& a) {
           about_half(3 / std::max(1 - s, 3e-5))};
 }
 
-// The mean of sin^2 is r^2/2 over the disc, and 2/(n + 2) over a lobe about the mirror direction.
+// The mean of sin^2 is r^2/2 over the disc, and 2/(n + 2) over a Phong lobe.
 BrdfParts neumann(const Arguments& a) {
   const double r = a.number({"r"}, 0.2);
   const double square = std::max(r * a.number({"ry"}, r), 1e-12);
@@ -154,9 +154,8 @@ BrdfParts wave(const Arguments& a) {
           exponent_of(2 * a.number({"sigma"}, 0.2) / a.number({"tau"}, 2))};
 }
 
-// Of light from the normal, once scattered straight back, what refraction lets out again: half the integral
-// of c/(1 + c) over the cosines c inside the critical angle, with the depth of the layer and its phase
-// function.
+// Single scattering at normal incidence that leaves the layer by refraction: half the integral of c/(1 + c)
+// over the cosines c inside the critical angle, with the depth of the layer and its phase function.
 BrdfParts hanrahan(const Arguments& a) {
   const double n = std::max(a.number({"nreal"}, 1.4), 1.0);
   const double g = a.number({"g"}, 0.25);
@@ -170,7 +169,7 @@ BrdfParts hanrahan(const Arguments& a) {
           exponent_of(a.number({"rough"}, 0.3))};
 }
 
-// Light through the film is reflected at its base, and spread by refraction as it leaves.
+// Light transmitted by the film is reflected at its base, and spread by refraction as it leaves.
 BrdfParts granier(const Arguments& a) {
   const Vec3d n = a.colour({"nreal"}, 1.51);
   const Vec3d root = (n - Vec3d(1)) / (n + Vec3d(1));
@@ -190,11 +189,11 @@ constexpr std::array<BrdfRule, 22> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return matte(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return matte(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return matte(a.colour({"r"}, 0.5)); }},
-    {"specular", "", "ks", "a mirror's",
+    {"specular", "", "ks", "infinite",
      [](const Arguments& a) {
        return BrdfParts{Vec3d(0), a.colour({"ks"}, 1), Mirror};
      }},
-    {"coupled", "Rm (1 - R0)", "R0", "a mirror's", coupled},
+    {"coupled", "Rm (1 - R0)", "R0", "infinite", coupled},
     {"lewis", "kd", "ks", "4 n", lewis},
     {"phong", "kd", "ks 2 pi/(n + 2), as its lobe is not normalised", "4 n", phong},
     {"blinn", "kd", "ks 8 pi (n + 2^(-n/2))/((n + 2) (n + 4)), for the same reason", "n", blinn},
@@ -203,12 +202,11 @@ constexpr std::array<BrdfRule, 22> BrdfRules = {{
     {"torrance", "kd", "ks F", "2/rough^2 - 2", torrance},
     {"ashikhmin", "Rd (1 - Rs)", "Rs", "sqrt(ex ey)", ashikhmin},
     {"schlick", "with Ly: DC (1 - SC)", "SC", "2/Sr - 2", schlick},
-    {"strauss", "kd (1 - m s) (1 - s^3)", "ks s^3, with the colour of kd as far as m is 1", "12/(1 - s)",
-     strauss},
+    {"strauss", "kd (1 - m s) (1 - s^3)", "ks s^3, tinted by kd in proportion to m", "12/(1 - s)", strauss},
     {"neumann", "kd", "ks", "16/(r ry) - 8", neumann},
     {"beardmaxwell", "Rd + Rv", "Rs F", "2/sigma^2 - 2", beardmaxwell},
     {"kajiya", "kd", "ks F", "taux tauy/(2 sigma^2) - 2", kajiya},
-    {"hanrahan", "(kd + what of albedo is scattered once) (1 - F)^2", "ks F", "2/rough^2 - 2", hanrahan},
+    {"hanrahan", "(kd + the single scattering part of albedo) (1 - F)^2", "ks F", "2/rough^2 - 2", hanrahan},
     {"westin", "kd", "ks F", "tau^2/(2 sigma^2) - 2", wave},
     {"he", "kd", "ks F", "tau^2/(2 sigma^2) - 2", wave},
     {"granier", "kd", "ks F + kt (1 - F)^2", "m/nreal^2, or n if ks F is the larger", granier},

@@ -1,5 +1,5 @@
-// What BRDFs of GRF are in the eyes of other formats: the one place that knows which parameters of which
-// model are matte, glossy and wide. Both families of materials are made from it.
+// Decomposition of GRF's BRDFs for other formats: the only table that says which parameters of which model
+// are the diffuse and glossy reflectance and the lobe width. Both families of materials are made from it.
 #pragma once
 
 #include <span>
@@ -11,18 +11,18 @@
 
 namespace convert {
 
-/// A BRDF as a matte part and a highlight.
+/// A BRDF as a diffuse and a glossy lobe.
 struct BrdfParts {
-  grf::Vec3d matte = grf::Vec3d(0);   ///< what the matte part reflects of light from the normal, 0 to 1
-  grf::Vec3d glossy = grf::Vec3d(0);  ///< the same of the highlight
-  /// Of the cosine between normal and half vector, whose power is about as wide as the highlight; infinite of
-  /// a mirror. About the mirror direction, a quarter of it is as wide, since the half vector turns half as
-  /// fast.
+  grf::Vec3d matte = grf::Vec3d(0);   ///< albedo of the diffuse lobe at normal incidence, 0 to 1
+  grf::Vec3d glossy = grf::Vec3d(0);  ///< albedo of the glossy lobe at normal incidence, 0 to 1
+  /// The Blinn-Phong exponent, of the cosine between normal and half vector, of about the same lobe width;
+  /// infinite for perfect specular reflection. The Phong exponent, about the mirror direction, is a quarter
+  /// of it, since the half vector turns half as fast.
   double exponent = 0;
 };
 
-/// The parts of a BRDF that is no `combine`, by the table below. Of measured data, and of models that nobody
-/// knows, there is nothing to go by: they count as GRF's default, a matte grey.
+/// Returns the lobes of a BRDF that is no `combine`, by the table below. Measured data and unknown models
+/// count as GRF's default, diffuse grey.
 BrdfParts brdf_parts(const grf::BrdfModel& brdf);
 
 struct WeightedParts {
@@ -30,19 +30,19 @@ struct WeightedParts {
   BrdfParts parts;
 };
 
-/// The parts of a sum, with the exponent of the strongest highlight.
+/// Returns the lobes of a weighted sum, with the exponent of the strongest glossy lobe.
 BrdfParts sum_of_parts(std::span<const WeightedParts> terms);
 
-/// Returns the parts of any BRDF; the terms of a `combine` are looked up in the scope.
+/// Returns the lobes of any BRDF; the terms of a `combine` are looked up in the scope.
 BrdfParts brdf_parts(const grf::BrdfModel& brdf, const grf::Scope& scope);
 
-/// The slope of Beckmann's facets that are as wide as the exponent, and back: n = 2/slope^2 - 2.
+/// Converts a Blinn-Phong exponent to the RMS slope of a Beckmann distribution, and back: n = 2/slope^2 - 2.
 double slope_of(double exponent);
 double exponent_of(double slope);
 
 class BrdfArguments;
 
-/// How one model is taken apart. The words say what the function does, in the model's parameters.
+/// The decomposition of one model. The texts document the function, in the model's parameters.
 struct BrdfRule {
   std::string_view keyword;
   std::string_view matte;

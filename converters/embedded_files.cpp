@@ -10,7 +10,7 @@
 namespace convert {
 namespace {
 
-/// The name itself, then with `_2`, `_3` and so on before its extension.
+/// Returns the n-th candidate name: the name itself, then with `_2`, `_3` and so on before its extension.
 std::string candidate(const std::string& name, int attempt) {
   if (attempt == 1) return name;
   const std::filesystem::path path(name);
@@ -25,7 +25,7 @@ bool holds(const std::string& path, const std::string& bytes) {
   return present && *present == bytes;
 }
 
-/// The path at which the file stands now; empty after an error.
+/// Writes a file under a free name and returns its path; empty after an error.
 std::string write_beside(const EmbeddedFile& file, const std::string& output,
                          std::vector<std::string>& created, grf::Diagnostics& diagnostics) {
   for (int attempt = 1;; ++attempt) {
@@ -59,7 +59,7 @@ std::optional<WrittenFiles> write_embedded_files(std::span<const EmbeddedFile> f
     if (is_own_name(file.name)) {
       path = write_beside(file, output, written.created, diagnostics);
     } else {
-      diagnostics.error(grf::whole_file(output), fmt::format("no file can be called '{}'", file.name));
+      diagnostics.error(grf::whole_file(output), fmt::format("'{}' is not a valid file name", file.name));
     }
     if (path.empty()) {
       remove_created(written);
@@ -67,8 +67,9 @@ std::optional<WrittenFiles> write_embedded_files(std::span<const EmbeddedFile> f
     }
     const std::string name = std::filesystem::path(path).filename().string();
     if (name != file.name) {
-      diagnostics.note(grf::whole_file(path),
-                       fmt::format("'{}' goes by this name, since another file has that one", file.name));
+      diagnostics.note(
+          grf::whole_file(path),
+          fmt::format("'{}' is written under this name, since another file has its own", file.name));
     }
     written.names[file.name] = name;
     written.paths.push_back(path);

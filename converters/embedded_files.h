@@ -10,20 +10,20 @@
 
 namespace convert {
 
-/// Files that stood inside another one, written beside what is made of that.
+/// Embedded files of an input that were extracted beside the output.
 struct WrittenFiles {
-  std::vector<std::string> paths;            ///< of all, in their order
-  std::vector<std::string> created;          ///< those that were not there before
-  std::map<std::string, std::string> names;  ///< under which each stands there, by its own name
+  std::vector<std::string> paths;            ///< paths of all files, in order
+  std::vector<std::string> created;          ///< paths of files that did not exist before
+  std::map<std::string, std::string> names;  ///< the name of each file on disk, by its embedded name
 };
 
-/// Writes the files into the folder of `output`. A file that is there already stays as it is: one with the
-/// same bytes is taken for the file itself, and beside another one the file gets a name that is free. Nothing
-/// is returned after an error, and nothing is left then.
+/// Writes the files into the folder of `output`. Existing files stay unchanged: one with the same bytes is
+/// reused, and next to a different one the file gets a free name. After an error nothing is returned and all
+/// created files are removed.
 std::optional<WrittenFiles> write_embedded_files(std::span<const EmbeddedFile> files,
                                                  const std::string& output, grf::Diagnostics& diagnostics);
 
-/// Takes back what was created, where the file that names it could not be written.
+/// Removes the created files, if the file that names them could not be written.
 void remove_created(const WrittenFiles& files);
 
 }  // namespace convert

@@ -1,4 +1,4 @@
-// Facets over a matte part, in both directions: the table of FORMATS.md.
+// The mapping between GRF and microfacets over a diffuse base, in both directions: the table of FORMATS.md.
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +8,11 @@
 namespace convert {
 namespace {
 
-/// The smallest that `torrance` has.
+/// The smallest slope of `torrance`.
 constexpr double SmallestSlope = 1e-4;
-/// The largest that `ashikhmin` has.
+/// The largest exponent of `ashikhmin`.
 constexpr double HighestExponent = 1e6;
-/// The largest R0 that `coupled` has.
+/// The largest R0 of `coupled`.
 constexpr double LargestPolish = 0.999;
 
 double largest(const grf::Vec3d& v) { return std::max({v.x, v.y, v.z}); }
@@ -21,7 +21,7 @@ grf::BrdfModel brdf_of(const grf::Vec3d& diffuse, const grf::Vec3d& specular, do
   if (specular == grf::Vec3d(0)) return make_brdf("diffuse", {{"kd", to_value(diffuse)}});
   if (is_metal && slope < SmallestSlope) return make_brdf("specular", {{"ks", to_value(specular)}});
   if (is_metal) {
-    // An index of refraction whose facets reflect all, so that ks is the metal's colour at every angle.
+    // An index of refraction with Fresnel reflectance 1, so that ks is the metal's colour at every angle.
     return make_brdf("torrance", {{"rough", static_cast<float>(slope)},
                                   {"nreal", 1.0F},
                                   {"nimag", 100.0F},
@@ -58,7 +58,7 @@ MappedMaterial map_material(const FacetMaterial& material) {
   return mapped;
 }
 
-// The matte part of `parts` is what comes through the facets and out again.
+// The diffuse lobe of `parts` is attenuated by the microfacets, so that it is divided by their transmittance.
 FacetValues facet_values(const BrdfParts& parts) {
   FacetValues values = {grf::Vec3d(0), parts.glossy, slope_of(parts.exponent)};
   for (int i = 0; i < 3; ++i) {
@@ -68,9 +68,8 @@ FacetValues facet_values(const BrdfParts& parts) {
   return values;
 }
 
-// What the facets of a dielectric reflect is left to metallic = 0; what is over it needs metal, whose share
-// solves base colour = diffuse/(1 - metallic) = (specular - 0.04 (1 - metallic))/metallic for the brightest
-// channel.
+// Specular reflectance of a dielectric gives metallic = 0; more needs metal, whose fraction solves
+// base colour = diffuse/(1 - metallic) = (specular - 0.04 (1 - metallic))/metallic for the brightest channel.
 MetallicRoughness metallic_roughness(const FacetValues& values) {
   constexpr double Dielectric = 0.04;
   const double d = largest(values.diffuse);

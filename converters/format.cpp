@@ -21,10 +21,10 @@
 namespace convert {
 namespace {
 
-/// Enough to get past the comments that exporters begin their files with.
+/// The number of bytes to sniff, enough to skip the comments at the beginning of exporters' files.
 constexpr std::size_t SniffedBytes = 4096;
 
-// Nothing of what is not a regular file: to open a pipe would wait for whoever writes to it.
+// Only regular files are sniffed: opening a pipe would wait for a writer.
 std::string first_bytes(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
@@ -82,13 +82,12 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
     return format;
   }
   if (const Format* format = format_of_name(path)) return format;
-  // A file that cannot be read is one of no format for another reason.
+  // An unreadable file has an unknown format for another reason, which is reported instead.
   if (const auto whole = grf::read_file(path, diagnostics)) {
-    diagnostics.error(
-        grf::whole_file(path),
-        whole->empty()
-            ? "the file is empty"
-            : fmt::format("neither content nor name are those of a known format ({})", readable_formats()));
+    diagnostics.error(grf::whole_file(path),
+                      whole->empty() ? "the file is empty"
+                                     : fmt::format("the format is unknown, by content and by name ({})",
+                                                   readable_formats()));
   }
   return nullptr;
 }
@@ -96,7 +95,7 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
 std::optional<Import> read(const Format& format, const std::string& path, const ReadOptions& options,
                            grf::Diagnostics& diagnostics) {
   if (format.read == nullptr) {
-    diagnostics.error(grf::whole_file(path), fmt::format("{} files are not read", format.name));
+    diagnostics.error(grf::whole_file(path), fmt::format("{} files cannot be read", format.name));
     return std::nullopt;
   }
   std::optional<Import> import = format.read(path, options, diagnostics);

@@ -1,5 +1,5 @@
-// The file formats that scenes come in and go out as. One table of them drives the command line, file
-// dialogs, documents and tests.
+// The file formats for import and export. One table of them drives the command line, file dialogs, documents
+// and tests.
 #pragma once
 
 #include <optional>
@@ -15,62 +15,62 @@
 namespace convert {
 
 struct ReadOptions {
-  /// What faces reflect that come without a material; empty: they get no BRDF, and GRF's default holds.
+  /// The BRDF for faces without a material; empty: they get no BRDF, and GRF's default holds.
   std::optional<grf::BrdfModel> brdf;
 };
 
-/// A file that stood inside another one, such as an image in a GLB file.
+/// A file embedded in another one, such as an image in a GLB file.
 struct EmbeddedFile {
-  std::string name;  ///< of its own, without a folder: it is to be written beside the scene that names it
+  std::string name;  ///< without a folder: it is to be written beside the scene that names it
   std::string bytes;
 };
 
-/// What a file holds. The scene names other files from the folder of the file, and so the embedded ones, as
-/// though they stood there already.
+/// The result of an import. File names in the scene, also those of embedded files, are relative to the folder
+/// of the imported file.
 struct Import {
   grf::Scene scene;
   std::vector<EmbeddedFile> files;
 };
 
-/// What there is to know of one file format.
+/// The descriptor of a file format.
 struct Format {
-  std::string_view name;                     ///< as options say it: `obj`
-  std::string_view title;                    ///< as people say it
+  std::string_view name;                     ///< name for options: `obj`
+  std::string_view title;                    ///< name for people
   std::vector<std::string_view> extensions;  ///< in lower case, without the dot; the usual one first
 
-  /// True if a file that begins with these bytes is of the format. Never true of two formats.
+  /// Returns whether a file that begins with these bytes is of the format. At most one format returns true.
   bool (*sniff)(std::string_view first_bytes);
 
-  /// What a file holds, or nothing after an error. Null: the format is not read.
+  /// Reads a file; returns nothing after an error. Null: the format is not read.
   std::optional<Import> (*read)(const std::string& path, const ReadOptions& options,
                                 grf::Diagnostics& diagnostics) = nullptr;
 
-  /// Replaces the file, or leaves it as it was and says why. Null: the format is not written.
+  /// Writes a file, or leaves it unchanged and reports why. Null: the format is not written.
   bool (*write)(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) = nullptr;
 
-  /// What is written holds the images of its faces: they need not stand beside it.
+  /// Whether written files embed the images of their textures.
   bool embeds_images = false;
 
   std::string_view keeps;
   std::string_view loses;
 
-  std::span<const MaterialRule> read_materials;     ///< what becomes of its materials
-  std::span<const MaterialRule> written_materials;  ///< and of GRF's
+  std::span<const MaterialRule> read_materials;     ///< conversion of its materials to GRF
+  std::span<const MaterialRule> written_materials;  ///< conversion of GRF's materials to it
 };
 
-/// All formats, in the order in which they are listed.
+/// Returns all formats, in the order in which they are listed.
 std::span<const Format> formats();
 
-/// The format with a name, or null.
+/// Finds a format by name, or returns null.
 const Format* find_format(std::string_view name);
 
-/// The first format that the extension of a file's name stands for, or null.
+/// Finds the first format with the extension of a file's name, or returns null.
 const Format* format_of_name(const std::string& path);
 
-/// The format of a file that exists: by its content, or else by its name. Null after an error.
+/// Detects the format of an existing file: by its content, or else by its name. Null after an error.
 const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics);
 
-/// Reads a file of a format. Nothing is returned after an error.
+/// Reads a file of a format; returns nothing after an error.
 std::optional<Import> read(const Format& format, const std::string& path, const ReadOptions& options,
                            grf::Diagnostics& diagnostics);
 

@@ -23,7 +23,7 @@ bool is_reset(const std::optional<Attribute>& before, const std::optional<Attrib
   return before && !after;
 }
 
-/// Whether a face after another one would need `none`.
+/// Returns whether a face after another one would need `none`.
 bool needs_none(const grf::Surface& before, const grf::Surface& after) {
   return is_reset(before.colour, after.colour) || is_reset(before.brdf, after.brdf) ||
          is_reset(before.pdf, after.pdf) || is_reset(before.texture, after.texture);
@@ -36,9 +36,9 @@ grf::BrdfModel black() {
   return brdf;
 }
 
-/// What one mesh becomes.
+/// The conversion of one mesh.
 struct Parts {
-  std::vector<grf::Mesh> meshes;  ///< none if all faces emit
+  std::vector<grf::Mesh> meshes;  ///< empty if all faces emit
   std::optional<grf::MeshLight> light;
 };
 
@@ -60,7 +60,7 @@ class Downgrade {
     return {blocks(scene.contents)};
   }
 
-  /// A file that the scene names and that would have to change, where it is named.
+  /// An included file that would have to change, with the location of its name.
   const std::optional<ChangedFile>& changed_file() const { return changed_file_; }
 
  private:
@@ -119,7 +119,7 @@ class Downgrade {
     result.blocks.push_back({std::move(converted), block.comments, block.location});
   }
 
-  // A mesh that becomes several takes several names, and `use` of it uses them all.
+  // A mesh that is split becomes several definitions, and its `use` is repeated for each.
   void define(const grf::Definition& definition, std::vector<grf::Definition>& result) {
     const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
     if (mesh == nullptr) {
@@ -130,7 +130,7 @@ class Downgrade {
     }
     Parts parts = parts_of(**mesh, definition.location);
     Placed& placed = placed_[&definition] = {{}, parts.light};
-    if (parts.meshes.empty()) parts.meshes.emplace_back();  // a `def` needs what it defines
+    if (parts.meshes.empty()) parts.meshes.emplace_back();  // a `def` needs a body
     for (grf::Mesh& part : parts.meshes) {
       grf::Definition& copy =
           result.emplace_back(grf::Definition{definition.name, {}, {}, definition.location});
@@ -158,7 +158,7 @@ class Downgrade {
 
   static void name_in_comment(const grf::Mesh& mesh, grf::Comments& comments) {
     std::string name = mesh.name;
-    while (name.ends_with('\r')) name.pop_back();  // which would be a part of the line end
+    while (name.ends_with('\r')) name.pop_back();  // it would become part of the line end
     if (!name.empty()) comments.before.push_back(" " + name);
   }
 
@@ -197,7 +197,7 @@ class Downgrade {
     return parts;
   }
 
-  // What was said of an attribute that is no longer there stays before the vertices.
+  // Comments of a removed attribute are kept before the vertices.
   static void keep_comments(grf::Mesh& mesh) {
     const grf::Surface& own = mesh.surfaces.front();
     std::vector<std::string>& kept = mesh.comments.vertices.before;
@@ -218,7 +218,7 @@ class Downgrade {
     return surface.emission && *surface.emission != grf::Colour(0);
   }
 
-  // The mesh's own surface is what its first face has, where that lacks something.
+  // The mesh's own surface becomes that of its first face if that lacks an attribute.
   static void own_of_first_face(grf::Mesh& mesh) {
     if (mesh.face_count() == 0 || !needs_none(mesh.surfaces.front(), mesh.surface(0))) return;
     const std::uint32_t first = mesh.surface_of_face->front();
@@ -276,10 +276,10 @@ class Downgrade {
 
   void warn_of_radiance(const grf::SourceLocation& location) {
     diagnostics_.warning(location,
-                         "a mesh light of the grammar of 2008 has the radiance 1: another one is lost");
+                         "mesh lights have the radiance 1 in the grammar of 2008: another one is lost");
   }
 
-  // Of what reflects. A face that was said to emit nothing is as black as one that emits.
+  // Only reflecting faces are kept. A face with an emission of 0 is as black as one that emits.
   void downgrade(grf::Surface& surface) {
     if (surface.emission && !surface.brdf) surface.brdf = black();
     surface.emission.reset();
@@ -303,14 +303,14 @@ class Downgrade {
     downgrade(static_cast<grf::Model&>(brdf));
   }
 
-  // A scheme makes the same image whatever its parameters; a BRDF without one is another BRDF.
+  // Parameters of a sampling scheme do not change the image; those of a BRDF do.
   void downgrade(grf::PdfModel& pdf) {
     std::erase_if(pdf.arguments, [this](const grf::Argument& argument) {
       const bool is_word = std::holds_alternative<grf::Word>(argument.value);
       if (is_word) {
         diagnostics_.warning(
             argument.location,
-            fmt::format("'{}' has a word as value, which the grammar of 2008 has not: it is lost",
+            fmt::format("'{}' has a word as value, which the grammar of 2008 lacks: it is lost",
                         argument.name));
       }
       return is_word;
@@ -323,7 +323,7 @@ class Downgrade {
       if (std::holds_alternative<grf::Word>(argument.value)) {
         diagnostics_.error(
             argument.location,
-            fmt::format("'{}' has a word as value, which the grammar of 2008 has not", argument.name));
+            fmt::format("'{}' has a word as value, which the grammar of 2008 lacks", argument.name));
       }
       if (!std::holds_alternative<grf::Colour>(argument.value)) continue;
       diagnostics_.error(argument.location,
@@ -332,7 +332,7 @@ class Downgrade {
     }
   }
 
-  /// What a defined mesh became.
+  /// The conversion of a defined mesh.
   struct Placed {
     std::vector<std::string> names;
     std::optional<grf::MeshLight> light;
@@ -341,7 +341,7 @@ class Downgrade {
   grf::Diagnostics& diagnostics_;
   std::optional<ChangedFile> changed_file_;
   grf::ScopeStack scope_;
-  grf::UniqueNames names_;  ///< of all definitions
+  grf::UniqueNames names_;  ///< names of all definitions
   std::map<const grf::Definition*, Placed> placed_;
 };
 
@@ -355,9 +355,9 @@ std::optional<grf::Scene> to_grf2008(const grf::Scene& scene, const std::string&
   trial.run(scene);
   const std::optional<ChangedFile>& changed = trial.changed_file();
   if (changed) {
-    diagnostics.warning(
-        changed->named_at,
-        fmt::format("'{}' has what the grammar of 2008 lacks: all files are written as one", changed->name));
+    diagnostics.warning(changed->named_at,
+                        fmt::format("'{}' needs what the grammar of 2008 lacks: all files are written as one",
+                                    changed->name));
   }
   grf::Scene result = Downgrade(diagnostics).run(changed ? grf::flatten(scene, path) : scene);
   if (diagnostics.error_count() > errors_before) return std::nullopt;

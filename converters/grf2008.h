@@ -8,11 +8,10 @@
 
 namespace convert {
 
-/// The scene in what the grammar of 2008 can say (FORMAT.md lists what it lacks), or nothing after an error.
-/// Names of meshes become comments. Meshes whose faces return to having no colour, BRDF, PDF or texture are
-/// cut there into several. Emitting faces become mesh lights, which have the radiance 1: what is lost is a
-/// warning. Included files stay as they are: if one would have to change, all become one (`flatten`; `path`
-/// is the scene's).
+/// Converts a scene to the grammar of 2008 (FORMAT.md lists what it lacks); returns nothing after an error.
+/// Names of meshes become comments. Meshes with `none` in their faces are split there. Emitting faces become
+/// mesh lights, which have the radiance 1: losses are warnings. Included files stay unchanged: if one would
+/// have to change, all are merged into one (`flatten`; `path` is the scene's).
 std::optional<grf::Scene> to_grf2008(const grf::Scene& scene, const std::string& path,
                                      grf::Diagnostics& diagnostics);
 

@@ -16,7 +16,7 @@ constexpr std::string_view Space = " \t\r\n\f\v";
 constexpr std::array<std::string_view, 8> FirstWords = {"begin",     "mesh", "light",  "include",
                                                         "transform", "def",  "params", "use"};
 
-/// What stands before the first character that is neither space nor comment, taken away.
+/// Skips leading white space and comments.
 std::string_view without_comments(std::string_view text) {
   if (text.starts_with(grf::ByteOrderMark)) text.remove_prefix(grf::ByteOrderMark.size());
   for (;;) {

@@ -4,7 +4,7 @@
 
 namespace convert {
 
-/// GRF and IGRF themselves, read and written.
+/// The format GRF and IGRF, read and written.
 Format grf_format();
 
 }  // namespace convert

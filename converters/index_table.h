@@ -7,18 +7,18 @@
 
 namespace convert {
 
-/// Mixes one more word into a hash, so that all of its bits count.
+/// Combines another word into a hash, so that all of its bits count.
 constexpr std::uint64_t mixed_hash(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
   return hash ^ (hash >> 32U);
 }
 
-/// Finds elements of an array that are alike: a hash table of their indices, with open addressing. The
-/// elements stay in the array.
+/// A hash table of indices of array elements, with open addressing, to find equal elements. The elements stay
+/// in the array.
 class IndexTable {
  public:
-  /// The index of an element that is alike, or else `next`, which the table then has too. `is_alike` compares
-  /// the element with the one of an index; elements that are alike have one hash.
+  /// Returns the index of an equal element, or else adds and returns `next`. `is_alike` compares the element
+  /// with the one of an index; equal elements must have equal hashes.
   template <class IsAlike>
   std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t next, const IsAlike& is_alike) {
     if (2 * (count_ + 1) > slots_.size()) grow();
@@ -50,7 +50,7 @@ class IndexTable {
     }
   }
 
-  std::vector<Slot> slots_;  // a power of two, at most half of them taken
+  std::vector<Slot> slots_;  // a power of two, at most half of them occupied
   std::size_t count_ = 0;
 };
 

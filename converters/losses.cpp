@@ -10,8 +10,8 @@ namespace convert {
 namespace {
 
 struct LossText {
-  std::string_view one;   ///< behind a count of one
-  std::string_view many;  ///< behind any other
+  std::string_view one;   ///< text after a count of one
+  std::string_view many;  ///< text after any other count
   std::string_view why;
 };
 
@@ -39,60 +39,61 @@ LossText text_of(Loss loss) {
     case Loss::VertexColour:
       return {"vertex lost its colour", "vertices lost their colour", "other vertices of the file have none"};
     case Loss::ShortFace:
-      return {"face was left out", "faces were left out", "three corners or more were expected"};
+      return {"face was left out", "faces were left out", "fewer than three corners"};
     case Loss::Line:
-      return {"line was left out", "lines were left out", "GRF has faces alone"};
+      return {"line was left out", "lines were left out", "GRF has only faces"};
     case Loss::Point:
-      return {"point was left out", "points were left out", "GRF has faces alone"};
+      return {"point was left out", "points were left out", "GRF has only faces"};
     case Loss::Camera:
       return {"camera was left out", "cameras were left out", "a view is given when a scene is rendered"};
     case Loss::LightSource:
-      return {"light was left out", "lights were left out", "GRF has lights with an area alone"};
+      return {"light was left out", "lights were left out", "GRF has only area lights"};
     case Loss::Animation:
-      return {"animation was left out", "animations were left out", "GRF scenes stand still"};
+      return {"animation was left out", "animations were left out", "GRF scenes are static"};
     case Loss::EmissionMap:
       return {"face lost its map of emission", "faces lost their map of emission",
-              "faces of GRF shine evenly"};
+              "faces of GRF emit uniformly"};
     case Loss::SecondTextureCoordinates:
-      return {"face lost its further sets of texture coordinates",
-              "faces lost their further sets of texture coordinates", "GRF has one"};
+      return {"face lost its additional sets of texture coordinates",
+              "faces lost their additional sets of texture coordinates", "GRF has one"};
     case Loss::SingularTransform:
-      return {"mesh was left out", "meshes were left out", "a transform without height makes nothing of it"};
+      return {"mesh was left out", "meshes were left out", "its transform is singular"};
     case Loss::TextureImage:
       return {"face lost its texture", "faces lost their texture", "the file has no image for it"};
     case Loss::TextureWrap:
-      return {"face lost how its texture goes on outside the image",
-              "faces lost how their texture goes on outside the image", "textures of GRF repeat"};
+      return {"face lost the wrap mode of its texture", "faces lost the wrap mode of their texture",
+              "textures of GRF repeat"};
     case Loss::NormalMap:
       return {"face lost its normal map", "faces lost their normal map", "GRF has none"};
     case Loss::OcclusionMap:
       return {"face lost its occlusion map", "faces lost their occlusion map",
-              "light in corners is computed, not painted"};
+              "occlusion is rendered, not textured"};
     case Loss::Unlit:
-      return {"face was to show its colour without light", "faces were to show their colour without light",
-              "it is matte, as nothing in GRF does so"};
+      return {"face lost its unlit shading", "faces lost their unlit shading",
+              "it is diffuse, since GRF has no unlit surfaces"};
     case Loss::BackEmission:
       return {"face lost the emission of its back", "faces lost the emission of their back",
-              "faces of GRF shine from the front"};
+              "faces of GRF emit only from the front"};
     case Loss::VertexValues:
-      return {"vertex lost values of an application's own", "vertices lost values of an application's own",
+      return {"vertex lost attributes of an application", "vertices lost attributes of an application",
               "GRF has none"};
     case Loss::UnplacedMesh:
-      return {"mesh was left out", "meshes were left out", "the file places it nowhere"};
+      return {"mesh was left out", "meshes were left out", "no node of the file uses it"};
     case Loss::Skin:
-      return {"face lost its bones", "faces lost their bones", "GRF scenes stand still: they are as bound"};
+      return {"face lost its bones", "faces lost their bones",
+              "GRF scenes are static: the bind pose is kept"};
     case Loss::MorphTarget:
-      return {"face lost its other shapes", "faces lost their other shapes",
-              "GRF scenes stand still: they are at rest"};
+      return {"face lost its morph targets", "faces lost their morph targets",
+              "GRF scenes are static: the base shape is kept"};
     case Loss::NumberedColour:
       return {"face lost its colour", "faces lost their colour",
-              "the file has the number of one in a table, and no table"};
+              "the file has an index into a colour table, and no table"};
     case Loss::SecondColour:
-      return {"face lost its further sets of vertex colours",
-              "faces lost their further sets of vertex colours", "GRF has one"};
+      return {"face lost its additional sets of vertex colours",
+              "faces lost their additional sets of vertex colours", "GRF has one"};
     case Loss::EmbeddedFile:
       return {"embedded image was left out", "embedded images were left out",
-              "no material has its diffuse colour from it"};
+              "no material uses it as its diffuse map"};
     case Loss::Subdivision:
       return {"object lost its subdivision", "objects lost their subdivision",
               "the faces are those that the file has, which are coarser"};
@@ -114,7 +115,7 @@ LossText text_of(Loss loss) {
       return {"polygon was cut into triangles", "polygons were cut into triangles", "the format has none"};
     case Loss::LooseVertex:
       return {"vertex without a face was left out", "vertices without a face were left out",
-              "the format has faces alone"};
+              "the format has only faces"};
     case Loss::MeshName:
       return {"mesh lost its name", "meshes lost their name", "the format has none"};
     case Loss::Alpha:
@@ -124,16 +125,16 @@ LossText text_of(Loss loss) {
       return {"vertex lost its normal", "vertices lost their normal", "it has no direction"};
     case Loss::BadTextureCoordinates:
       return {"vertex lost its texture coordinates", "vertices lost their texture coordinates",
-              "they are no finite numbers"};
+              "they are not finite"};
     case Loss::Edge:
-      return {"edge was left out", "edges were left out", "GRF has faces alone"};
+      return {"edge was left out", "edges were left out", "GRF has only faces"};
     case Loss::TextureOption:
       return {"face lost an option of its texture (-clamp, -mm and so on)",
               "faces lost an option of their texture (-clamp, -mm and so on)",
-              "GRF has scale and offset alone"};
+              "GRF has only scale and offset"};
     case Loss::DeepTextureCoordinate:
       return {"texture coordinate lost its third number", "texture coordinates lost their third number",
-              "images are flat"};
+              "textures are two-dimensional"};
     case Loss::FlatNormal:
       return {"face lost the normals of some corners", "faces lost the normals of some corners",
               "in OBJ all corners of a face have one, or none has"};

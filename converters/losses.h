@@ -1,5 +1,5 @@
-// What a scene cannot hold of a file that was read, and a file of a scene that is written: said in one
-// warning a kind.
+// Losses of a conversion: features that GRF cannot represent on import, or a format on export, reported in
+// one warning per kind.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ enum class Loss {
   ShortFace,
   Line,
   Point,
-  // What only some formats have.
+  // Features that only some formats have.
   Camera,
   LightSource,
   Animation,
@@ -43,13 +43,13 @@ enum class Loss {
   SecondColour,
   EmbeddedFile,
   Subdivision,
-  // What only GRF has, for writers.
+  // Features that only GRF has, for writers.
   Brdf,
   SamplingScheme,
   Irradiance,
   AreaLight,
   Emission,
-  // What some formats that are written lack.
+  // Features that some written formats lack.
   FaceColour,
   Normal,
   Polygon,
@@ -59,7 +59,7 @@ enum class Loss {
   BadNormal,
   BadTextureCoordinates,
   Edge,
-  // What OBJ files have, or lack.
+  // Features that OBJ files have, or lack.
   TextureOption,
   DeepTextureCoordinate,
   FlatNormal,
@@ -72,10 +72,10 @@ class Losses {
 
   std::size_t count(Loss loss) const { return counts_[static_cast<std::size_t>(loss)]; }
 
-  /// "12 faces lost their texture: ...", a warning for each kind that occurred.
+  /// Reports losses on import, one warning per kind: "12 faces lost their texture: ...".
   void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
 
-  /// The same of a file that is written in a format: what was lost, that format has not.
+  /// Reports losses on export: the reason is that the format does not have the feature.
   void report_written(const grf::SourceLocation& location, std::string_view format,
                       grf::Diagnostics& diagnostics) const;
 

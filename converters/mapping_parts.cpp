@@ -8,7 +8,7 @@
 namespace convert {
 namespace {
 
-/// The lines of a comment, each of them as many of the texts as go on it.
+/// Appends texts to a comment, wrapped into lines.
 void append_wrapped(std::vector<std::string>& lines, std::string heading,
                     const std::vector<std::string>& texts) {
   constexpr std::size_t LongestLine = 100;

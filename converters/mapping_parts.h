@@ -1,4 +1,4 @@
-// What the mappings of all families of materials have in common.
+// Functions that the mappings of all families of materials share.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@
 
 namespace convert {
 
-/// One number where the components are equal.
+/// Converts a colour to a parameter's value: one number if the components are equal.
 grf::Value to_value(const grf::Vec3d& v);
 
 grf::BrdfModel make_brdf(std::string keyword, const std::vector<std::pair<std::string, grf::Value>>& values);
 
-/// A material without a body yet: its name, and a comment with its own spelling and the original values.
+/// Makes a material without a BRDF yet: its name, and a comment with the original name and values.
 MappedMaterial named_material(const std::string& name, std::string_view source,
                               const std::vector<std::string>& source_values);
 
-/// The value in 0..maximum; the material is marked where it was outside.
+/// Clamps a value to 0..maximum, and marks the material if it was outside.
 double clamped(double value, double maximum, MappedMaterial& material);
 grf::Vec3d clamped(const grf::Vec3d& value, double maximum, MappedMaterial& material);
 
-/// Ends a mapping: says that values were clamped, and makes faces emit what is over 0.
+/// Finishes a mapping: adds a comment if values were clamped, and the emission if it is above 0.
 void finish(const grf::Vec3d& emission, MappedMaterial& material);
 
 }  // namespace convert

@@ -10,9 +10,9 @@
 namespace convert {
 namespace {
 
-/// Exporters write a mirror's exponent as 900 or 1000, the top of their scales.
+/// The smallest exponent of a mirror: exporters write 900 or 1000, the top of their scales.
 constexpr double MirrorExponent = 900;
-/// The highest that `lewis` has: a lobe of a tenth of a degree.
+/// The highest exponent of `lewis`: a lobe a tenth of a degree wide.
 constexpr double HighestExponent = 1e6;
 
 class Mapping {
@@ -56,8 +56,7 @@ class Mapping {
     return make_brdf("lewis", values);
   }
 
-  // The diffuse reflectance as far as the specular one leaves room for it: together they reflect no more than
-  // comes in.
+  // The diffuse reflectance is limited to 1 minus the specular one, to conserve energy.
   grf::Vec3d beside(const grf::Vec3d& specular, const grf::Vec3d& diffuse) {
     const grf::Vec3d room = grf::Vec3d(1) - specular;
     const grf::Vec3d reduced(std::min(diffuse.x, room.x), std::min(diffuse.y, room.y),
@@ -78,7 +77,7 @@ class Mapping {
 MappedMaterial map_material(const PhongMaterial& material) { return Mapping(material).run(); }
 
 PhongMaterial phong_material(const BrdfParts& parts) {
-  /// The exponent of a mirror, as MTL files have it.
+  /// The exponent of a mirror in MTL files.
   constexpr double WrittenMirrorExponent = 1000;
   PhongMaterial material;
   material.diffuse = parts.matte;

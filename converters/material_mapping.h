@@ -1,4 +1,4 @@
-// How materials of other formats become GRF's: the one place that decides it (FORMATS.md shows the tables).
+// The conversion of other formats' materials to GRF's, decided only here (FORMATS.md shows the tables).
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace convert {
 
-/// What a material of the Phong family reflects beside its diffuse part.
+/// The specular reflection of a material of the Phong family.
 enum class Reflection {
-  None,    ///< nothing, whatever its specular reflectance is
-  Glossy,  ///< a lobe about the mirror direction
-  Mirror,  ///< a mirror image; where an exponent is given, only if that is of a mirror's sharpness
+  None,    ///< no specular reflection, whatever the specular reflectance is
+  Glossy,  ///< a glossy lobe about the mirror direction
+  Mirror,  ///< perfect specular reflection; if there is an exponent, only if it is high enough for a mirror
 };
 
-/// The exponent of a lobe about the mirror direction, max(0, u.r)^n, that is about as wide as one of the
-/// cosine between normal and half vector: the half vector turns half as fast.
+/// Converts a Blinn-Phong exponent to the Phong exponent, max(0, u.r)^n, of about the same lobe width: the
+/// half vector turns half as fast.
 constexpr double about_mirror(double half_vector_exponent) { return half_vector_exponent / 4; }
 
 /// A material of the Phong family, such as those of MTL files. Values are kept in double so that 1 - 0.9,
@@ -31,34 +31,34 @@ struct PhongMaterial {
   grf::Vec3d diffuse = grf::Vec3d(0.5);  ///< GRF's default
   grf::Vec3d specular = grf::Vec3d(0);
   grf::Vec3d emission = grf::Vec3d(0);  ///< radiance, W/(sr m2)
-  std::optional<double> exponent;       ///< about the mirror direction
+  std::optional<double> exponent;       ///< Phong exponent, about the mirror direction
   std::optional<grf::Texture> diffuse_map;
   Reflection reflection = Reflection::Glossy;
 
   std::string_view source;                 ///< the name of the format
-  std::vector<std::string> source_values;  ///< what the file says of the material, word for word
-  std::vector<Loss> losses;                ///< what a face with this material loses
+  std::vector<std::string> source_values;  ///< the original values of the file, verbatim
+  std::vector<Loss> losses;                ///< losses of a face with this material
   grf::SourceLocation location;
 };
 
-/// A material of the kind that glTF has: facets, of which each reflects after Fresnel, over a matte part.
-/// Light that the facets reflect does not reach the matte part.
+/// A microfacet material as in glTF: specular microfacets with Fresnel reflectance over a diffuse base. Light
+/// that the microfacets reflect does not reach the base.
 struct FacetMaterial {
   std::string name;
-  grf::Vec3d diffuse = grf::Vec3d(1);      ///< albedo of the matte part
-  grf::Vec3d specular = grf::Vec3d(0.04);  ///< reflectance of a facet at normal incidence
-  double slope = 1;                        ///< roughness: the RMS slope of the facets, 0 to 1
-  bool is_metal = false;                   ///< it has no matte part
+  grf::Vec3d diffuse = grf::Vec3d(1);      ///< albedo of the diffuse base
+  grf::Vec3d specular = grf::Vec3d(0.04);  ///< Fresnel reflectance at normal incidence (F0)
+  double slope = 1;                        ///< roughness: RMS slope of the microfacets, 0 to 1
+  bool is_metal = false;                   ///< without a diffuse base
   grf::Vec3d emission = grf::Vec3d(0);     ///< radiance, W/(sr m2)
-  std::optional<grf::Texture> map;         ///< multiplies all of it
+  std::optional<grf::Texture> map;         ///< multiplies the whole BRDF
 
   std::string_view source;                 ///< the name of the format
-  std::vector<std::string> source_values;  ///< what the file says of the material
-  std::vector<Loss> losses;                ///< what a face with this material loses
+  std::vector<std::string> source_values;  ///< the original values of the file
+  std::vector<Loss> losses;                ///< losses of a face with this material
   grf::SourceLocation location;
 };
 
-/// A material as a scene has it: a definition for faces to refer to, and what only faces can have.
+/// A material converted to GRF: a BRDF definition that faces refer to, and the attributes of those faces.
 struct MappedMaterial {
   grf::Definition definition;
   std::optional<grf::Colour> colour;  ///< multiplies the BRDF
@@ -68,41 +68,41 @@ struct MappedMaterial {
   bool clamped = false;  ///< a value was out of its range
 };
 
-/// The nearest BRDF under the material's own name, with the original values in a comment.
+/// Maps a material to the nearest BRDF, under its own name and with the original values in a comment.
 MappedMaterial map_material(const PhongMaterial& material);
 MappedMaterial map_material(const FacetMaterial& material);
 
-/// A material of which nothing but the name is known.
+/// Makes a material of which only the name is known.
 MappedMaterial unknown_material(const std::string& name, const grf::BrdfModel& brdf);
 
-/// What faces reflect of which nothing is known: GRF's default, written out.
+/// Returns GRF's default BRDF, `diffuse kd=0.5`, for faces without a known material.
 grf::BrdfModel default_brdf();
 
-// The way back, for formats that have such materials.
+// Inverse mappings, for formats that have such materials.
 
-/// The material of the Phong family with these parts: the inverse of `map_material` for the BRDFs that it
-/// gives. Name, emission and image are left as they are by default.
+/// Returns the Phong material with these lobes: the inverse of `map_material` for the BRDFs that it gives.
+/// Name, emission and image have their defaults.
 PhongMaterial phong_material(const BrdfParts& parts);
 
-/// What facets over a matte part are: `diffuse` is the albedo that the matte part would have without them.
+/// Microfacets over a diffuse base: `diffuse` is the albedo of the base without the microfacets.
 struct FacetValues {
   grf::Vec3d diffuse = grf::Vec3d(0);
-  grf::Vec3d specular = grf::Vec3d(0);  ///< at normal incidence
+  grf::Vec3d specular = grf::Vec3d(0);  ///< Fresnel reflectance at normal incidence (F0)
   double slope = 1;
 };
 
-/// The facets with these parts: the inverse of `map_material` too, but for the index of its metals.
+/// Returns the microfacets with these lobes: the inverse of `map_material`, except for its metals' index.
 FacetValues facet_values(const BrdfParts& parts);
 
 /// The parameters of glTF's metallic-roughness materials, each 0 to 1.
 struct MetallicRoughness {
   grf::Vec3d base_colour = grf::Vec3d(1);
   double metallic = 1;
-  double roughness = 1;  ///< the root of the slope
+  double roughness = 1;  ///< perceptual roughness, the square root of the slope
 };
 
 MetallicRoughness metallic_roughness(const FacetValues& values);
-/// `dielectric` is what facets that are no metal reflect at normal incidence.
+/// Converts back from metallic-roughness; `dielectric` is the F0 of non-metals.
 FacetValues facet_values(const MetallicRoughness& material, const grf::Vec3d& dielectric = grf::Vec3d(0.04));
 
 }  // namespace convert

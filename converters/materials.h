@@ -10,22 +10,22 @@
 
 namespace convert {
 
-/// The materials of a file that is being read: definitions for its faces to refer to.
+/// The materials of a file that is being read, which become definitions that its faces refer to.
 class Materials {
  public:
-  /// Materials of one name get names of their own from `names`, which outlives this.
+  /// Makes names of materials unique by `names`, which must outlive this.
   explicit Materials(DefinitionNames& names) : names_(names) {}
 
-  /// The index under which `surface` knows the material.
+  /// Adds a material and returns its index for `surface`.
   std::size_t add(MappedMaterial material);
 
-  /// The surface of so many faces with the material, whose losses are counted.
+  /// Returns the surface of a material for a number of faces, and counts their losses.
   grf::Surface surface(std::size_t material, std::size_t faces, Losses& losses) const;
 
-  /// Warns of values that were clamped, in one line.
+  /// Warns about clamped values, in one line.
   void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
 
-  /// A definition for each material, whether or not a face has it, in the order in which they came.
+  /// Returns a definition per material, used or not, in the order of addition.
   std::vector<grf::Definition> definitions() const;
 
  private:

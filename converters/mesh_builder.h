@@ -12,7 +12,7 @@
 
 namespace convert {
 
-/// A corner of a face with all that belongs to it.
+/// A corner of a face with its vertex attributes.
 struct Corner {
   grf::Vec3f position;
   std::optional<grf::Vec3f> normal;
@@ -20,29 +20,29 @@ struct Corner {
   std::optional<grf::Vec2f> uv;
 };
 
-/// Makes a mesh of faces whose corners are given one by one: corners that are alike share a vertex, which
-/// means that their numbers are equal, bit for bit but for the sign of a zero; the first of them is kept.
-/// Vertices and faces keep the order in which they come.
+/// Builds an indexed mesh from faces with unindexed corners: equal corners share a vertex, where equal means
+/// bit for bit but for the sign of a zero; the first of them is kept. Vertices and faces keep the order of
+/// addition.
 class MeshBuilder {
  public:
   explicit MeshBuilder(std::string name);
   MeshBuilder(const MeshBuilder&) = delete;  // surfaces_ points to mesh_
   MeshBuilder& operator=(const MeshBuilder&) = delete;
 
-  /// The index under which `add_face` knows a surface. The first one becomes that of the mesh as a whole.
+  /// Returns the index of a surface for `add_face`. The first surface becomes that of the mesh itself.
   std::uint32_t surface(const grf::Surface& surface);
 
-  /// Three corners or more, counter-clockwise seen from the front.
+  /// Adds a face of three corners or more, counter-clockwise seen from the front.
   void add_face(std::span<const Corner> corners, std::uint32_t surface);
 
-  /// The vertex that corners like this one share, for readers that know which corners are alike.
+  /// Returns the shared vertex of corners equal to this one, for readers that know which corners are equal.
   std::uint32_t vertex(const Corner& corner);
-  /// The same face, of vertices that are known.
+  /// Adds a face of known vertices.
   void add_face(std::span<const std::uint32_t> vertices, std::uint32_t surface);
 
   std::size_t face_count() const { return mesh_.face_count(); }
 
-  /// The mesh; the builder is of no use afterwards.
+  /// Moves the mesh out of the builder, which must not be used afterwards.
   grf::Mesh take();
 
  private:

@@ -16,9 +16,9 @@ namespace {
 using Kind = grf::TransformStep::Kind;
 using grf::Matrix44d;
 
-/// Turns about x, then y, then z that together are the rotation (of row vectors).
+/// Returns the Euler angles of a rotation (of row vectors) about x, then y, then z.
 grf::Vec3f angles_of(const Eigen::Matrix3d& rotation) {
-  // (0, 2) is -sin y. Where x and z turn about one line, all of it is given to x.
+  // (0, 2) is -sin y. At gimbal lock, where x and z rotate about one axis, x gets the whole angle.
   const double sine = std::clamp(-rotation(0, 2), -1.0, 1.0);
   const double cosine = std::hypot(rotation(0, 0), rotation(0, 1));
   constexpr double Degenerate = 1e-9;
@@ -57,7 +57,7 @@ void append_linear_part(std::vector<grf::TransformStep>& steps, const Matrix44d&
   const Eigen::Vector3d lengths = linear.rowwise().norm();
   const Eigen::Matrix3d unit = lengths.cwiseInverse().asDiagonal() * linear;
   constexpr double Orthogonal = 1e-6;
-  if ((unit * unit.transpose()).isIdentity(Orthogonal)) {  // axes are scaled, then turned
+  if ((unit * unit.transpose()).isIdentity(Orthogonal)) {  // a scale, then a rotation
     const double sign = unit.determinant() < 0 ? -1 : 1;
     append(steps, Kind::Scale, grf::Vec3f(grf::Vec3d(lengths(0), lengths(1), lengths(2)) * sign));
     append(steps, Kind::Rotation, angles_of(unit * sign));
@@ -106,7 +106,7 @@ std::vector<grf::Block> placed(std::vector<grf::Block> blocks, const Matrix44d& 
   grf::Block block;
   block.content = std::move(transform);
   block.location = location;
-  std::vector<grf::Block> one;  // not {block}: that would copy all that is inside
+  std::vector<grf::Block> one;  // {block} would make a deep copy
   one.push_back(std::move(block));
   return one;
 }

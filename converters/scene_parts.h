@@ -1,4 +1,4 @@
-// What readers make a scene of, and writers take it apart to.
+// Functions by which readers compose scenes and writers decompose them.
 #pragma once
 
 #include <functional>
@@ -12,26 +12,26 @@
 
 namespace convert {
 
-/// The blocks in the scope of the definitions, all from one place.
+/// Makes a scene of blocks in the scope of definitions, all with the same location.
 grf::Scene scene_of(std::vector<grf::Definition> definitions, std::vector<grf::Block> blocks,
                     const grf::SourceLocation& location);
 
-/// The blocks under a transform: themselves if it is the identity.
+/// Puts blocks under a transform, unless it is the identity.
 std::vector<grf::Block> placed(std::vector<grf::Block> blocks, const grf::Matrix44d& to_parent,
                                const grf::SourceLocation& location);
 
-/// Steps that together are the matrix, which is affine and has an inverse, as near as floats come: one where
-/// one does, else rotation, scale, rotation and translation, so that shears are kept too.
+/// Decomposes an invertible affine matrix into transform steps, to float precision: one step if one suffices,
+/// else rotation, scale, rotation and translation (a singular value decomposition), so that shears are kept.
 std::vector<grf::TransformStep> transform_steps(const grf::Matrix44d& matrix);
 
-/// Does something with each mesh and mesh light of the blocks and of their definitions. Included files stay
-/// as they are.
+/// Calls a function for each mesh and mesh light of the blocks and of their definitions, except in included
+/// files.
 void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);
 
-/// Gives each thing of a file a name of its own among the definitions of a scene.
+/// Makes unique names for the definitions of a scene.
 class DefinitionNames {
  public:
-  /// `to_identifier` of the name; with `_2`, `_3` and so on behind it where that was taken before.
+  /// Returns `to_identifier` of the name, with the suffix `_2`, `_3` and so on if it was taken before.
   std::string take(std::string_view name);
 
  private:

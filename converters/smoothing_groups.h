@@ -10,16 +10,15 @@
 
 namespace convert {
 
-/// Normals for formats that say by smoothing groups which faces go smoothly into each other. At a vertex, all
-/// faces of a group share one normal, of which `mesh_operations/vertex_normals.h` says how it is made. Faces
-/// of other groups at the same vertex have another one.
+/// Computes vertex normals from smoothing groups. At a vertex, all faces of a group share one normal
+/// (computed as in `mesh_operations/vertex_normals.h`); faces of other groups there have another one.
 class SmoothingGroups {
  public:
-  /// A face of a group: indices of its corners' positions.
+  /// Adds a face of a group, with the indices of its corners' positions.
   void add_face(std::uint32_t group, std::span<const std::uint32_t> vertices,
                 std::span<const grf::Vec3f> positions);
 
-  /// Of unit length. Nothing where faces have no area, or are back to back.
+  /// Returns the unit normal, or nothing if the faces are degenerate or back to back.
   std::optional<grf::Vec3f> normal(std::uint32_t group, std::uint32_t vertex) const;
 
  private:

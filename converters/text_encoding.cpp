@@ -35,7 +35,7 @@ void append_utf8(std::string& text, char32_t character) {
   }
 }
 
-/// The length of the UTF-8 sequence at i, or 0 if it is none (RFC 3629: no overlong form, no surrogate).
+/// Returns the length of the UTF-8 sequence at i, or 0 if it is invalid (RFC 3629: overlong, surrogate).
 std::size_t sequence_length(std::string_view bytes, std::size_t i) {
   const std::uint8_t first = byte_at(bytes, i);
   if (first < 0x80) return 1;
@@ -51,7 +51,7 @@ std::size_t sequence_length(std::string_view bytes, std::size_t i) {
   return overlong || surrogate || too_large ? 0 : length;
 }
 
-/// Eight bytes at once, since most text is ASCII.
+/// Checks eight bytes at once, since most text is ASCII.
 std::size_t ascii_end(std::string_view bytes, std::size_t begin) {
   constexpr std::uint64_t HighBits = 0x8080808080808080ULL;
   for (; begin + 8 <= bytes.size(); begin += 8) {

@@ -5,15 +5,15 @@
 
 namespace convert {
 
-/// The text as UTF-8 without a byte-order mark. Text that begins with a mark of UTF-16 is taken at its word;
-/// other text is UTF-8 if it is valid as such, and else Latin-1, which old exporters write.
+/// Converts text to UTF-8 without a byte-order mark. Text with a UTF-16 byte-order mark is UTF-16; other text
+/// is UTF-8 if it is valid UTF-8, and else Latin-1, which old exporters write.
 std::string to_utf8(std::string_view bytes);
 
-/// True of bytes that `to_utf8` gives back as they are.
+/// Returns whether `to_utf8` leaves the bytes unchanged.
 bool is_plain_utf8(std::string_view bytes);
 
-/// Whether a program that adds a line end, blanks or the end-of-file mark of DOS may have put these bytes
-/// behind what a format says that a file has. Any others show that the file was misread.
+/// Returns whether bytes after the end of the data are harmless padding: line ends, blanks or DOS's
+/// end-of-file mark. Any others show that the file was misread.
 bool is_padding(std::string_view bytes);
 
 }  // namespace convert

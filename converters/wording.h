@@ -7,10 +7,10 @@
 
 namespace convert {
 
-/// "1 face was lost" or "12 faces were lost".
+/// Formats a count with the singular or plural text: "1 face was lost", "12 faces were lost".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-/// Names for a message: "'a', 'b', 'c' and 4 more".
+/// Formats a list of names for a message: "'a', 'b', 'c' and 4 more".
 std::string listed(const std::vector<std::string>& names);
 
 }  // namespace convert

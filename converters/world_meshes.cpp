@@ -181,7 +181,7 @@ void WorldMeshes::add(const grf::Mesh& mesh, const grf::Placement& placement) {
   }
 }
 
-// What a mesh light calls colour is its radiance, 1 if it has none.
+// The colour of a mesh light is its radiance, 1 by default.
 void WorldMeshes::add_light(const grf::Mesh& mesh, const grf::Placement& placement) {
   WorldMesh& placed = meshes_.emplace_back(mesh, placement.to_world, true);
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {

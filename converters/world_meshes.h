@@ -1,5 +1,4 @@
-// A scene as writers need it whose format has neither transforms nor instances: meshes that stand in the
-// world.
+// World-space meshes of a scene, for writers of formats without transforms and instances.
 #pragma once
 
 #include <array>
@@ -22,45 +21,45 @@
 
 namespace convert {
 
-/// Looks up the BRDFs that the terms of a `combine` name; null where a name is no BRDF, empty for other
-/// models.
+/// Looks up the BRDFs of the terms of a `combine`; null if a name is no BRDF, empty for other models.
 std::vector<const grf::BrdfModel*> named_brdfs(const grf::BrdfModel& brdf, const grf::Scope& scope);
 
-/// A surface of a mesh with its references looked up. Pointers are into the scene; what is null or absent was
-/// not given.
+/// A surface of a mesh with its references resolved. Pointers are into the scene; null or absent attributes
+/// were not given.
 struct WorldSurface {
   std::optional<grf::Colour> colour;
   const grf::BrdfModel* brdf = nullptr;
-  std::vector<const grf::BrdfModel*> terms;  ///< of a `combine`: what its names mean where the mesh stands
+  std::vector<const grf::BrdfModel*> terms;  ///< the terms of a `combine`, resolved in the scope of the mesh
   const grf::PdfModel* pdf = nullptr;
   const grf::Texture* texture = nullptr;
   std::optional<grf::Colour> emission;  ///< radiance from the front, W/(sr m2)
   std::optional<std::size_t>
-      material;           ///< among the materials of `WorldMeshes`; none if the BRDF has no name
-  std::size_t faces = 0;  ///< how many have it
+      material;           ///< index into the materials of `WorldMeshes`; none if the BRDF has no name
+  std::size_t faces = 0;  ///< number of faces with this surface
 };
 
-/// A mesh at a place. Nothing of it is copied: positions and normals are moved as they are asked for.
+/// An instance of a mesh in world space. Nothing is copied: positions and normals are transformed on access.
 class WorldMesh {
  public:
   WorldMesh(const grf::Mesh& mesh, const grf::Matrix44d& to_world, bool is_light);
 
-  /// What does not depend on the place: indices, uvs, colours and irradiance.
+  /// Returns the mesh, for data that no transform changes: indices, uvs, colours and irradiance.
   const grf::Mesh& mesh() const { return *mesh_; }
-  /// True of a light, which only emits: its surfaces have an emission, and nothing else.
+  /// Returns true for a light, which only emits: its surfaces have only an emission.
   bool is_light() const { return is_light_; }
-  /// Its own name, or that of the definition which a `use` places; may be empty.
+  /// Returns the mesh's own name, or that of the definition it is an instance of; may be empty.
   const std::string& name() const { return name_; }
 
-  /// Computed in double, then rounded; where nothing moves the mesh, the very bits.
+  /// Returns a world-space position, computed in double, then rounded; exact bits if no transform moves it.
   grf::Vec3f position(std::size_t vertex) const;
-  /// Of a vertex that has one; of unit length, except where nothing turns the mesh: then the very bits.
+  /// Returns the world-space normal of a vertex that has one; unit length, but exact bits if nothing rotates
+  /// it.
   grf::Vec3f normal(std::size_t vertex) const;
-  /// The corners of a face, counter-clockwise seen from its front: turned round where the mesh is mirrored,
-  /// beginning with the same corner. They hold until the function is called again.
+  /// Returns the corners of a face, counter-clockwise seen from its front: the winding is reversed if the
+  /// transform mirrors, beginning with the same corner. Valid until the next call.
   std::span<const std::uint32_t> face(std::size_t index) const;
 
-  /// One for each of the mesh's surfaces.
+  /// Returns a resolved surface per surface of the mesh.
   const std::vector<WorldSurface>& surfaces() const { return surfaces_; }
   const WorldSurface& surface(std::size_t face) const { return surfaces_[(*mesh_->surface_of_face)[face]]; }
 
@@ -79,7 +78,8 @@ class WorldMesh {
   mutable std::vector<std::uint32_t> turned_face_;
 };
 
-/// All meshes of a scene, instances and lights too, in order. The scene outlives this.
+/// All meshes of a scene in world space, including instances and lights, in order. The scene must outlive
+/// this.
 class WorldMeshes {
  public:
   explicit WorldMeshes(const grf::Scene& scene);
@@ -88,14 +88,14 @@ class WorldMeshes {
 
   const std::vector<WorldMesh>& meshes() const { return meshes_; }
 
-  /// The names of the BRDFs that faces have by name, in the order in which faces come to have them. They are
-  /// different; where two definitions have one name, the second is called `name_2`.
+  /// Returns the names of the BRDF definitions that faces use, in the order of first use. They are unique: if
+  /// two definitions have one name, the second is called `name_2`.
   const std::vector<std::string>& materials() const { return materials_; }
 
-  /// False if a transform moves a vertex, or stretches a normal, beyond what a float can hold.
+  /// Returns false if a transformed position or normal overflows a float.
   bool is_finite() const;
 
-  /// Counts of the given kinds what the meshes have, lights left out: for a writer that cannot keep them.
+  /// Counts losses of the given kinds, except those of lights, for a writer that cannot keep them.
   void count(std::initializer_list<Loss> kinds, Losses& losses) const;
 
  private:
@@ -104,7 +104,7 @@ class WorldMeshes {
   std::size_t material_of(const grf::Definition& definition);
 
   std::vector<WorldMesh> meshes_;
-  std::deque<grf::Mesh> parallelograms_;  // of `light` blocks; others are the scene's
+  std::deque<grf::Mesh> parallelograms_;  // meshes of `light` blocks; others are the scene's
   DefinitionNames names_;
   std::map<const grf::Definition*, std::size_t> material_of_definition_;
   std::vector<std::string> materials_;

@@ -16,7 +16,7 @@ BoxTree::BoxTree(std::span<const Box3d> boxes) : order_(boxes.size()) {
   if (!boxes.empty()) build(boxes, 0, static_cast<std::uint32_t>(boxes.size()));
 }
 
-// The things are halved at each level, so that the depth is the logarithm of their number.
+// Each level splits the primitives at the median, so that the depth is the logarithm of their number.
 void BoxTree::build(std::span<const Box3d> boxes, std::uint32_t first, std::uint32_t last) {
   const std::size_t index = nodes_.size();
   Node node;
@@ -35,7 +35,7 @@ void BoxTree::build(std::span<const Box3d> boxes, std::uint32_t first, std::uint
   build(boxes, middle, last);
 }
 
-// The more promising child is looked at first, so that the other one can mostly be left out.
+// The child with the higher bound is visited first, so that the other one can mostly be culled.
 double BoxTree::highest(const ValueOfBox& bound, const ValueOfThing& value, double least,
                         double enough) const {
   double best = least;

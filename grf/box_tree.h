@@ -11,32 +11,32 @@
 
 namespace grf {
 
-/// A bounding volume hierarchy of axis-aligned boxes: it finds what
-/// is asked of many things without a look at each. It is built in n log n.
+/// A bounding volume hierarchy (BVH) over axis-aligned boxes, for branch-and-bound searches that visit only
+/// part of the primitives. Building takes O(n log n).
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Takes the boxes of the things, by their index. None may be empty.
+  /// Builds the hierarchy over the bounds of the primitives, by their index. No box may be empty.
   explicit BoxTree(std::span<const Box3d> boxes);
 
   using ValueOfBox = std::function<double(const Box3d&)>;
   using ValueOfThing = std::function<double(std::size_t)>;
 
-  /// The highest value of any thing, or `least` if none is higher. `bound` gives a value for a box that
-  /// nothing in it exceeds. The search ends at any value over `enough`.
+  /// Returns the highest value of any primitive, or `least` if none is higher. `bound` returns an upper bound
+  /// of the values in a box. The search ends at any value over `enough`.
   double highest(const ValueOfBox& bound, const ValueOfThing& value,
                  double least = -std::numeric_limits<double>::infinity(),
                  double enough = std::numeric_limits<double>::infinity()) const;
 
-  /// The box around all; an empty one without things.
+  /// Returns the bounds of all primitives; an empty box if there are none.
   Box3d bounds() const { return nodes_.empty() ? Box3d() : nodes_.front().bounds; }
 
  private:
   struct Node {
     Box3d bounds;
-    std::uint32_t first = 0;  ///< of its things in order_
-    std::uint32_t last = 0;   ///< one past them
-    std::uint32_t right = 0;  ///< the second child; the first follows its parent. 0 for a leaf.
+    std::uint32_t first = 0;  ///< the first of its primitives in order_
+    std::uint32_t last = 0;   ///< one past its last primitive
+    std::uint32_t right = 0;  ///< the second child; the first child follows its parent. 0 for a leaf.
   };
 
   void build(std::span<const Box3d> boxes, std::uint32_t first, std::uint32_t last);
@@ -45,7 +45,7 @@ class BoxTree {
   std::vector<std::uint32_t> order_;
 };
 
-/// The highest value at the corners of a box, which a linear function exceeds nowhere inside.
+/// Returns the highest value at the corners of a box: the maximum of a linear function over the box.
 double highest_at_corners(const Box3d& box, const std::function<double(const Vec3d&)>& value);
 
 }  // namespace grf

@@ -20,7 +20,7 @@ bool in_range(float value, const ParameterInfo& parameter) {
   return value >= parameter.minimum && value <= parameter.maximum;
 }
 
-/// The range of a parameter in words.
+/// Describes the range of a parameter in words.
 std::string range_of(const ParameterInfo& parameter) {
   const bool has_maximum = parameter.maximum < std::numeric_limits<float>::max();
   return has_maximum ? fmt::format("from {} to {}", parameter.minimum, parameter.maximum)
@@ -41,7 +41,7 @@ std::optional<std::string> wrong_word(const Value& value, const std::vector<std:
                      suggestion);
 }
 
-/// What the value should have been, or nothing if it is right.
+/// Returns an error message for an invalid value, or nothing if the value is valid.
 std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& parameter) {
   const auto* number = std::get_if<float>(&value);
   if (parameter.kind == ParameterKind::Boolean) {
@@ -66,8 +66,8 @@ std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& 
   return std::nullopt;
 }
 
-/// Whether a parameter that the model lacks is the beginning of a definition without `brdf` or `pdf`: then
-/// what follows it are that one's parameters.
+/// Returns whether an unknown parameter is really the start of a definition that lacks `brdf` or `pdf`: the
+/// arguments after it are then that definition's parameters.
 bool begins_definition(const Argument& argument, const std::vector<ModelInfo>& models) {
   const auto* word = std::get_if<Word>(&argument.value);
   return word != nullptr && find_model(models, word->text) != nullptr;
@@ -90,7 +90,7 @@ void check_arguments(const Model& model, const ModelInfo& info, const std::vecto
   }
 }
 
-/// What no single parameter's range says; not asked of values of which one is already wrong.
+/// Checks constraints between parameters; skipped if a single value is already invalid.
 void check_together(const Model& model, const ModelInfo& info, std::size_t errors_before,
                     Diagnostics& diagnostics) {
   if (info.wrong_together == nullptr || diagnostics.error_count() != errors_before) return;

@@ -21,7 +21,7 @@
 namespace grf {
 namespace {
 
-/// The models of one kind, and what messages call them.
+/// The models of one kind, and the name of the kind for messages.
 template <class ModelOfKind>
 struct Kind {
   const std::vector<ModelInfo>& models;
@@ -32,7 +32,7 @@ std::string path_of(const SourceLocation& location, const std::string& file) {
   return location.file ? path_beside(location.file->path, file) : file;
 }
 
-/// GRF inside a file of another format has no name of its own.
+/// Returns whether a name ends in `.grf`; a scene embedded in another format has no file name of its own.
 bool is_plain_grf_name(const std::string& path) {
   return same_keyword(std::filesystem::path(path).extension().string(), ".grf");
 }
@@ -75,7 +75,7 @@ class Check {
     visit(scene, visitor);
     faces_.report(diagnostics_);
     warn_of_irradiance();
-    // After an error these could be its consequences.
+    // After an error these warnings could be consequences of it.
     if (diagnostics_.error_count() > errors_before) return;
     lights_.report(diagnostics_);
     warn_of_unused();
@@ -132,7 +132,7 @@ class Check {
     }
   }
 
-  // The default of absent BRDFs is one that nobody wrote down, so a file that relies on it hears of it, once.
+  // A missing BRDF falls back to an implicit default, so a file that relies on it gets one warning.
   void warn_of_default(const Mesh& mesh, const SourceLocation& location) {
     const std::string file = location.file ? location.file->path : std::string();
     if (files_with_default_.contains(file)) return;
@@ -161,8 +161,8 @@ class Check {
     if (const ModelInfo* info = find_model(kind.models, brdf.keyword)) check_data_file(brdf, *info);
     if (diagnostics_.error_count() == errors_before) warn_of_gain(brdf);
   }
-  // Some models gain energy as published, and parts may sum to more than 1: right, if it is meant. A colour
-  // of faces under 1 may take it back.
+  // Some published models gain energy, and lobes may sum to more than 1: a warning, since it may be intended.
+  // A face colour below 1 may compensate for it.
   void warn_of_gain(const BrdfModel& brdf) {
     constexpr float ClearlyOver = 1.02F;
     const ModelInfo* info = find_model(brdfs_.models, brdf.keyword);
@@ -184,9 +184,9 @@ class Check {
     const bool takes_file = info.takes == ModelInfo::Takes::DataFile;
     std::string wrong;
     if (takes_file && brdf.data_file.empty()) {
-      wrong = fmt::format("'{}' needs the name of a file with its data", info.keyword);
+      wrong = fmt::format("'{}' needs the name of a data file", info.keyword);
     } else if (!takes_file && !brdf.data_file.empty()) {
-      wrong = fmt::format("'{}' reads no file", info.keyword);
+      wrong = fmt::format("'{}' takes no data file", info.keyword);
     } else if (takes_file) {
       const std::string path = path_of(brdf.location, brdf.data_file);
       std::error_code error;
@@ -197,7 +197,7 @@ class Check {
 
   void check_combine(const BrdfModel& brdf, const Scope& scope) {
     if (brdf.terms.empty())
-      diagnostics_.error(brdf.location, "'combine' of nothing, expected weights and names");
+      diagnostics_.error(brdf.location, "'combine' without terms, expected weights and names");
     for (const CombineTerm& term : brdf.terms) {
       check_reference<BrdfModel>(term.brdf, "BRDF", scope);
       if (term.weight < 0) {
@@ -210,13 +210,13 @@ class Check {
     for (const Argument& argument : brdf.arguments) report_unknown_parameter(argument, info, diagnostics_);
   }
 
-  // The names of definitions are suggested too: who wrote an unknown keyword may have meant one of those.
+  // Names of definitions are suggested too: an unknown keyword may be a misspelled definition.
   template <class ModelOfKind>
   void check_known_model(const ModelOfKind& model, const Kind<ModelOfKind>& kind, const Scope& scope) {
     if (find_model(kind.models, model.keyword) != nullptr) {
       check(model, kind.models, kind.name, diagnostics_);
     } else if (scope.find<ModelOfKind>(model.keyword) != nullptr) {
-      // Else faces would have it by its name, so this is in a definition or has parameters.
+      // A bare name on faces would be a reference, so this one is in a definition or has parameters.
       diagnostics_.error(model.location,
                          fmt::format("'{}' is the name of a {}, expected a model", model.keyword, kind.name));
     } else {
@@ -230,7 +230,7 @@ class Check {
     const auto* reference = std::get_if<Reference>(&*attribute);
     if (reference == nullptr) return check_colour(std::get<Colour>(*attribute), location, "colour");
     check_reference<Colour>(*reference, "colour", scope);
-    // Not where it is defined: it can be meant for a light.
+    // A mesh is not checked where it is defined: it can be meant for a light.
     const auto* colour = scope.find<Colour>(reference->name);
     if (colour != nullptr) check_colour(*colour, scope.find(reference->name)->location, "colour");
   }
@@ -246,7 +246,7 @@ class Check {
     }
   }
 
-  // A scene is of use without its images, so one that is missing is no error. Each is reported once.
+  // A missing image is a warning, since the scene still renders without it. Each is reported once.
   void check_image(const Texture& texture, const SourceLocation& place) {
     const std::string path = path_of(place, texture.file);
     std::error_code error;
@@ -266,7 +266,7 @@ class Check {
                                    suggestion.empty() ? "" : ": ", suggestion));
   }
 
-  // Of errors that are kept no more, nobody reads the suggestion: gathering names for each would be
+  // Errors beyond the limit are discarded, so they need no suggestion: collecting names for each would be
   // quadratic.
   template <class Body>
   std::vector<std::string> names_to_suggest(const Scope& scope) const {
@@ -324,9 +324,9 @@ class Check {
   Diagnostics& diagnostics_;
   FaceCheck faces_;
   LightCheck lights_;
-  std::map<std::string, LargestAlbedo> largest_albedos_;  ///< of the texts of BRDFs
+  std::map<std::string, LargestAlbedo> largest_albedos_;  ///< by the text of the BRDF
   std::set<std::string> files_with_default_;
-  std::set<std::string> known_images_;  ///< that are missed no more: reported, or to come
+  std::set<std::string> known_images_;  ///< not reported as missing (again): reported before, or to come
   std::vector<const Definition*> definitions_;
   std::set<const Definition*> visited_;
   std::set<const Definition*> used_;

@@ -1,4 +1,4 @@
-// What is wrong with a scene that could be read, and what its author may not have meant.
+// Validation of a scene that was read: errors, and warnings about likely mistakes of its author.
 #pragma once
 
 #include <set>
@@ -10,11 +10,11 @@
 
 namespace grf {
 
-/// Reports models that are not right (`check` of `catalogue.h`), references that name nothing, colours and
-/// radiances under 0; and, as warnings, what an author may not have meant: colours over 1, faces without a
-/// BRDF, textures without an image or uv, definitions that nothing uses, irradiance without an observer,
-/// faces without area, normals behind their faces, lights that face nothing. Images whose paths are in
-/// `images_to_come` are not missed. Returns false if there was an error.
+/// Validates a scene: reports invalid models (`check` of `catalogue.h`), undefined references, negative
+/// colours and radiances; and, as warnings, likely mistakes: colours over 1, faces without a BRDF, textures
+/// without an image or uv, unused definitions, irradiance without an observer, degenerate faces, normals that
+/// point away from the front of their face, lights that face nothing. Images whose paths are in
+/// `images_to_come` may be missing. Returns false if there was an error.
 bool check(const Scene& scene, const Catalogue& catalogue, Diagnostics& diagnostics,
            const std::set<std::string>& images_to_come = {});
 

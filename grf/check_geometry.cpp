@@ -14,9 +14,10 @@
 namespace grf {
 namespace {
 
-// Of what a face's longest edge squared would give: less is rounding.
+// The smallest area of a face relative to its longest edge squared: less is rounding.
 constexpr double LeastArea = 1e-7;
-// Of the distance between a light and a vertex: what is nearer to the light's plane lies in it.
+// The tolerance of a light's plane, relative to the distance between light and vertex: closer points lie in
+// it.
 constexpr double LeastHeight = 1e-6;
 
 double longest_edge2(const Mesh& mesh, std::size_t face) {
@@ -105,14 +106,14 @@ void FaceCheck::report(const Found& found, Diagnostics& diagnostics) {
   }
 }
 
-/// The front of a light is where its light can go, a convex region.
+/// The half-space in front of a light, which its emission can reach.
 class LightCheck::Front {
  public:
   Front(const Vec3d& point, const Vec3d& normal) : point_(point), normal_(normal) {}
 
-  /// How far a position is above the light's plane, in a unit of the light's own.
+  /// Returns the height of a position above the light's plane, in a unit of the light's own.
   double height(const Vec3d& position) const { return (position - point_).dot(normal_); }
-  /// Over 0 in front. No more than the height.
+  /// Returns a value above 0 in front of the light, and at most the height.
   double height_over_margin(const Vec3d& position) const {
     return height(position) - LeastHeight * (position - point_).length() * normal_.length();
   }
@@ -122,7 +123,7 @@ class LightCheck::Front {
   Vec3d normal_;
 };
 
-/// The vertices of all bodies, found by trees: these are built only where a light asks.
+/// The vertices of all bodies, searched by BVHs that are built on demand.
 class LightCheck::World {
  public:
   explicit World(const std::vector<Body>& bodies) : bodies_(bodies) {
@@ -148,7 +149,7 @@ class LightCheck::World {
   }
 
   const std::vector<Body>& bodies_;
-  BoxTree tree_;  ///< of the bodies' boxes
+  BoxTree tree_;  ///< over the bounds of the bodies
 };
 
 void LightCheck::add(const Mesh& mesh, const Placement& placement) {
@@ -171,7 +172,7 @@ void LightCheck::add_light(const MeshLight& light, const Placement& placement, c
 
 void LightCheck::report(Diagnostics& diagnostics) const {
   if (lights_.empty()) return;
-  // A file of lights alone is a part of scenes.
+  // A file that has only lights is meant to be included in scenes.
   const bool is_part = bodies_.empty();
   const World world(bodies_);
   for (const Light& light : lights_) {

@@ -1,4 +1,4 @@
-// The part of `check` that looks at shapes and places.
+// Validation of geometry for `check`: degenerate faces, normals, and lights that illuminate nothing.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace grf {
 
-/// Faces of one or more meshes that something is wrong with.
+/// Faces of one or more meshes that have the same defect.
 struct Offenders {
   std::size_t count = 0;
-  std::size_t first = 0;  ///< in its mesh
+  std::size_t first = 0;  ///< index of the first face in its mesh
   std::size_t meshes = 0;
 };
 
-/// Warns of faces that have no area, that have all their normals on their back, or that have a texture and no
-/// place in it: mesh by mesh if meshes have lines of their own, and else of all meshes of a file in one.
+/// Warns about degenerate faces (zero area), faces whose normals all point to the back, and textured faces
+/// without uv: once per mesh if meshes have line numbers, and otherwise once per file.
 class FaceCheck {
  public:
   void add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics);
 
-  /// Once everything was added.
+  /// Reports the defects, once every mesh was added.
   void report(Diagnostics& diagnostics) const;
 
  private:
@@ -34,17 +34,17 @@ class FaceCheck {
   };
   static void report(const Found& found, Diagnostics& diagnostics);
 
-  std::vector<Found> without_lines_;  ///< one a file
+  std::vector<Found> without_lines_;  ///< one per file
 };
 
-/// Finds the lights in front of which there is nothing that they could light.
+/// Finds lights that face no geometry, and so cannot illuminate anything.
 class LightCheck {
  public:
   void add(const Mesh& mesh, const Placement& placement);
   void add_light(const AreaLight& light, const Placement& placement, const Block& block);
   void add_light(const MeshLight& light, const Placement& placement, const Block& block);
 
-  /// Once everything was added.
+  /// Reports the lights, once the whole scene was added.
   void report(Diagnostics& diagnostics) const;
 
  private:
@@ -55,7 +55,7 @@ class LightCheck {
   struct Light {
     const Mesh* mesh = nullptr;  ///< null for a parallelogram
     Matrix44d to_world;
-    Vec3d point = Vec3d(0);  ///< of a parallelogram, with its normal
+    Vec3d point = Vec3d(0);  ///< a corner of a parallelogram, with its normal
     Vec3d normal = Vec3d(0);
     SourceLocation location;
   };

@@ -5,11 +5,11 @@
 
 namespace grf {
 
-/// The comments that belong to a block, a definition or an attribute. Each is kept without its `//`
-/// and without a line end, and has none inside.
+/// The comments attached to a block, a definition or an attribute. Each is kept without its `//`, and has no
+/// line ends.
 struct Comments {
-  std::vector<std::string> before;  ///< on lines of their own, before it
-  std::string behind;               ///< on its last line
+  std::vector<std::string> before;  ///< leading comments, on lines of their own
+  std::string behind;               ///< trailing comment, on the last line
 
   bool empty() const { return before.empty() && behind.empty(); }
   bool operator==(const Comments&) const = default;

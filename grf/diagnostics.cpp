@@ -11,7 +11,7 @@
 namespace grf {
 namespace {
 
-// Of a longer line, what is around the column is shown: a file can be one line of 100 MB.
+// A longer line is cut to the part around the column: a file can be one line of 100 MB.
 constexpr std::size_t LongestExcerpt = 160;  // in characters
 constexpr std::size_t ShownBeforeColumn = 100;
 constexpr std::size_t LongestMessage = 2000;  // in bytes: messages repeat names, and a name can be that line
@@ -43,7 +43,7 @@ std::string_view line_of(std::string_view text, std::uint32_t line) {
 
 bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// White space that puts a caret under the column, keeping tabs so that both lines are indented alike.
+/// Returns the white space before a caret, with the tabs of the line so that both are indented alike.
 std::string indentation_up_to(std::string_view line, std::uint32_t column) {
   std::string indentation;
   for (const char c : line) {
@@ -54,7 +54,7 @@ std::string indentation_up_to(std::string_view line, std::uint32_t column) {
   return indentation;
 }
 
-/// The length of the UTF-8 character at the beginning of a text, or 0 if there is none.
+/// Returns the length in bytes of the UTF-8 character at the beginning of a text, or 0 if there is none.
 std::size_t length_of_character(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t length = lead < 0x80U ? 1 : lead < 0xC2U ? 0 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
@@ -63,7 +63,7 @@ std::size_t length_of_character(std::string_view text) {
   return std::all_of(others.begin(), others.end(), is_continuation_byte) ? length : 0;
 }
 
-/// The text without what a terminal would not show, or take for a command.
+/// Replaces control characters and invalid UTF-8, which a terminal would not show or would interpret.
 std::string printable(std::string_view text) {
   constexpr std::string_view Replacement = "\uFFFD";
   std::string printable;
@@ -84,7 +84,7 @@ std::string message_of(std::string_view text) {
   return printable(text.substr(0, length)).append(Cut);
 }
 
-/// The offset of the character with that number, counted from 0, or the size if there are fewer.
+/// Returns the byte offset of the character with that index, or the size if there are fewer characters.
 std::size_t offset_of_character(std::string_view text, std::size_t number) {
   std::size_t offset = 0;
   for (; offset < text.size(); ++offset) {
@@ -122,7 +122,7 @@ bool says_the_same(const Diagnostic& a, const Diagnostic& b) {
          a.location.column == b.location.column && a.message == b.message && path(a) == path(b);
 }
 
-/// The Damerau-Levenshtein distance, without regard to case, row by row.
+/// Computes the Damerau-Levenshtein distance, case-insensitive, row by row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -152,7 +152,7 @@ SourceLocation whole_file(std::string path) {
 std::string source_line(const SourceLocation& location) {
   if (!location.file || location.line == 0) return {};
   if (const auto text = location.file->text.lock()) return std::string(line_of(*text, location.line));
-  Diagnostics unheard;  // where the file cannot be read any more there is just no line to show
+  Diagnostics unheard;  // if the file cannot be read any more there is no excerpt to show
   const auto text = read_file(location.file->path, unheard);
   return text ? std::string(line_of(*text, location.line)) : std::string();
 }
@@ -223,7 +223,7 @@ std::string Diagnostics::to_text() const {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   constexpr std::size_t MostSuggestions = 3;
-  // A longer word is no misspelling, and each comparison costs the product of two lengths.
+  // A longer word is not a misspelling, and each comparison costs the product of the two lengths.
   constexpr std::size_t LongestWord = 64;
   constexpr std::size_t MostCandidates = 10'000;
   const std::size_t farthest = 1 + word.size() / 3;
@@ -236,7 +236,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   }
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  // A farther one is no help beside the nearest.
+  // Only the candidates at the smallest distance are helpful.
   std::erase_if(near, [&](const auto& candidate) { return candidate.first > near.front().first; });
   if (near.size() > MostSuggestions) near.resize(MostSuggestions);
   if (near.empty()) return {};

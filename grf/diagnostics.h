@@ -17,44 +17,44 @@ struct Diagnostic {
   Severity severity = Severity::Error;
   SourceLocation location;
   std::string message;
-  std::string excerpt;               ///< the source line, or what is around the column of a long one
-  std::uint32_t excerpt_column = 0;  ///< of the excerpt, in characters from 1
+  std::string excerpt;               ///< the source line, or the part of a long one around the column
+  std::uint32_t excerpt_column = 0;  ///< column in the excerpt, in characters from 1
 };
 
-/// Collects what is wrong with users' input. Never exits and never throws for a user's mistake.
+/// Collects errors, warnings and notes about users' input. Never exits and never throws for a user's mistake.
 class Diagnostics {
  public:
-  /// No more errors than this are kept: later ones are mostly consequences of earlier ones.
+  /// The number of errors kept: later ones are mostly consequences of earlier ones.
   static constexpr std::size_t MaximumErrors = 20;
-  /// Nor more warnings than this: a generated file repeats what it does wrong.
+  /// The number of warnings kept: a generated file repeats its mistakes.
   static constexpr std::size_t MaximumWarnings = 100;
 
-  // The same thing said twice about the same place, as of a file that is included twice, is kept once.
+  // Duplicates (the same message at the same location, as in a file that is included twice) are kept once.
 
   void error(SourceLocation location, std::string_view message);
   void warning(SourceLocation location, std::string_view message);
-  /// A warning that something of the input is not in what was made of it.
+  /// Warns that the result does not keep something of the input.
   void loss(SourceLocation location, std::string_view message);
-  /// Says something that is neither right nor wrong, such as the name of a file that was rewritten.
+  /// Adds a note: information that is no problem, such as the name of a file that was rewritten.
   void note(SourceLocation location, std::string_view message);
 
   bool has_errors() const { return error_count_ > 0; }
-  // Both count what was not kept too.
+  // These counts include diagnostics that were not kept.
   std::size_t error_count() const { return error_count_; }
   std::size_t warning_count() const { return warning_count_; }
-  /// True once MaximumErrors were reported: whoever is reading may stop.
+  /// Returns true once MaximumErrors were reported: a reader may stop.
   bool is_full() const { return kept_errors_ >= MaximumErrors; }
   const std::vector<Diagnostic>& entries() const { return entries_; }
-  /// The messages of all losses, which are among the entries too.
+  /// Returns the messages of all losses, which are among the entries too.
   const std::vector<std::string>& losses() const { return losses_; }
 
-  /// What is said is about files: this takes down one that was read.
+  /// Records a file that was read.
   void add_file(const std::string& path) { files_.insert(path); }
-  /// All of them, by the paths under which they were read.
+  /// Returns the files that were read, by the paths under which they were opened.
   const std::set<std::string>& files() const { return files_; }
 
-  /// `file:line:column: error: message`, the source line, a caret under the column, and the chain of
-  /// includes, for each entry.
+  /// Formats each entry as `file:line:column: error: message`, the source line, a caret under the column, and
+  /// the chain of includes.
   std::string to_text() const;
 
  private:
@@ -69,11 +69,11 @@ class Diagnostics {
   std::size_t kept_warnings_ = 0;
 };
 
-/// The text of one diagnostic, as `Diagnostics::to_text` prints it.
+/// Formats one diagnostic as `Diagnostics::to_text` does.
 std::string to_text(const Diagnostic& diagnostic);
 
-/// "did you mean 'ward'?" with up to three of the candidates that are near the word, or an empty string.
-/// Nearness is the Damerau-Levenshtein distance, without regard to case.
+/// Returns "did you mean 'ward'?" with up to three candidates similar to the word, or an empty string.
+/// Similarity is the Damerau-Levenshtein distance, case-insensitive.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace grf

@@ -8,7 +8,7 @@
 
 namespace grf {
 
-/// Disjoint sets of the numbers below a count (union-find). Each number is alone at first.
+/// Disjoint sets (union-find) of the integers below a count. Each is a set of its own at first.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -19,10 +19,10 @@ class DisjointSets {
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// The least member stands for the set.
+  /// Returns the representative of the member's set: its smallest member.
   std::uint32_t set_of(std::uint32_t member) {
     while (parent_[member] != member) {
-      parent_[member] = parent_[parent_[member]];  // halves the path for the next time
+      parent_[member] = parent_[parent_[member]];  // path halving
       member = parent_[member];
     }
     return member;

@@ -11,7 +11,7 @@ namespace grf {
 
 namespace {
 
-/// A value that is found when it is first asked for, and kept; threads may ask at once.
+/// A lazily computed value, cached on first use; thread-safe.
 template <class Value>
 class Found {
  public:
@@ -28,7 +28,7 @@ class Found {
 
 }  // namespace
 
-/// A geometry and what was found of it.
+/// A geometry with its cached derived data.
 struct GeometryFacts : Geometry {
   explicit GeometryFacts(Geometry geometry) : Geometry(std::move(geometry)) {}
 

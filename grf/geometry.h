@@ -17,20 +17,20 @@ struct Topology;
 struct GeometryFacts;
 class VertexTree;
 
-/// Whether an array has so much in reserve that it is worth a copy to give it back.
+/// Returns whether an array's spare capacity is worth a copy to free it.
 template <class T>
 bool has_spare_memory(const std::vector<T>& values) {
   return values.capacity() - values.size() > values.size() / 16;
 }
 
-/// Values that some vertices of a mesh have: both arrays are empty while none has one, and else as long as
-/// the mesh has vertices.
+/// A vertex attribute that only some vertices of a mesh have: both arrays are empty while no vertex has it,
+/// and else have one entry per vertex.
 template <class T>
 class OptionalVertexValues {
  public:
   bool empty() const { return values_.empty(); }
   bool has(std::size_t vertex) const { return vertex < present_.size() && present_[vertex]; }
-  /// The value of a vertex that has one.
+  /// Returns the value of a vertex that has one.
   const T& operator[](std::size_t vertex) const { return values_[vertex]; }
 
   void set(std::size_t vertex, T value) {
@@ -65,67 +65,67 @@ class OptionalVertexValues {
   std::vector<bool> present_;
 };
 
-/// The geometry of a mesh: polygons with shared vertices. A face's index is its place in the file. Faces
-/// without corners do not exist, and corners always index a vertex.
+/// The geometry of a mesh: polygons with shared vertices. Faces are in the order of the file. Each has three
+/// corners or more, and corners always index a vertex.
 struct Geometry {
   std::vector<Vec3f> positions;
   OptionalVertexValues<Vec3f> normals;  ///< as written, not necessarily of unit length
   OptionalVertexValues<Colour> colours;
-  OptionalVertexValues<Vec2f> uvs;  ///< where a texture is looked up; (0,0) is the image's lower left corner
+  OptionalVertexValues<Vec2f> uvs;  ///< texture coordinates; (0,0) is the image's lower left corner
 
-  std::vector<std::uint32_t> corners;             ///< vertex indices of all faces, one after the other
-  std::vector<std::uint32_t> face_offsets = {0};  ///< where each face's corners begin, and one end
+  std::vector<std::uint32_t> corners;             ///< vertex indices of all faces, concatenated
+  std::vector<std::uint32_t> face_offsets = {0};  ///< the first corner of each face, and one past the last
 
   std::size_t face_count() const { return face_offsets.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t index) const {
     return std::span(corners).subspan(face_offsets[index], face_offsets[index + 1] - face_offsets[index]);
   }
-  /// Triangles that cover all faces.
+  /// Returns the number of triangles in a triangulation of all faces.
   std::size_t triangle_count() const { return corners.size() - 2 * face_count(); }
 
-  /// Three corners or more, each the index of a vertex, counter-clockwise seen from the front.
+  /// Appends a face of three corners or more, vertex indices in counter-clockwise order seen from the front.
   void add_face(std::span<const std::uint32_t> face_corners);
 
-  /// Gives back what the arrays have in reserve.
+  /// Frees the spare capacity of the arrays.
   void free_spare_memory();
 
   bool operator==(const Geometry&) const = default;
 };
 
-/// Twice the area of a face under a transform, as a vector along its normal (Newell's method), for any
-/// polygon.
+/// Computes twice the area of a face under a transform, as a vector along its normal (Newell's method), for
+/// any polygon.
 Vec3d doubled_area_vector(std::span<const std::uint32_t> face, std::span<const Vec3f> positions,
                           const Matrix44d& to_world = {});
 inline Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world) {
   return doubled_area_vector(geometry.face(face), geometry.positions, to_world);
 }
 
-/// The area of all faces under a transform.
+/// Computes the total area of all faces under a transform.
 double area_of(const Geometry& geometry, const Matrix44d& to_world);
 
-/// Triangles that cover the faces of a geometry, face by face.
+/// A triangulation of the faces of a geometry, in the order of the faces.
 class Triangulation {
  public:
-  /// The geometry must stay where it is.
+  /// Triangulates a geometry, which must outlive this at the same address.
   explicit Triangulation(const Geometry& geometry);
 
   std::size_t size() const { return geometry_->triangle_count(); }
-  /// Indices of vertices, counter-clockwise seen from the front.
+  /// Returns the vertex indices of a triangle, counter-clockwise seen from the front.
   std::array<std::uint32_t, 3> operator[](std::size_t triangle) const {
     if (!triangles_.empty()) return triangles_[triangle];
     const std::uint32_t* corner = geometry_->corners.data() + 3 * triangle;
     return {corner[0], corner[1], corner[2]};
   }
-  /// A face's triangles end where those of the next begin.
+  /// Returns the first triangle of a face; its triangles end where those of the next face begin.
   std::size_t first_of(std::size_t face) const { return geometry_->face_offsets[face] - 2 * face; }
 
  private:
   const Geometry* geometry_;
-  std::vector<std::array<std::uint32_t, 3>> triangles_;  ///< empty if all faces are triangles themselves
+  std::vector<std::array<std::uint32_t, 3>> triangles_;  ///< empty if all faces are triangles already
 };
 
-/// A geometry that no longer changes, shared by its copies. What follows from it is found when it is first
-/// asked for, and kept; threads may ask at once.
+/// An immutable geometry, shared by its copies. Derived data is computed on first use and cached; this is
+/// thread-safe.
 class SharedGeometry {
  public:
   SharedGeometry();                   ///< without faces
@@ -134,19 +134,19 @@ class SharedGeometry {
   const Geometry& operator*() const { return *geometry_; }
   const Geometry* operator->() const { return geometry_.get(); }
 
-  const VertexTree& vertices() const;  ///< with the box around all of them
+  const VertexTree& vertices() const;  ///< with the bounds of the geometry
   const Triangulation& triangulation() const;
   const Topology& topology() const;
   double area() const;  ///< of all faces, untransformed
 
-  /// Whether this is a copy of the other: the same without a comparison.
+  /// Returns whether both share the same data, which takes no comparison of values.
   bool shares(const SharedGeometry& other) const { return geometry_ == other.geometry_; }
   friend bool operator==(const SharedGeometry& a, const SharedGeometry& b) { return a.shares(b) || *a == *b; }
 
  private:
   const GeometryFacts& facts() const;
 
-  std::shared_ptr<const Geometry> geometry_;  ///< of what is a GeometryFacts
+  std::shared_ptr<const Geometry> geometry_;  ///< the base of a GeometryFacts
 };
 
 }  // namespace grf

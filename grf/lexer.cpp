@@ -12,12 +12,12 @@
 namespace grf {
 namespace {
 
-// The printed examples of the thesis have these, since its word processor put them there.
+// Typographic quotes occur in the printed examples of the thesis, where its word processor put them.
 constexpr std::array<std::string_view, 2> TypographicQuotes = {"\xE2\x80\x9C", "\xE2\x80\x9D"};
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
 
-/// Which of the two typographic quotes opens and which closes depends on the word processor.
+/// Returns whether a closing quote follows; word processors differ in which typographic quote closes.
 bool closes_string(std::string_view text, std::string_view opening_quote) {
   if (opening_quote == "\"") return text.front() == '"';
   return text.starts_with(TypographicQuotes[0]) || text.starts_with(TypographicQuotes[1]);
@@ -54,7 +54,8 @@ Token Lexer::peek_second() {
   return second;
 }
 
-// Calls `take_number` at each number of the list, which gives the place behind it, or null. So does this.
+// Calls `take_number` at each number of the list; it returns the end of the number, or null. Returns
+// likewise.
 template <class TakeNumber>
 const char* Lexer::end_of_list(TakeNumber take_number) const {
   if (!ahead_.is('(')) return nullptr;
@@ -81,7 +82,7 @@ bool Lexer::take_numbers(std::span<float> numbers) {
   std::size_t count = 0;
   const char* end = end_of_list([&](const char* first) -> const char* {
     const char* digits = first + (*first == '-' ? 1 : 0);
-    // Neither `nan` nor `inf`.
+    // from_chars also accepts `nan` and `inf`, which GRF does not.
     const bool is_number = digits != end_ && (is_digit(*digits) || *digits == '.');
     if (count == numbers.size() || !is_number) return nullptr;
     const auto [behind, error] = std::from_chars(first, end_, numbers[count++]);
@@ -106,8 +107,8 @@ bool Lexer::take_indices(std::vector<std::uint32_t>& indices, std::size_t limit)
   return true;
 }
 
-// Counts on from the last token that was asked about, if that is before this one on its line: a file can be
-// one line of a million tokens, and counting each from the start would take the square of that.
+// Counts columns from the last token that was located, if it is earlier on the same line: a file can be one
+// line of a million tokens, and counting each from the start of the line would be quadratic.
 SourceLocation Lexer::location(const Token& token) {
   const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   const bool goes_on = last_located_.line_begin == token.line_begin && last_located_.begin <= token.begin;
@@ -143,7 +144,7 @@ Token Lexer::finish(TokenKind kind, const char* begin, std::string_view text) co
 }
 
 Token Lexer::scan() {
-  // Right behind the last token, where whoever misses something should look.
+  // The end of the file is located right after the last token, where something is missing.
   const Token end_of_file = finish(TokenKind::EndOfFile, position_, {});
   skip_space_and_comments();
   const char* begin = position_;
@@ -163,7 +164,7 @@ Token Lexer::scan() {
   for (const std::string_view quote : TypographicQuotes) {
     if (rest.starts_with(quote)) return scan_string(quote);
   }
-  // A whole UTF-8 character, so that a message shows it and not a part of it.
+  // An invalid token is a whole UTF-8 character, so that a message can show it.
   do ++position_;
   while (position_ != end_ && (static_cast<unsigned char>(*position_) & 0xC0U) == 0x80U);
   return finish(TokenKind::Invalid, begin, {begin, static_cast<std::size_t>(position_ - begin)});

@@ -14,12 +14,12 @@ namespace grf {
 
 enum class TokenKind { EndOfFile, Word, Number, String, Punctuation, Invalid };
 
-/// A piece of the text. Views and positions are into the lexer's text: nothing is allocated for a token.
+/// A token. Views and positions are into the lexer's text: nothing is allocated per token.
 struct Token {
   TokenKind kind = TokenKind::EndOfFile;
-  std::string_view text;        ///< a string's without its quotes
+  std::string_view text;        ///< without the quotes of a string
   std::uint32_t line = 1;       ///< from 1
-  const char* begin = nullptr;  ///< the first character in the text, a quote included
+  const char* begin = nullptr;  ///< the first character in the text, including a quote
   const char* line_begin = nullptr;
 
   bool is(char punctuation) const { return kind == TokenKind::Punctuation && text.front() == punctuation; }
@@ -30,30 +30,30 @@ struct CommentToken {
   std::uint32_t line = 1;
 };
 
-/// Cuts GRF text into tokens, one token ahead (`grf-format`, section 1: words).
+/// Tokenizes GRF text with one token of lookahead (`grf-format`, section 1: words).
 class Lexer {
  public:
-  /// The text is kept alive by the lexer; a byte-order mark is skipped.
+  /// Starts at the beginning of the text, which the lexer keeps alive; a byte-order mark is skipped.
   Lexer(std::shared_ptr<const std::string> text, std::shared_ptr<const SourceFile> file);
 
   const Token& peek() const { return ahead_; }
   Token next();
-  /// The token after the one ahead. Costs a second scan: not for lists of numbers.
+  /// Returns the second token of lookahead. Costs a second scan: not for lists of numbers.
   Token peek_second();
 
-  /// Takes `(a, b, c)` at once if the token ahead begins it, on one line, with nothing in it that needs a
-  /// second look (a comment, a suffix, a number out of range). Most of a large scene is such lists, and to
-  /// cut them into tokens takes several times as long. False: nothing was taken, and the tokens tell what
-  /// there is.
+  /// Reads `(a, b, c)` at once if the next token begins it, on one line, and it has no special case (a
+  /// comment, a suffix, a number out of range). This is a fast path: most of a large scene is such lists, and
+  /// to tokenize them takes several times as long. Returns false if nothing was read: the tokens then tell
+  /// what there is.
   bool take_numbers(std::span<float> numbers);
-  /// The same for whole numbers under a limit, any number of them, which are added.
+  /// Reads a list of any number of integers below a limit likewise, and appends them.
   bool take_indices(std::vector<std::uint32_t>& indices, std::size_t limit);
 
-  /// Comments met up to the token ahead, that nobody took or dropped yet.
+  /// Returns the comments before the next token that were not taken or dropped yet.
   std::vector<CommentToken>& comments() { return comments_; }
   std::uint32_t line_of_last() const { return line_of_last_; }
 
-  /// Of the text, from the token ahead on.
+  /// Returns the size of the text from the next token on.
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - ahead_.begin); }
 
   SourceLocation location(const Token& token);

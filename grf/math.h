@@ -1,4 +1,4 @@
-// The one vector library of the project: Imath, under names of our own.
+// Vectors, matrices and boxes: Imath, the vector library of the whole project, under short names.
 #pragma once
 
 #include <ImathBox.h>
@@ -14,8 +14,8 @@ using Vec3d = Imath::V3d;
 using Box3f = Imath::Box3f;
 using Box3d = Imath::Box3d;
 
-/// Row-vector convention, as everywhere in Imath: a point is transformed by `point * matrix`,
-/// and `a * b` acts like a first, then b.
+/// Matrices use Imath's row-vector convention: a point is transformed by `point * matrix`, and `a * b`
+/// applies a first, then b.
 using Matrix44d = Imath::M44d;
 using Matrix33f = Imath::M33f;
 

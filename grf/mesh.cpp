@@ -50,7 +50,7 @@ bool operator==(const Mesh& a, const Mesh& b) {
   if (!is_alike) return false;
   if (a.surface_of_face.shares(b.surface_of_face) && a.surfaces == b.surfaces) return true;
   std::uint32_t known_a = 0;
-  std::uint32_t known_b = 0;  // the last pair found equal: faces come in runs
+  std::uint32_t known_b = 0;  // with known_a the last pair found equal: faces come in runs
   for (std::size_t i = 0; i < a.face_count(); ++i) {
     const std::uint32_t surface_a = (*a.surface_of_face)[i];
     const std::uint32_t surface_b = (*b.surface_of_face)[i];

@@ -16,15 +16,15 @@
 
 namespace grf {
 
-/// What arrives at a vertex from one direction.
+/// Irradiance at a vertex from one direction.
 struct DirectionalIrradiance {
-  Vec3f direction = Vec3f(0);  ///< towards where it comes from, as written, not necessarily of unit length
+  Vec3f direction = Vec3f(0);  ///< toward the source, as written, not necessarily of unit length
   Colour irradiance = Colour(0);
 
   bool operator==(const DirectionalIrradiance&) const = default;
 };
 
-/// One value for all directions together, or one for each of a list. W/m2.
+/// Irradiance in W/m2: one value for all directions together, or a list with one value per direction.
 using Irradiance = std::variant<Colour, std::vector<DirectionalIrradiance>>;
 
 /// Comments inside a mesh. Those inside the lists of vertices and faces are not kept.
@@ -36,12 +36,12 @@ struct MeshComments {
   bool operator==(const MeshComments&) const = default;
 };
 
-/// Values at vertices that were lit by some earlier computation.
+/// Irradiance baked at vertices.
 using VertexIrradiance = OptionalVertexValues<Irradiance>;
 
 struct Mesh;
 
-/// A mesh while it is being filled: a `Mesh` is made of it when it is whole. Each face has a surface.
+/// A mesh under construction, from which the final `Mesh` is made. Each face has a surface.
 struct MeshDraft : Geometry {
   std::string name;
   MeshComments comments;
@@ -50,49 +50,50 @@ struct MeshDraft : Geometry {
   std::vector<std::uint32_t> surface_of_face;
 
   MeshDraft() = default;
-  /// A copy that can be changed.
+  /// Copies a mesh to modify it.
   explicit MeshDraft(const Mesh& mesh);
 
-  /// Three corners or more, each the index of a vertex, counter-clockwise seen from the front.
+  /// Appends a face of three corners or more, vertex indices in counter-clockwise order seen from the front.
   void add_face(std::span<const std::uint32_t> face_corners, std::uint32_t surface_index);
-  /// Appends a vertex of a mesh, with all that it has, and gives its index.
+  /// Appends a copy of a mesh's vertex with all its attributes, and returns its index.
   std::uint32_t copy_vertex(const Mesh& from, std::uint32_t vertex);
-  /// Gives back what the arrays have in reserve.
+  /// Frees the spare capacity of the arrays.
   void free_spare_memory();
 };
 
-/// A geometry and, beside it, what its faces are made of: giving them a BRDF copies no vertex, and changing
-/// the BRDF that they have no face. Copies share all that is large.
+/// A mesh: a shared geometry, the surfaces of its faces, and an index of a surface per face. Assigning a BRDF
+/// copies no vertex, and editing a surface's BRDF copies no face. Copies share all large arrays.
 struct Mesh {
   std::string name;  ///< may be empty; not with both plain and typographic (“ ”) quotes
   MeshComments comments;
   SharedGeometry geometry;
   Shared<VertexIrradiance> irradiance;
 
-  /// The first surface is what the mesh says before its lists; faces with other attributes have others.
+  /// The surfaces; the first has the attributes of the mesh itself (before its lists).
   std::vector<Surface> surfaces = {Surface()};
-  Shared<std::vector<std::uint32_t>> surface_of_face;  ///< one for each face of the geometry
+  Shared<std::vector<std::uint32_t>> surface_of_face;  ///< surface index per face of the geometry
 
   Mesh() = default;
-  /// The same, when it is whole. Nothing is copied: a draft that is still needed has to be copied by name.
+  /// Moves a complete draft into a mesh; a draft that is still needed has to be copied first.
   Mesh(MeshDraft&& draft);  // NOLINT(google-explicit-constructor)
 
   std::size_t face_count() const { return surface_of_face->size(); }
   std::span<const std::uint32_t> face(std::size_t index) const { return geometry->face(index); }
   const Surface& surface(std::size_t face_index) const { return surfaces[(*surface_of_face)[face_index]]; }
 
-  /// Compares faces by what their surfaces are, not by the order in which the list has them.
+  /// Compares faces by the values of their surfaces, whatever the order of the surface list.
   friend bool operator==(const Mesh& a, const Mesh& b);
 };
 
-/// Which of a mesh's surfaces its faces have.
+/// Returns, for each surface of a mesh, whether any face uses it.
 std::vector<bool> used_surfaces(const Mesh& mesh);
 
-/// A mesh of some faces of another one, in that order, and of the vertices that they use. Its own surface is
-/// the first face's; it has no name and no comments.
+/// Extracts a submesh: some faces of a mesh, in that order, and the vertices that they use. Its first surface
+/// is that of the first face; it has no name and no comments.
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
-/// Gives surfaces that are written alike one index in a mesh's list, and appends those that it lacks.
+/// Deduplicates surfaces: returns one index in a mesh's list for surfaces with the same text (`written_key`),
+/// and appends new ones to the list.
 class SurfaceIndex {
  public:
   explicit SurfaceIndex(std::vector<Surface>& surfaces) : surfaces_(&surfaces) {}

@@ -9,18 +9,18 @@
 
 namespace grf {
 
-/// A word as a value, such as a method's name.
+/// A word as the value of a parameter, such as a method's name.
 struct Word {
   std::string text;
 
-  /// Without regard to case.
+  /// Compares case-insensitively.
   friend bool operator==(const Word& a, const Word& b);
 };
 
-/// A number, a boolean, an RGB triple for a parameter that is a reflectance, or a word.
+/// The value of a parameter: a number, a boolean, an RGB triple (for a reflectance), or a word.
 using Value = std::variant<float, bool, Colour, Word>;
 
-/// `name = value`.
+/// A named argument of a model, `name = value`.
 struct Argument {
   std::string name;
   Value value;
@@ -29,18 +29,18 @@ struct Argument {
   friend bool operator==(const Argument& a, const Argument& b);
 };
 
-/// A BRDF or a sampling scheme as data: a keyword and named values, as they were written. Which keywords,
-/// names and ranges exist is the catalogue's business (`check`), so an unknown model survives a round trip.
+/// A BRDF or a sampling scheme as data: a keyword and named values, as they were written. The catalogue
+/// defines the keywords, names and ranges (`check`), so an unknown model survives a round trip.
 struct Model {
   std::string keyword;
   std::vector<Argument> arguments;
   SourceLocation location;
 
-  /// Keywords and names are compared without regard to case.
+  /// Compares keywords and names case-insensitively.
   friend bool operator==(const Model& a, const Model& b);
 };
 
-/// The name of a definition in scope.
+/// A reference, by name, to a definition in scope.
 struct Reference {
   std::string name;
   SourceLocation location;
@@ -48,7 +48,7 @@ struct Reference {
   bool operator==(const Reference&) const = default;
 };
 
-/// A BRDF of a weighted sum.
+/// A term of a weighted sum of BRDFs.
 struct CombineTerm {
   float weight = 0;  ///< 0 or more
   Reference brdf;
@@ -56,16 +56,16 @@ struct CombineTerm {
   bool operator==(const CombineTerm&) const = default;
 };
 
-// Distinct types, so that a definition or an attribute can hold the one or the other.
+// BRDFs and sampling schemes are distinct types, so that a variant can hold either.
 
 struct BrdfModel : Model {
-  /// What `combine` adds up, one term at least; other models have none.
+  /// The terms of a `combine`, at least one; empty for other models.
   std::vector<CombineTerm> terms;
-  /// The file of data behind the keyword (`measured`), empty if there is none: as written, relative to the
-  /// folder of the file that names it; quotes as in a mesh's name.
+  /// The data file after the keyword (`measured`), empty if there is none: as written, relative to the folder
+  /// of the file that names it; quotes as in a mesh's name.
   std::string data_file;
-  /// The text file that holds this instance, in place of which it is named; empty if it is written out.
-  /// Such an instance is no `combine`, since its file has no definitions.
+  /// The text file that holds this instance and is named instead of it; empty if the instance is written
+  /// inline. Such an instance is no `combine`, since its file has no definitions.
   std::string instance_file;
 
   bool operator==(const BrdfModel&) const = default;
@@ -75,7 +75,7 @@ struct PdfModel : Model {
   bool operator==(const PdfModel&) const = default;
 };
 
-/// True of a model that is written as its keyword alone: it reads as a reference where a definition of its
+/// Returns whether a model is written as only its keyword: it reads as a reference if a definition of its
 /// kind has that name.
 bool is_bare_word(const BrdfModel& brdf);
 bool is_bare_word(const PdfModel& pdf);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view BlockWords =
     "a block: 'begin mesh', 'mesh light', 'light', 'include', 'transform', 'def', 'params' or 'use'";
 
-/// Whether the word behind an `end` says that this closes no block with blocks inside.
+/// Returns whether the word after an `end` shows that it closes a mesh or a list, not a block of blocks.
 bool is_word_of_end(const Token& token) {
   return token.kind == TokenKind::Word &&
          (same_keyword(token.text, "mesh") || same_keyword(token.text, "faces") ||
@@ -91,7 +91,7 @@ BlockList Parser::parse_file() {
   return contents;
 }
 
-// Blocks up to the `end` of the scope that the token opened, or, without one, to the end of the file.
+// Parses blocks up to the `end` of the scope that the token opened, or, without one, to the end of the file.
 BlockList Parser::parse_blocks(const Token* opening) {
   BlockList list;
   while (!context_.is_over() && lexer_.peek().kind != TokenKind::EndOfFile) {
@@ -128,7 +128,7 @@ bool Parser::parse_content(const Token& opening, Block& block) {
     shared = Mesh(std::move(mesh));
     return true;
   };
-  // After an error in a list of definitions this is most likely the body behind it.
+  // After an error in a list of definitions this is most likely its body.
   if (context_.lacks_names && at("begin") && !at("begin", "mesh")) {
     return parse_body(opening, block.content.emplace<DefinitionScope>().body);
   }
@@ -154,23 +154,23 @@ bool Parser::parse_content(const Token& opening, Block& block) {
   return fail_expected(BlockWords);
 }
 
-// Whether what follows can only be a block.
+// Returns whether the next tokens can only begin a block.
 bool Parser::at_block() {
   return at("include") || at("transform") || at("def") || at("use") || at("begin", "mesh") ||
          at("mesh", "light") || at("light", "begin") || at("params", "begin");
 }
 
 void Parser::report_end_too_many() {
-  // After an error, this is most likely its consequence.
+  // After an error, a superfluous `end` is most likely its consequence.
   if (!context_.has_errors()) error(lexer_.peek(), "'end' without a block that it could close");
   lexer_.next();
   if (is_word_of_end(lexer_.peek())) lexer_.next();
 }
 
-// After an error in a block: on behind its end, or to what can only be the next block or the end of the block
-// around it, so that later errors are found too.
+// Error recovery after a block: skips past its end, or to what can only be the next block or the end of the
+// enclosing block, so that later errors are found too.
 void Parser::recover(std::size_t open_before, bool is_mesh) {
-  // The lists of a mesh are in nothing else, so what looks like one belongs to the block that was left.
+  // Only meshes have lists of vertices and faces, so what looks like one belongs to the block that failed.
   const auto at_list = [this] { return (at("begin") || at("end")) && is_word_of_end(lexer_.peek_second()); };
   while (lexer_.peek().kind != TokenKind::EndOfFile && !at_block()) {
     const bool ends_something = at("end");
@@ -184,7 +184,7 @@ void Parser::recover(std::size_t open_before, bool is_mesh) {
   lexer_.comments().clear();
 }
 
-// After an error before a body: on to its `begin`, so that the blocks inside are looked at too.
+// Error recovery before a body: skips to its `begin`, so that the blocks inside are parsed too.
 bool Parser::skip_to_body() {
   while (lexer_.peek().kind != TokenKind::EndOfFile && !at("end") && !at_block()) {
     if (at("begin")) return true;

@@ -1,6 +1,6 @@
-// The recursive-descent parser behind `read.h`. One function a production; each returns false, or nothing,
-// after an error that leaves it unclear where the production ends. Other errors are reported and reading goes
-// on, so that as many as possible are found in one go.
+// The recursive-descent parser behind `read.h`, with one function per production. Each returns false, or
+// nothing, after an error that leaves the end of the production unclear. After other errors parsing
+// continues, so that one run finds as many as possible.
 #pragma once
 
 #include <cstdint>
@@ -27,15 +27,16 @@ struct OpenFile {
   std::string path;        ///< as it was named
 };
 
-/// A file, and the folder from which it names others: links can give one file several. Both are canonical.
+/// A file and the folder that its relative names start at: links can give one file several. Both are
+/// canonical.
 using FileInFolder = std::pair<std::string, std::string>;
 
-/// What a file and the files that it includes have in common.
+/// The parser state shared by a file and the files that it includes.
 struct ParserContext {
   explicit ParserContext(Diagnostics& where) : diagnostics(where), errors_before(where.error_count()) {}
 
   bool has_errors() const { return diagnostics.error_count() > errors_before; }
-  /// True when nothing that could still be found would be of use.
+  /// Returns true when parsing should stop: the parser gave up, or the number of errors reached its limit.
   bool is_over() const {
     return gave_up || diagnostics.error_count() - errors_before >= Diagnostics::MaximumErrors;
   }
@@ -46,25 +47,26 @@ struct ParserContext {
 
   ScopeStack scope;
   bool lacks_names = false;              ///< a definition could not be read, so its name is not in the scope
-  std::set<std::string> reported_names;  ///< unknown ones: each is one mistake, however often it is used
-  /// Parameters in lists of definitions whose value is a word: `b = phong` may lack the word `brdf`.
+  std::set<std::string> reported_names;  ///< undefined names, each reported once however often it is used
+  /// Parameters in lists of definitions whose value is a word: `b = phong` may lack the keyword `brdf`.
   std::map<std::string, std::string> word_parameters;
-  std::size_t nesting = 0;               ///< open blocks, those of including files among them
+  std::size_t nesting = 0;               ///< open blocks, including those of including files
   std::vector<OpenFile> open_files;      ///< the outermost first
   std::size_t include_count = 0;         ///< a file counts as often as it is included
   std::size_t bytes_read_again = 0;      ///< of files that were read before
   std::set<std::string> included_paths;  ///< canonical
-  /// Places where the same names mean definitions of the same kinds have one number: 0 outside of all `def`,
-  /// others by the number around a `def` and its names. Text reads the same at all of them.
+  /// Numbers of scopes: scopes in which the same names are definitions of the same kinds share a number,
+  /// since text parses alike in them. 0 is outside of all `def`; others follow from the outer number and the
+  /// names.
   std::map<std::pair<std::size_t, std::string>, std::size_t> scope_numbers;
   std::size_t scope_number = 0;
   struct Contents {
     IncludeOrigin file;
     std::size_t nesting = 0;  ///< see nesting_of
   };
-  /// The contents of files that include no others, by number of the scope.
+  /// Cached contents of files that include no others, by file and number of the scope.
   std::map<std::pair<FileInFolder, std::size_t>, Contents> contents_of_files;
-  std::map<FileInFolder, BrdfModel> brdf_files;  ///< what each holds
+  std::map<FileInFolder, BrdfModel> brdf_files;  ///< cached contents of BRDF files
 };
 
 class Parser {
@@ -73,7 +75,7 @@ class Parser {
          ParserContext& context);
 
   BlockList parse_file();
-  /// A whole text that is one BRDF or one sampling scheme.
+  /// Parses a whole text as one BRDF or one sampling scheme.
   std::optional<BrdfModel> parse_lone_brdf();
   std::optional<PdfModel> parse_lone_pdf();
 
@@ -102,16 +104,16 @@ class Parser {
 
   // parser_definitions.cpp
   bool parse_definitions(const Token& opening, DefinitionScope& scope);
-  /// The name of a definition that stands behind the parameters of the one before it, without a `def`.
+  /// The name of a definition that follows the parameters of the previous one without a `def`.
   struct NextDefinition {
     Token name;
-    std::uint32_t line_before = 0;  ///< where the definition before it ends
+    std::uint32_t line_before = 0;  ///< the last line of the previous definition
   };
-  /// Where each name of a list of definitions stands.
+  /// The line of each name in a list of definitions.
   using Names = std::unordered_map<std::string_view, std::uint32_t>;
   bool parse_name(std::optional<NextDefinition>& next);
   void check_name(const Token& name, Names& names);
-  using Definitions = std::deque<Definition>;  ///< which stay where they are when one more is read
+  using Definitions = std::deque<Definition>;  ///< with stable addresses when one more is read
   bool parse_definition_list(Definitions& definitions);
   bool parse_definition(const Token& name, Definitions& definitions, std::optional<NextDefinition>& next);
   bool parse_definition_body(Definition& definition, std::optional<NextDefinition>& next);
@@ -130,7 +132,7 @@ class Parser {
   bool parse_brdf_file(BrdfModel& brdf);
 
   // parser_mesh.cpp
-  /// A mesh light is a mesh with other attributes and another end.
+  /// The kind of mesh: a mesh light has other attributes and another `end`.
   enum class MeshKind { Mesh, Light };
   bool parse_mesh(const Token& opening, MeshKind kind, MeshDraft& mesh);
   bool parse_vertices(MeshDraft& mesh);
@@ -184,9 +186,9 @@ class Parser {
   Lexer lexer_;
   std::shared_ptr<const SourceFile> file_;
   ParserContext& context_;
-  std::size_t open_ = 0;  ///< words `begin` whose `end` was not met yet
+  std::size_t open_ = 0;  ///< number of `begin` without an `end` so far
   std::size_t dropped_comments_ = 0;
-  bool index_reported_ = false;  ///< an index out of range, in the faces that are being read
+  bool index_reported_ = false;  ///< an index out of range was reported in the current list of faces
 };
 
 std::shared_ptr<const SourceFile> source_file(const std::string& path,
@@ -195,11 +197,11 @@ std::shared_ptr<const SourceFile> source_file(const std::string& path,
 
 FileInFolder file_in_folder(const std::string& path);
 
-/// Says what is wrong with a text as a whole, before a token of it is looked at.
+/// Reports an empty or binary file, before its first token is read; returns false then.
 bool is_text(const std::string& text, std::string_view expected, const SourceLocation& location,
              Diagnostics& diagnostics);
 
-/// What may stand behind the `=` of a definition.
+/// Returns whether a token can begin the body of a definition, after its `=`.
 bool starts_definition_body(const Token& token);
 
 }  // namespace grf

@@ -22,7 +22,7 @@ Comments* Parser::comments_of_attribute(MeshDraft& mesh, const Token& keyword) c
   return &mesh.comments.colour;
 }
 
-// A mesh light reflects nothing: all that its faces can have is the colour that they emit.
+// A mesh light reflects nothing: the only attribute of its faces is the radiance that they emit, `rgb`.
 bool Parser::parse_attribute(Surface& surface, MeshKind kind, bool reset_allowed) {
   const Token keyword = lexer_.next();
   surface.location = lexer_.location(keyword);
@@ -80,7 +80,7 @@ bool Parser::parse_texture_attribute(std::optional<TextureAttribute>& attribute)
   return true;
 }
 
-// The name of a definition of a kind, which must be in scope.
+// Parses the name of a definition of a kind, which must be in scope.
 template <class Body>
 void Parser::parse_reference(Reference& reference) {
   const Token name = lexer_.next();
@@ -98,7 +98,7 @@ void Parser::parse_reference(Reference& reference) {
   std::string suggestion = did_you_mean(name.text, scope.names_of<Body>());
   const auto parameter = context_.word_parameters.find(reference.name);
   if (parameter != context_.word_parameters.end()) {
-    suggestion = fmt::format("'{} = {}' is a parameter, for want of 'brdf' or 'pdf'", parameter->first,
+    suggestion = fmt::format("'{} = {}' is a parameter, because 'brdf' or 'pdf' is missing", parameter->first,
                              parameter->second);
   }
   error(name, fmt::format("no {} called '{}' is defined here{}{}", expected, name.text,
@@ -108,7 +108,7 @@ void Parser::parse_reference(Reference& reference) {
 template void Parser::parse_reference<BrdfModel>(Reference&);
 template void Parser::parse_reference<Shared<Mesh>>(Reference&);
 
-// A bare word is a reference where a definition of the kind has that name, and else a model's keyword.
+// A bare word is a reference if a definition of the kind has that name, and otherwise a model's keyword.
 template <class ModelOfKind>
 bool Parser::parse_model_attribute(std::optional<std::variant<ModelOfKind, Reference>>& attribute) {
   ModelOfKind model;

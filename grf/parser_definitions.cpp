@@ -60,7 +60,7 @@ std::size_t Parser::number_of_scope(const Definitions& definitions) {
 
 bool Parser::parse_name(std::optional<NextDefinition>& next) {
   const bool is_named = lexer_.peek_second().is('=');
-  // What follows can be the first block of a body whose `begin` was left out.
+  // The next tokens can be the first block of a body whose `begin` was left out.
   if (!is_named && at_block()) return fail_expected("'begin' or one more definition");
   const bool is_name =
       lexer_.peek().kind == TokenKind::Word && (is_named || is_identifier(lexer_.peek().text));
@@ -81,8 +81,8 @@ void Parser::check_name(const Token& name, Names& names) {
   }
 }
 
-// After an error in a definition: out of the mesh that it may be, and on to the next `def` of the list, or to
-// the body.
+// Error recovery after a definition: skips out of the mesh that it may be, to the next `def` of the list or
+// to the body.
 bool Parser::skip_to_definition(std::size_t open_before) {
   while (open_ > open_before && lexer_.peek().kind != TokenKind::EndOfFile) take();
   if (at("mesh") && !at_block()) lexer_.next();

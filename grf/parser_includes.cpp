@@ -13,10 +13,10 @@ namespace grf {
 namespace {
 
 constexpr std::size_t DeepestInclude = 64;
-// A file of a hundred bytes that includes the next one twice, and so on, would be a scene without end.
+// Limits on includes: a chain of small files that each include the next one twice would grow exponentially.
 constexpr std::size_t MostIncludes = 100'000;
 constexpr std::size_t MostBytesReadAgain = 128U << 20U;
-constexpr std::size_t CostOfAFile = 4096;  // opening one costs about as much as reading so many bytes
+constexpr std::size_t CostOfAFile = 4096;  // opening a file costs about as much as reading this many bytes
 
 }  // namespace
 
@@ -35,7 +35,7 @@ bool Parser::parse_include(Include& include) {
     include.contents = contents->contents;
     include.origin = *std::move(contents);
   }
-  return true;  // the statement itself was read, so reading goes on behind it
+  return true;  // the statement itself was parsed, so parsing continues after it
 }
 
 bool Parser::may_include(const OpenFile& included, const SourceLocation& location) {
@@ -56,15 +56,16 @@ bool Parser::may_include(const OpenFile& included, const SourceLocation& locatio
   }
   if (++context_.include_count > MostIncludes) {
     context_.diagnostics.error(
-        location, fmt::format("more than {} includes, each counted as often as its place is included itself",
+        location, fmt::format("more than {} includes, each counted as often as its file is included itself",
                               MostIncludes));
     context_.gave_up = true;
   }
   return !context_.gave_up;
 }
 
-// Instances of an object are one file that is included many times, so a file is not read again where it would
-// give the same. One with includes of its own is, because its includes are to be counted again too.
+// Instances of an object are one file that is included many times, so its contents are cached and reused
+// where they would parse alike. A file with includes of its own is read again, so that those are counted
+// again too.
 std::optional<IncludeOrigin> Parser::contents_of(const OpenFile& included, const SourceLocation& location) {
   const std::pair key(file_in_folder(included.path), context_.scope_number);
   const auto known = context_.contents_of_files.find(key);
@@ -78,7 +79,7 @@ std::optional<IncludeOrigin> Parser::contents_of(const OpenFile& included, const
   if (!text) return std::nullopt;
   if (is_read_too_often(included, text->size())) {
     context_.diagnostics.error(location, fmt::format("the same files are included too often with other "
-                                                     "definitions in force: more than {} MiB were read again",
+                                                     "definitions in scope: more than {} MiB were read again",
                                                      MostBytesReadAgain >> 20U));
     context_.gave_up = true;
     return std::nullopt;

@@ -15,15 +15,15 @@ std::string corners_in_words(std::size_t count) {
   return count == 1 ? "one corner" : fmt::format("{} corners", count);
 }
 
-/// How many entries of a list to make room for: as many as the rest of the text holds if they go on as they
-/// began. Doubling would take up to twice the memory of a large mesh, and its copy as much again.
+/// Estimates how many entries to reserve for a list, extrapolating from those read so far to the rest of the
+/// text. Doubling would take up to twice the memory of a large mesh, and its copy as much again.
 class Growth {
  public:
   explicit Growth(const Lexer& lexer) : lexer_(lexer), bytes_at_start_(lexer.bytes_left()) {}
 
   std::size_t room(std::size_t count) const {
     constexpr std::size_t Least = 64;
-    constexpr std::size_t Factor = 4;  // since the text can go on in another way
+    constexpr std::size_t Factor = 4;  // limits the estimate, since the rest of the text can differ
     if (count < Least) return Least;
     const std::size_t bytes_of_each =
         std::max<std::size_t>(1, (bytes_at_start_ - lexer_.bytes_left()) / count);
@@ -169,7 +169,7 @@ bool Parser::parse_faces(const Token& mesh_opening, MeshKind kind, MeshDraft& me
   return end_faces(mesh_opening, kind, mesh_closed);
 }
 
-// A face is `(0, 1, 2)`, `3 (0, 1, 2)` or `3 0 1 2`.
+// Parses a face: `(0, 1, 2)`, `3 (0, 1, 2)` or `3 0 1 2`.
 bool Parser::parse_face(const MeshDraft& mesh, std::vector<std::uint32_t>& corners) {
   const Token first = lexer_.peek();
   std::uint32_t count = 0;
@@ -197,7 +197,7 @@ bool Parser::parse_corner_list(const MeshDraft& mesh, std::vector<std::uint32_t>
   return expect(')', "or ',' after the corner of a face");
 }
 
-// As many as the count says, unless something else begins before.
+// Parses as many corners as the count says, unless something else begins before.
 bool Parser::parse_corners(const MeshDraft& mesh, std::uint32_t count, std::vector<std::uint32_t>& corners) {
   const auto next_begins = [this] {
     return lexer_.peek().is('(') || is_attribute(lexer_.peek()) || at("end");
@@ -214,7 +214,7 @@ bool Parser::parse_corner(const MeshDraft& mesh, std::vector<std::uint32_t>& cor
   if (!parse_index(corner, "the index of a vertex")) return false;
   corners.push_back(corner);
   if (corner < mesh.positions.size() || index_reported_) return true;
-  // A vertex that is missing makes many indices wrong: one message is enough.
+  // One missing vertex makes many indices invalid: one message is enough.
   index_reported_ = true;
   const std::size_t vertices = mesh.positions.size();
   error(token, vertices == 0 ? fmt::format("vertex {} does not exist: the mesh has no vertices", token.text)
@@ -228,7 +228,7 @@ bool Parser::end_faces(const Token& opening, MeshKind kind, bool& mesh_closed) {
   if (accept("faces") || !at("mesh") || kind == MeshKind::Light) return true;
   const Token second = lexer_.peek_second();
   if (second.kind == TokenKind::Word && same_keyword(second.text, "light")) {
-    lexer_.next();  // what follows is a light in either reading
+    lexer_.next();  // a light follows in either interpretation
     return fail(end,
                 "'end faces' is missing, and this can be 'end faces end mesh' before a light, or 'end faces "
                 "end' before a mesh light");

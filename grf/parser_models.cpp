@@ -29,8 +29,7 @@ std::optional<BrdfModel> Parser::parse_lone_brdf() {
   BrdfModel brdf;
   if (!parse_keyword(brdf)) return std::nullopt;
   if (same_keyword(brdf.keyword, "combine")) {
-    context_.diagnostics.error(brdf.location,
-                               "a 'combine' of names, where nothing is defined that could have them");
+    context_.diagnostics.error(brdf.location, "a 'combine' of names, but a single BRDF has no definitions");
     return std::nullopt;
   }
   if (lexer_.peek().kind == TokenKind::String) brdf.data_file = lexer_.next().text;
@@ -80,8 +79,8 @@ bool Parser::parse_keyword(Model& model) {
 }
 
 // In a list of definitions, `name = value` is one more parameter and `name = brdf ...` the next definition:
-// that name, already taken from the text, is handed back. Where `brdf` was forgotten, the model's keyword is
-// taken for the value, which `check` explains.
+// that name, already read, is returned in `next`. If `brdf` was forgotten, the model's keyword is parsed as
+// the value, and `check` explains the mistake.
 bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) {
   while (lexer_.peek().kind == TokenKind::Word && lexer_.peek_second().is('=')) {
     const std::uint32_t line_before = lexer_.line_of_last();
@@ -124,8 +123,8 @@ bool Parser::parse_value(const Token& name, Value& value) {
   return parse_number(value.emplace<float>());
 }
 
-// The comma may be missing. A number is the weight of one more term if a word follows it, and else begins a
-// face.
+// Parses the terms of a `combine`; commas are optional. A number is the weight of another term if a word
+// follows it, and otherwise begins a face.
 bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
   const auto at_term = [this] {
     return lexer_.peek().kind == TokenKind::Number && lexer_.peek_second().kind == TokenKind::Word;
@@ -137,14 +136,14 @@ bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
     if (!parse_number(term.weight)) return false;
     if (term.weight < 0)
       error(weight, fmt::format("the weight {} of a BRDF, expected 0 or more", weight.text));
-    if (!at_identifier()) return fail_expected("the name of a BRDF, behind its weight");
+    if (!at_identifier()) return fail_expected("the name of a BRDF, after its weight");
     parse_reference<BrdfModel>(term.brdf);
     terms.push_back(std::move(term));
   } while (accept(',') || at_term());
   return true;
 }
 
-// The statement itself is read even if the file is not, so reading goes on behind it.
+// The statement itself is parsed even if the file cannot be read, so parsing continues after it.
 bool Parser::parse_brdf_file(BrdfModel& brdf) {
   const Token name = lexer_.next();
   const SourceLocation location = lexer_.location(name);

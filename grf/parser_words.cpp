@@ -13,7 +13,7 @@
 namespace grf {
 namespace {
 
-/// The beginning of a text, cut between characters.
+/// Returns the beginning of a text, cut between characters.
 std::string shortened(std::string_view text) {
   constexpr std::size_t Longest = 40;
   if (text.size() <= Longest) return std::string(text);
@@ -26,14 +26,14 @@ std::string description_of_invalid(std::string_view text) {
   const bool is_ascii = (static_cast<unsigned char>(text.front()) & 0x80U) == 0;
   if (text.size() == 1 && (!is_ascii || text.front() < ' ')) {
     return fmt::format("the byte 0x{:02x}{}", static_cast<unsigned char>(text.front()),
-                       is_ascii ? "" : ", which is no UTF-8");
+                       is_ascii ? "" : ", which is not UTF-8");
   }
   const bool opens_string = text.starts_with('"') || text.starts_with("\u201C") || text.starts_with("\u201D");
   if (opens_string) return "a string without its closing quote";
   return fmt::format("'{}'", shortened(text));
 }
 
-/// What stands at a token, for messages.
+/// Describes a token for messages.
 std::string description(const Token& token) {
   switch (token.kind) {
     case TokenKind::EndOfFile:
@@ -51,8 +51,8 @@ std::string description(const Token& token) {
   return description_of_invalid(token.text);
 }
 
-/// Whether a number that is out of a float's range is so for being too near to zero: whether its first digit
-/// other than 0 stands behind the point, once the exponent has moved that.
+/// Returns whether a number out of a float's range underflows: whether its first digit other than 0 is after
+/// the decimal point, once the exponent has moved that.
 bool is_tiny(std::string_view number) {
   const std::size_t exponent_mark = number.find_first_of("eE");
   const std::string_view digits = number.substr(0, exponent_mark);
@@ -94,7 +94,7 @@ bool Parser::accept_colour() {
   return true;
 }
 
-// Counts blocks that are open, which recovery from an error needs to know.
+// Takes a token and counts open blocks, for error recovery.
 Token Parser::take() {
   if (at("begin")) ++open_;
   if (at("end") && open_ > 0) --open_;
@@ -135,8 +135,8 @@ bool Parser::fail_expected(std::string_view expected) {
 }
 
 bool Parser::fail_unclosed(const Token& opening, std::string_view end) {
-  // After an error this is most likely its consequence, and so is the open block around one that was
-  // reported.
+  // After an error an unclosed block is most likely its consequence, and so is one around an unclosed block
+  // that was reported.
   if (context_.has_errors()) return false;
   return fail(opening, fmt::format("'{}' without '{}' before the end of the file", opening.text, end));
 }
@@ -147,7 +147,7 @@ bool Parser::parse_number(float& number) {
   const char* first = token.text.data();
   const char* last = first + token.text.size();
   if (*first == '+') ++first;
-  // Out of range is also said of numbers too near to zero for a float: those are zero.
+  // The conversion reports underflow as out of range too: such numbers are zero.
   if (std::from_chars(first, last, number).ec == std::errc::result_out_of_range) {
     if (!is_tiny(token.text)) {
       error(token, fmt::format("{} is out of range: numbers reach from -3.4028235e38 to 3.4028235e38",
@@ -199,8 +199,8 @@ std::vector<std::string> Parser::take_comments() {
   return comments;
 }
 
-// The comments of what was just read, up to that line: those from inside, which no part of it took, and the
-// one behind it.
+// Takes the comments of the block or attribute just parsed, up to that line: those inside it that no part of
+// it took, and the trailing one.
 void Parser::take_comments_of(Comments& comments, std::uint32_t last_line) {
   if (!comments.behind.empty()) comments.before.push_back(std::exchange(comments.behind, {}));
   std::vector<CommentToken>& pending = lexer_.comments();

@@ -14,37 +14,38 @@ using Point = Imath::V2d;
 
 constexpr std::uint32_t NoNode = std::numeric_limits<std::uint32_t>::max();
 
-/// From left to right, and from below for corners one above the other: as if the plane were turned a little.
+/// Orders points from left to right, and those with equal x from below: as if the plane were slightly
+/// rotated.
 bool is_before(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-/// A corner of a chain. A corner that two chains share has a node in each.
+/// A node of a chain, one per corner. A corner that two chains share has a node in each.
 struct ChainNode {
   std::uint32_t corner = 0;
   std::uint32_t below = NoNode;
   std::uint32_t above = NoNode;
 };
 
-/// The border of what was not cut yet, between an edge and the next one above. Seen from the right it is
-/// convex at none of its corners but the ends, which are the left ends of the two edges.
+/// The border of the region not triangulated yet, between an edge and the next one above. Seen from the right
+/// it is reflex at all corners but the ends, which are the left ends of the two edges.
 struct Chain {
   std::uint32_t lowest = NoNode;
   std::uint32_t highest = NoNode;
-  std::uint32_t last = NoNode;  ///< that the sweep met: the rightmost one
+  std::uint32_t last = NoNode;  ///< the last corner that the sweep met, the rightmost one
 };
 
 using TreeHook = boost::intrusive::set_base_hook<boost::intrusive::link_mode<boost::intrusive::normal_link>>;
 
-/// An edge of the polygon, which in the tree has its place among those that the sweep line cuts.
+/// An edge of the polygon; while the sweep line cuts it, it is in the tree.
 struct SweptEdge : TreeHook {
   std::uint32_t left = 0;
   std::uint32_t right = 0;
-  Point left_end;  ///< here too, since looking for a place in the tree meets one edge after the other
+  Point left_end;  ///< copied here for memory locality of searches in the tree
   Point right_end;
-  bool is_floor = false;  ///< the inside is above it
+  bool is_floor = false;  ///< the interior is above it
   Chain chain;            ///< between a floor and the edge above it
 };
 
-/// Edges are put where they belong: no two are ever compared.
+/// The tree of edges cut by the sweep line. Edges are inserted at a known position: no two are ever compared.
 struct NeverCompared {
   bool operator()(const SweptEdge& /*a*/, const SweptEdge& /*b*/) const { return false; }
 };
@@ -69,7 +70,7 @@ class PolygonSweep {
     return orientation(at(a), at(b), at(c));
   }
 
-  /// Positive above the edge.
+  /// Returns a positive value above the edge.
   double side_of(const SweptEdge& edge, std::uint32_t corner) const {
     return orientation(edge.left_end, edge.right_end, at(corner));
   }
@@ -109,11 +110,11 @@ class PolygonSweep {
 
   std::span<const Point> points_;
   std::vector<std::array<std::uint32_t, 3>>& triangles_;
-  std::vector<std::uint32_t> corners_;  ///< but those that repeat the one ahead of them
-  std::vector<SweptEdge> edges_;        ///< from each corner to the one after it
+  std::vector<std::uint32_t> corners_;  ///< without repeated corners
+  std::vector<SweptEdge> edges_;        ///< from each corner to the next one
   EdgeTree tree_;                       ///< edges that the sweep line cuts, from below
   std::vector<ChainNode> nodes_;
-  std::vector<std::uint32_t> starts_;  ///< of the corners at one point
+  std::vector<std::uint32_t> starts_;  ///< corners at one point whose edges both go to the right
   std::vector<bool> is_waiting_;       ///< right ends of two edges with others between them
   bool is_stuck_ = false;
 };
@@ -136,7 +137,7 @@ bool PolygonSweep::run() {
   return !is_stuck_ && triangles_.size() - before == points_.size() - 2;
 }
 
-// An edge without a length is to the left or to the right of nothing. A corner is cut off with it.
+// Zero-length edges have no left and right end, so they are removed, each with a degenerate triangle.
 void PolygonSweep::drop_repeated_corners() {
   const auto size = static_cast<std::uint32_t>(points_.size());
   corners_.reserve(size);
@@ -165,7 +166,7 @@ void PolygonSweep::make_edges() {
   }
 }
 
-// What ends at a point does so before anything begins there.
+// Edges that end at a point are processed before edges that begin there.
 void PolygonSweep::meet(std::span<const std::uint32_t> corners_at_a_point) {
   const auto edges_from_left = [&](std::uint32_t corner) {
     return int(is_left(ahead_of(corner), corner)) + int(is_left(after(corner), corner));
@@ -188,8 +189,8 @@ void PolygonSweep::meet(std::span<const std::uint32_t> corners_at_a_point) {
   }
 }
 
-// Of two that begin at one point, one inside the other, the outer one comes first. Stable, since that sort
-// stays in its range whatever rounding does to the order.
+// Of two nested wedges that begin at one point, the outer one comes first. A stable sort stays in bounds even
+// if rounding makes the order inconsistent.
 void PolygonSweep::sort_starts() {
   std::stable_sort(starts_.begin(), starts_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return is_outer(a, b); });
@@ -207,8 +208,8 @@ bool PolygonSweep::is_outer(std::uint32_t start, std::uint32_t other) const {
   return turn(start, high, other_high) < 0;
 }
 
-/// Orders corners that have the same two edges, by where they are: inside the polygon the outermost one is
-/// reflex, and what it surrounds is outside.
+/// Orders nested start corners between the same two edges: inside the polygon the outermost one is reflex,
+/// and the region that it surrounds is outside.
 void PolygonSweep::nest(std::span<std::uint32_t> corners) {
   const bool begins_inside = is_inside(place_of(corners[0]));
   std::array<std::vector<std::uint32_t>, 2> by_kind;
@@ -229,7 +230,7 @@ EdgeTree::iterator PolygonSweep::place_of(std::uint32_t corner) {
                            [&](const SweptEdge& edge, std::uint32_t met) { return is_under(edge, met); });
 }
 
-/// Both edges of the corner go to the right.
+/// Handles a start corner: both edges go to the right.
 void PolygonSweep::start(std::uint32_t corner) {
   auto place = place_of(corner);
   const double angle = turn(corner, after(corner), ahead_of(corner));
@@ -243,7 +244,7 @@ void PolygonSweep::start(std::uint32_t corner) {
   }
 }
 
-/// Of a corner on the edge, where it goes on to.
+/// Returns whether the edge is below a corner; a corner on the edge is classified by its next points.
 bool PolygonSweep::is_under(const SweptEdge& edge, std::uint32_t corner) const {
   const double side = side_of(edge, corner);
   if (side != 0) return side > 0;
@@ -259,7 +260,7 @@ double PolygonSweep::distance(const SweptEdge& edge, std::uint32_t corner) const
   return std::abs(side_of(edge, corner)) / (edge.right_end - edge.left_end).length();
 }
 
-// A corner that touches an edge may be on its wrong side, by rounding.
+// Rounding may put a corner that touches an edge on its wrong side.
 EdgeTree::iterator PolygonSweep::across_nearest_edge(const EdgeTree::iterator& place, std::uint32_t corner) {
   const bool has_above = place != tree_.end();
   const bool has_below = place != tree_.begin();
@@ -279,7 +280,7 @@ void PolygonSweep::open(std::uint32_t corner, const EdgeTree::iterator& place) {
   tree_.insert_before(place, edges_[ahead_of(corner)]);
 }
 
-// The rightmost corner of the chain is seen from here: the two chains part there.
+// The new corner sees the rightmost corner of the chain: the chain is split there.
 void PolygonSweep::split(std::uint32_t corner, const EdgeTree::iterator& place) {
   Chain& lower = std::prev(place)->chain;
   const std::uint32_t lower_end = lower.last;
@@ -300,7 +301,7 @@ void PolygonSweep::split(std::uint32_t corner, const EdgeTree::iterator& place) 
   tree_.insert_before(place, floor);
 }
 
-/// One edge of the corner comes from the left, the other goes on to the right.
+/// Handles a regular corner: one edge comes from the left, the other goes to the right.
 void PolygonSweep::pass(std::uint32_t corner) {
   const bool is_on_floor = is_left(ahead_of(corner), corner);
   SweptEdge& from = edges_[is_on_floor ? ahead_of(corner) : corner];
@@ -322,8 +323,8 @@ void PolygonSweep::pass(std::uint32_t corner) {
   tree_.replace_node(place, to);
 }
 
-/// Both edges of the corner come from the left. Others that end at the same point may be between them: then
-/// the corner waits for those.
+/// Handles an end corner: both edges come from the left. If other edges that end at the same point are
+/// between them, the corner waits for those.
 void PolygonSweep::end(std::uint32_t corner) {
   EdgeTree::iterator place;
   is_waiting_[corner] = true;
@@ -377,8 +378,8 @@ void PolygonSweep::join(std::uint32_t below, std::uint32_t above) {
   nodes_[above].below = below;
 }
 
-/// Edges on one another that go to the right from the tip have nothing between them; those that come from the
-/// left have all the rest.
+/// Returns whether a triangle can be cut off. Overlapping edges that go to the right from the tip have
+/// nothing between them; those that come from the left have everything else.
 bool PolygonSweep::is_ear(std::uint32_t a, std::uint32_t tip, std::uint32_t b) const {
   const double area = turn(a, tip, b);
   if (area != 0) return area > 0;
@@ -408,7 +409,7 @@ void PolygonSweep::cut_downwards(std::uint32_t node) {
 }  // namespace
 
 // Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997: the
-// rounding errors of the products count only where the difference is next to nothing.
+// rounding errors of the products matter only if the difference is nearly zero.
 double orientation(const Point& a, const Point& b, const Point& c) {
   const Point ab = b - a;
   const Point ac = c - a;

@@ -1,4 +1,4 @@
-// Reading GRF text into a scene.
+// Functions that read GRF text into a scene.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace grf {
 
-/// Reads a GRF file and the files that it includes. If there is any error, all that were found are in the
-/// diagnostics and nothing is returned; warnings may be there either way.
+/// Reads a GRF file and the files that it includes. After an error nothing is returned, and the diagnostics
+/// have all errors that were found; they may have warnings either way.
 std::optional<Scene> read(const std::string& path, Diagnostics& diagnostics);
 
-/// The same for text that is at hand; the path stands for it in messages, and includes are beside it.
+/// Reads a scene from text; messages name the path, and includes are relative to it.
 std::optional<Scene> read_text(std::string text, const std::string& path, Diagnostics& diagnostics);
 
-/// A BRDF as it stands after the word `brdf`: a keyword and values, such as `ward sx=0.2 ks=0.4`.
-/// The name stands for the text in messages.
+/// Reads a BRDF as written after the keyword `brdf`: a model and values, such as `ward sx=0.2 ks=0.4`.
+/// Messages use the name for the text.
 std::optional<BrdfModel> read_brdf(std::string text, const std::string& name, Diagnostics& diagnostics);
 
-/// A sampling scheme likewise, as it stands after the word `pdf`.
+/// Reads a sampling scheme likewise, as written after the keyword `pdf`.
 std::optional<PdfModel> read_pdf(std::string text, const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace grf

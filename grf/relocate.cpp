@@ -11,7 +11,7 @@
 namespace grf {
 namespace {
 
-/// How names in one file read in another.
+/// Translates file names that are relative to one file into names relative to another.
 class Names {
  public:
   Names(const std::string& from, const std::string& to,
@@ -19,10 +19,10 @@ class Names {
       : from_(from), to_(to), to_folder_(folder_of(to)), renamed_(renamed) {
     moves_ = folder_of(from) != to_folder_;
   }
-  /// Absolute names in place of those in that file.
+  /// Translates names in that file to absolute names.
   explicit Names(const std::string& from) : from_(from), moves_(true) {}
 
-  /// False: names read alike in both.
+  /// Returns false if names are the same relative to both files.
   bool moves() const { return moves_ || !renamed_.empty(); }
 
   std::string moved(const std::string& name) const {
@@ -35,7 +35,7 @@ class Names {
     return relative.empty() ? target.string() : relative.string();
   }
 
-  /// A name from a file that is itself named in the first one.
+  /// Translates a name in a file that is itself named in the first one.
   std::string moved_from(const std::string& file, const std::string& name) const {
     const std::string beside = path_beside(from_, file);
     return to_folder_.empty() ? Names(beside).moved(name) : Names(beside, to_).moved(name);
@@ -54,7 +54,7 @@ class Names {
   bool moves_ = false;
 };
 
-/// Changes what names files. Meshes are edited, and so copied if they are shared, only where something
+/// Rewrites the file names in a scene. Shared meshes are edited, and thus copied, only if a name in them
 /// changes.
 class Mover {
  public:
@@ -91,7 +91,7 @@ class Mover {
   }
 
  private:
-  // What names no file.
+  // Blocks and attributes without file names.
   void move(MeshLight&) const {}
   void move(AreaLight&) const {}
   void move(Params&) const {}
@@ -101,7 +101,7 @@ class Mover {
   void move(Reference&) const {}
 
   void move(BrdfModel& brdf) const {
-    // Data that a BRDF's own file names is named from there.
+    // A data file named in a BRDF's own file is relative to that file.
     if (brdf.instance_file.empty()) {
       brdf.data_file = names_.moved(brdf.data_file);
     } else if (writes_brdfs_out_) {
@@ -131,7 +131,7 @@ class Flattener {
 
   BlockList flat(const BlockList& list, const std::string& file) {
     BlockList result;
-    std::vector<std::string> comments;  // of includes, for the block that comes next
+    std::vector<std::string> comments;  // comments of includes, for the next block
     add(list, file, result, comments);
     comments.insert(comments.end(), list.end_comments.begin(), list.end_comments.end());
     result.end_comments = std::move(comments);
@@ -151,7 +151,7 @@ class Flattener {
                         include->contents->end_comments.end());
         continue;
       }
-      // What is inside is not copied before it is made flat: that would be n^2 of n in one another.
+      // Inner blocks are not copied before they are flattened: n nested ones would cost n^2.
       Block& copy = result.blocks.emplace_back();
       copy.comments = {std::exchange(comments, {}), block.comments.behind};
       copy.location = block.location;

@@ -1,9 +1,9 @@
-// A scene as its author wrote it: a plain value, a tree of blocks. A copy is a snapshot; meshes and
-// included files are shared by copies until one of them is edited.
+// The scene graph as its author wrote it: a plain value, a tree of blocks. A copy is a snapshot; meshes and
+// included files are copy-on-write.
 //
-// Every scene can be written and read back if whoever builds it keeps to this, besides what is said at each
-// type: numbers are finite; a reference names a definition of its kind that is in scope; names and comments
-// have no line ends and no zero bytes; a file that is included twice has one text.
+// Invariants for a scene that can be written and read back, besides those of each type: numbers are finite; a
+// reference names a definition of its kind that is in scope; names and comments have no line ends and no zero
+// bytes; a file that is included twice has one text.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace grf {
 
 struct Block;
 
-/// What stands between the `begin` and `end` of a scope, or in a file.
+/// The blocks between the `begin` and `end` of a scope, or of a file.
 struct BlockList {
   std::vector<Block> blocks;
   std::vector<std::string> end_comments;  ///< after the last block
@@ -32,7 +32,7 @@ struct BlockList {
   friend bool operator==(const BlockList& a, const BlockList& b);
 };
 
-/// A parallelogram that emits from the side to which edge1 x edge2 points.
+/// A parallelogram area light that emits from the side to which edge1 x edge2 points.
 struct AreaLight {
   Vec3f corner = Vec3f(0);
   Vec3f edge1 = Vec3f(0);
@@ -42,40 +42,40 @@ struct AreaLight {
   bool operator==(const AreaLight&) const = default;
 };
 
-/// Polygons whose fronts emit and that reflect nothing. The colour of a surface is its radiance in W/(sr m2),
-/// absent: 1. The surfaces have no other attribute, and the mesh has no name.
+/// A mesh light: polygons that emit from their front and reflect nothing. The colour of a surface is its
+/// radiance in W/(sr m2), absent: 1. Surfaces have no other attribute, and the mesh has no name.
 struct MeshLight {
   Shared<Mesh> mesh;
 
   bool operator==(const MeshLight&) const = default;
 };
 
-/// Places a mesh that was defined by name once more.
+/// An instance of a mesh definition.
 struct Use {
   Reference mesh;
 
   bool operator==(const Use&) const = default;
 };
 
-/// What holds for the scene as a whole.
+/// Parameters of the scene as a whole.
 struct Params {
-  /// Where the observers are for whom irradiance that depends on the view was computed.
+  /// The positions of the observers for whom view-dependent irradiance was computed.
   std::vector<Vec3f> views;
 
   bool operator==(const Params&) const = default;
 };
 
-/// What an included file held when it was read, so that saving rewrites only files that hold something else.
+/// The contents of an included file as it was read, so that saving rewrites only files that changed.
 struct IncludeOrigin {
   std::string path;  ///< canonical; empty for an include that was not read from a file
   Shared<BlockList> contents;
   std::size_t hash = 0;  ///< std::hash of the file's bytes
 
-  /// Where a thing came from makes it no other thing.
+  /// Origins do not take part in equality.
   bool operator==(const IncludeOrigin&) const { return true; }
 };
 
-/// A file whose blocks stand in the place of the include.
+/// An include: a file whose blocks take the place of the include.
 struct Include {
   /// As written, relative to the folder of the file that names it; quotes as in a mesh's name.
   std::string file;
@@ -85,7 +85,7 @@ struct Include {
   bool operator==(const Include&) const = default;
 };
 
-/// One step of a transform: factors, angles in radians about x, then y, then z, or an offset.
+/// One step of a transform: scale factors, rotation angles in radians about x, then y, then z, or an offset.
 struct TransformStep {
   enum class Kind { Scale, Rotation, Translation };
   Kind kind = Kind::Translation;
@@ -94,7 +94,7 @@ struct TransformStep {
   bool operator==(const TransformStep&) const = default;
 };
 
-/// Steps, of which there is one at least, act on the body in the order written.
+/// A transform of its body: one or more steps, applied in the order written.
 struct Transform {
   std::vector<TransformStep> steps;
   BlockList body;
@@ -113,8 +113,8 @@ struct Definition {
   bool operator==(const Definition&) const = default;
 };
 
-/// Names that hold for the definitions after them, for the body, and for the files included from there. There
-/// is one at least; each is an identifier, and no two are the same.
+/// A scope of definitions, visible in the definitions after them, in the body, and in files included from
+/// there. There is at least one; names are identifiers and unique.
 struct DefinitionScope {
   std::vector<Definition> definitions;
   BlockList body;
@@ -136,21 +136,21 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// What a definition defines, as messages say it: `colour`, `BRDF`, `PDF`, `texture` or `mesh`.
+/// Returns the kind of a definition, for messages: `colour`, `BRDF`, `PDF`, `texture` or `mesh`.
 std::string_view kind_of(const Definition::Body& body);
 
-/// Whether vertices of these blocks have irradiance. A file that holds them is then an IGRF file; included
-/// files are files of their own.
+/// Returns whether vertices of these blocks, not of included files, have irradiance: their file is then an
+/// IGRF file.
 bool has_irradiance(const BlockList& contents);
 
-/// Blocks stand in no more blocks than these: readers and writers refuse what is nested deeper.
+/// The maximum nesting depth of blocks: readers and writers refuse deeper nesting.
 inline constexpr std::size_t DeepestNesting = 1000;
 
-/// The number of `transform` and `def` blocks around the innermost block, at most. Includes add none of their
-/// own, and what they hold counts.
+/// Returns the maximum nesting depth of `transform` and `def` blocks. An include itself adds no level, but
+/// its blocks count.
 std::size_t nesting_of(const BlockList& contents);
 
-/// The matrix of a list of transform steps, in double so that nested ones lose nothing.
+/// Computes the matrix of a list of transform steps, in double so that nested transforms stay accurate.
 Matrix44d matrix_of(const std::vector<TransformStep>& steps);
 
 }  // namespace grf

@@ -5,10 +5,10 @@
 namespace grf {
 namespace {
 
-/// What a path has led to so far.
+/// The state of following a path.
 struct Step {
-  BlockList* blocks = nullptr;             ///< in which the next number counts
-  DefinitionScope* definitions = nullptr;  ///< before those, if it is a scope
+  BlockList* blocks = nullptr;             ///< indexed by the next number of the path
+  DefinitionScope* definitions = nullptr;  ///< counted before the blocks if they are a scope's
   ScenePlace place;
 };
 

@@ -5,12 +5,12 @@
 
 namespace grf {
 
-/// A value whose copies share memory until one of them is edited. Copies compare as their values do.
-/// Copies in different threads may be read at once; a single object must not be edited meanwhile.
+/// A copy-on-write value: copies share memory until one of them is edited, and compare as their values do.
+/// Copies in different threads may be read concurrently; a single object must not be edited meanwhile.
 template <class T>
 class Shared {
  public:
-  /// The default value, which is made once for all.
+  /// Holds the default value, which all default-constructed objects share.
   Shared() {
     static const auto value = std::make_shared<T>();
     value_ = value;
@@ -20,19 +20,19 @@ class Shared {
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
 
-  /// The value, to be changed: first copied if others share it.
+  /// Returns the value to modify it, after copying it if others share it.
   T& edit() {
     if (value_.use_count() > 1) {
       value_ = std::make_shared<T>(*value_);
     } else {
-      // The count was read without order: what another thread read from a copy that it has let go since could
-      // come after what is written here. Counting once more orders them; ThreadSanitizer knows no fences.
+      // use_count is a relaxed load: reads by another thread through a copy that it has released since could
+      // be ordered after the writes here. Another count orders them; ThreadSanitizer does not know fences.
       const std::shared_ptr<T> counted(value_);
     }
     return *value_;
   }
 
-  /// Whether this is a copy of the other that neither has edited: the same without a comparison.
+  /// Returns whether both share the same value, which takes no comparison of values.
   bool shares(const Shared& other) const { return value_ == other.value_; }
 
   friend bool operator==(const Shared& a, const Shared& b) {

@@ -17,7 +17,7 @@
 namespace grf {
 namespace {
 
-/// The factor by which a transform scales all lengths, or nothing if it depends on the direction.
+/// Returns the factor of a uniform scale, or nothing if the scale depends on the direction.
 std::optional<double> uniform_scale(const Matrix44d& to_world) {
   constexpr double Tolerance = 1e-9;
   const Vec3d x(to_world[0][0], to_world[0][1], to_world[0][2]);
@@ -30,7 +30,7 @@ std::optional<double> uniform_scale(const Matrix44d& to_world) {
   return std::sqrt(scale2);
 }
 
-/// A mesh without a name goes by that of its definition.
+/// Returns the name of a mesh, or that of its definition if it has none.
 std::string name_of(const Mesh& mesh, const Placement& placement) {
   return mesh.name.empty() && placement.instance_of != nullptr ? placement.instance_of->name : mesh.name;
 }
@@ -95,7 +95,7 @@ class Counter {
     for (const Vec3d& corner : {bounds.min, bounds.max}) summary_.bounds.extendBy(Vec3f(corner));
   }
 
-  /// Whether any face emits.
+  /// Returns whether any face emits.
   bool add_surfaces(const Mesh& mesh) {
     bool emits = false;
     const std::vector<bool> is_used = used_surfaces(mesh);
@@ -122,7 +122,7 @@ class Counter {
   }
 
   Summary summary_;
-  std::unordered_map<const Mesh*, bool> emits_;  ///< by mesh, wherever it is placed
+  std::unordered_map<const Mesh*, bool> emits_;  ///< by mesh, shared by its instances
   std::set<std::string> brdfs_;
   std::set<std::string> pdfs_;
   std::set<std::string> images_;

@@ -10,10 +10,10 @@
 namespace grf {
 namespace {
 
-/// Collects the bytes of all that a surface is compared by.
+/// Builds the key of a surface: the bytes of everything that takes part in comparison.
 class Key {
  public:
-  /// Whether the sign of zeros and the case of keywords count.
+  /// `is_exact`: the sign of zeros and the case of keywords count.
   explicit Key(bool is_exact) : is_exact_(is_exact) {}
 
   void add(const Surface& surface) {

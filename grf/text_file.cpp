@@ -49,16 +49,16 @@ std::string what_it_is(const struct stat& status) {
   return "a device or socket";
 }
 
-/// A file that was opened to be read, if it is one.
+/// A regular file opened for reading.
 class FileToRead {
  public:
-  // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+  // Without O_NONBLOCK, opening a pipe without a writer would block forever.
   explicit FileToRead(const std::string& path)
       : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     is_open_ = file_.value() >= 0 && ::fstat(file_.value(), &status_) == 0;
   }
 
-  /// All of its bytes, as they were at one time; null if there is a problem.
+  /// Returns all of its bytes, as they were at one time; null after an error.
   std::shared_ptr<const std::string> bytes() {
     if (!is_regular()) return nullptr;
     auto bytes = read_all();
@@ -66,7 +66,7 @@ class FileToRead {
     return has_changed_ ? nullptr : bytes;
   }
 
-  /// Why it cannot be read, said at the place that asked for it or of the file itself.
+  /// Reports why it cannot be read, at the location that asked for it or at the file itself.
   std::string problem(const SourceLocation& asked_for_at) const {
     const std::string why = has_changed_ ? "it was changed while it was read"
                             : is_open_ && !is_regular()
@@ -94,7 +94,7 @@ class FileToRead {
     return bytes;
   }
 
-  // As its time of change tells, which goes in steps of some milliseconds.
+  // The modification time tells, with a resolution of some milliseconds.
   bool was_written_to() const {
     struct stat now = {};
     if (::fstat(file_.value(), &now) != 0) return false;
@@ -119,8 +119,8 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// A new file of a name that no other has. Unlike one by mkstemp, it has the permissions of any new file, and
-/// finding those out from the umask would need to change that, which other threads would notice.
+/// Creates a file with a unique name. Unlike mkstemp, it has the permissions of any new file; to read them
+/// from the umask would mean to change the umask, which affects other threads.
 int create_beside(const std::string& target, mode_t mode, std::string& path) {
   for (unsigned attempt = 0;; ++attempt) {
     path = fmt::format("{}.{}-{}{}", target, ::getpid(), attempt, TemporaryExtension);
@@ -129,7 +129,7 @@ int create_beside(const std::string& target, mode_t mode, std::string& path) {
   }
 }
 
-/// A file that is about to take the place of another one; unless it does, it is removed.
+/// A temporary file that is to replace another one; it is removed unless it does.
 class Replacement {
  public:
   Replacement(const std::string& path, Diagnostics& diagnostics)
@@ -141,7 +141,7 @@ class Replacement {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
   }
 
-  /// Makes and fills the file beside the other one.
+  /// Creates and writes the temporary file beside the other one.
   bool prepare(const std::function<bool(const FileWriter& write)>& fill) {
     struct stat old = {};
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
@@ -149,7 +149,7 @@ class Replacement {
       diagnostics_.error(whole_file(path_), fmt::format("cannot write the file: it is {}", what_it_is(old)));
       return false;
     }
-    // The folder alone decides about renaming, but a file that was made read-only is to stay as it is.
+    // Renaming needs only write access to the folder, but a read-only file is to stay unchanged.
     const bool may_write = !replaces || ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) == 0;
     if (!may_write) return fail("write the file");
     std::string temporary;
@@ -224,7 +224,7 @@ Creation create_file(const std::string& path, std::string_view bytes, Diagnostic
   Descriptor file(create_beside(target, 0666, temporary));
   if (file.value() < 0) return fail("create the file");
   const bool written = write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close();
-  // Unlike renaming, linking fails where there is such a file by now; FAT has no links.
+  // Unlike renaming, linking fails if the file exists by now; FAT has no links.
   const bool created = written && (::link(temporary.c_str(), target.c_str()) == 0 ||
                                    (errno == EPERM && ::rename(temporary.c_str(), target.c_str()) == 0));
   const int why = errno;

@@ -1,4 +1,4 @@
-// Whole files in and out, with what can go wrong said in words.
+// Functions that read and atomically replace whole files, and report errors as diagnostics.
 #pragma once
 
 #include <functional>
@@ -12,55 +12,54 @@
 
 namespace grf {
 
-/// Some editors put this before UTF-8 text; it is no part of the text.
+/// The UTF-8 byte-order mark, which some editors write before the text; it is no part of the text.
 inline constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 
 /// Reads the bytes of a regular file. A diagnostic at `asked_for_at` (or, if that names no file, at the file
-/// itself) says why it cannot be read: it is missing, a directory, a pipe or a device, may not be read, or
-/// was changed by another program meanwhile. Files are not mapped into memory: one that became shorter would
-/// end the program.
+/// itself) says why it cannot be read: it is missing, a directory, a pipe or a device, lacks permission, or
+/// was changed by another program meanwhile. Files are not memory-mapped: if one were truncated, the program
+/// would crash.
 std::shared_ptr<const std::string> read_file(const std::string& path, Diagnostics& diagnostics,
                                              const SourceLocation& asked_for_at = {});
 
-/// Replaces the file by the bytes, or leaves it as it was and says why: a temporary file beside it is
-/// filled, forced to the disk and renamed over it.
+/// Replaces the file's contents atomically, or leaves it unchanged and reports why: a temporary file beside
+/// it is written, synced to disk and renamed over it.
 bool replace_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);
 
-/// Appends bytes to a file that is being filled; false if that failed.
+/// Appends bytes to a file that is being written; returns false if that failed.
 using FileWriter = std::function<bool(std::string_view bytes)>;
 
-/// The same for a file too large to be held in memory: `fill` writes it in parts, and returns false as soon
-/// as that fails.
+/// Replaces a file too large for memory likewise: `fill` writes it in chunks, and returns false as soon as
+/// that fails.
 bool replace_file(const std::string& path, const std::function<bool(const FileWriter& write)>& fill,
                   Diagnostics& diagnostics);
 
 enum class Creation { Done, Exists, Failed };
 
-/// Makes a file that did not exist, as a whole or not at all. If it exists, it stays as it is, whoever made
-/// it in the meantime, and nothing is said.
+/// Creates a file atomically. If it exists by then, it stays unchanged and nothing is reported.
 Creation create_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);
 
-/// Removes what a process left in a folder that died while it was replacing or creating files there.
+/// Removes the temporary files of a process that died while it was replacing or creating files in a folder.
 void remove_temporary_files(const std::string& folder, int process);
 
-/// A file to be written: where, and what fills it.
+/// A file to be written: its path, and the function that writes its bytes.
 struct NewFile {
   std::string path;
   std::function<bool(const FileWriter& write)> fill;
 };
 
-/// Replaces files that belong together: all are filled and forced to the disk before the first one takes its
-/// place, so that what goes wrong leaves all of them as they were.
+/// Replaces several files together: all are written and synced to disk before the first one is renamed, so
+/// that an error leaves all of them unchanged.
 bool replace_files(const std::vector<NewFile>& files, Diagnostics& diagnostics);
 
-/// The path of a file that is named in another one: relative names start at that one's folder, and both
-/// kinds of separators are understood.
+/// Resolves a file name in another file: relative names start at that file's folder, and both `/` and `\` are
+/// separators.
 std::string path_beside(const std::string& naming_file, std::string_view name);
 
-/// Whether a file's name says that it carries irradiance.
+/// Returns whether a file's name ends in `.igrf`: it carries irradiance.
 bool is_igrf_name(const std::string& path);
 
-/// One spelling for each file, whether or not it exists.
+/// Returns the canonical path of a file, whether or not it exists.
 std::string canonical_path(const std::string& path);
 
 }  // namespace grf

@@ -8,7 +8,7 @@
 namespace grf {
 namespace {
 
-/// Counts sets among corners.
+/// Counts the sets that corners belong to.
 std::size_t count_sets(DisjointSets& sets, const std::vector<std::uint32_t>& corners) {
   std::vector<std::uint32_t> all;
   all.reserve(corners.size());
@@ -17,12 +17,12 @@ std::size_t count_sets(DisjointSets& sets, const std::vector<std::uint32_t>& cor
   return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
 }
 
-/// Without places, each vertex has its own.
+/// Returns the place of a vertex; without places, each vertex has its own.
 std::uint32_t place_of(std::span<const std::uint32_t> places, std::uint32_t vertex) {
   return places.empty() ? vertex : places[vertex];
 }
 
-/// Does something with each edge that has a length, in the order of faces and their corners.
+/// Calls a function for each half-edge that has a length, in the order of faces and their corners.
 template <class Action>
 void for_each_face_edge(const Geometry& geometry, std::span<const std::uint32_t> places,
                         const Action& action) {
@@ -57,8 +57,7 @@ std::vector<std::uint32_t> first_at_place(const Geometry& geometry) {
 }
 
 std::vector<FaceEdge> edges_of_faces(const Geometry& geometry, std::span<const std::uint32_t> places) {
-  // Each is put where its lower place belongs, in a time that grows as their number: few are left to be
-  // sorted there.
+  // A bucket sort by the lower place takes linear time, and leaves few to be sorted in each bucket.
   const auto lower_place = [](const FaceEdge& edge) { return static_cast<std::size_t>(edge.places >> 32U); };
   std::vector<std::size_t> ends(geometry.positions.size() + 1);
   for_each_face_edge(geometry, places, [&](const FaceEdge& edge) { ++ends[lower_place(edge) + 1]; });

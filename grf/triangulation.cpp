@@ -20,7 +20,7 @@ Vec3d area_normal(std::span<const Vec3f> corners) {
   return normal;
 }
 
-/// But for the rounding of float. The normal is the area's.
+/// Returns whether a polygon is planar up to float rounding. The normal is the area vector's.
 bool is_planar(std::span<const Vec3f> corners, const Vec3d& normal) {
   const Vec3d origin(corners[0]);
   return std::all_of(corners.begin(), corners.end(), [&](const Vec3f& corner) {
@@ -29,8 +29,8 @@ bool is_planar(std::span<const Vec3f> corners, const Vec3d& normal) {
   });
 }
 
-/// Puts the corners into the plane of an axis in which the polygon is largest, counter-clockwise. That rounds
-/// nothing, so that corners on a line stay there.
+/// Projects the corners along the axis in which the polygon is largest, counter-clockwise. This does not
+/// round, so that collinear corners stay collinear.
 void flatten_along_axis(std::span<const Vec3f> corners, const Vec3d& normal, std::span<Point> points) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -44,8 +44,8 @@ void flatten_along_axis(std::span<const Vec3f> corners, const Vec3d& normal, std
   }
 }
 
-/// Puts the corners into the plane of the polygon's own normal, counter-clockwise: seen along an axis, a
-/// polygon that is not planar can cross itself.
+/// Projects the corners along the polygon's own normal, counter-clockwise: projected along an axis, a polygon
+/// that is not planar can intersect itself.
 void flatten(std::span<const Vec3f> corners, std::span<Point> points) {
   const Vec3d normal = area_normal(corners);
   if (is_planar(corners, normal)) return flatten_along_axis(corners, normal, points);
@@ -63,8 +63,8 @@ void fan(std::uint32_t corners, std::vector<Triangle>& triangles) {
   for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
 }
 
-/// Whether a fan turns none of its triangles over. Those of a polygon that does not cross itself cover it
-/// then.
+/// Returns whether no triangle of a fan is flipped: the fan then covers a polygon that does not intersect
+/// itself.
 bool is_fan(std::span<const Point> points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     if (orientation(points[0], points[i], points[i + 1]) < 0) return false;
@@ -72,7 +72,7 @@ bool is_fan(std::span<const Point> points) {
   return true;
 }
 
-/// What triangles cover, turned over or not, twice.
+/// Computes twice the total unsigned area of triangles.
 double covered_area(std::span<const Point> points, std::span<const Triangle> triangles) {
   double sum = 0;
   for (const auto& [a, b, c] : triangles) sum += std::abs(orientation(points[a], points[b], points[c]));
@@ -84,8 +84,8 @@ bool is_finite(std::span<const Point> points) {
                      [](const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); });
 }
 
-/// Replaces triangles by those of a sweep that cover less. Where the polygon crosses itself, if only by
-/// rounding where it touches itself, another direction of the sweep may do better.
+/// Replaces triangles by those of a sweep that cover less area. If the polygon intersects itself, if only by
+/// rounding where it touches itself, another direction of the sweep may give a better result.
 void cut_by_sweeps(std::span<Point> points, std::vector<Triangle>& best) {
   constexpr double Tolerance = 1 + 1e-6;
   double area = 0;
@@ -109,7 +109,7 @@ void cut_by_sweeps(std::span<Point> points, std::vector<Triangle>& best) {
 void triangulate(std::span<const Vec3f> corners, std::vector<Triangle>& triangles) {
   const auto count = static_cast<std::uint32_t>(corners.size());
   if (count == 3) return fan(count, triangles);
-  if (count == 4) {  // most polygons are: they do without memory from the heap
+  if (count == 4) {  // quadrilaterals are the most common polygons: they need no heap memory
     std::array<Point, 4> points;
     flatten(corners, points);
     if (is_fan(points)) return fan(count, triangles);

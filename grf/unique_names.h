@@ -8,17 +8,17 @@
 
 namespace grf {
 
-/// Makes names unique: what was taken before gets `_2`, `_3` and so on. Many equal names take n log n.
+/// Makes names unique: a repeated name gets `_2`, `_3` and so on. n equal names take O(n log n).
 class UniqueNames {
  public:
   enum class Case { Matters, Ignored };
 
   explicit UniqueNames(Case of_letters = Case::Matters) : case_(of_letters) {}
 
-  /// Marks a name as taken; false if it was.
+  /// Marks a name as taken; returns false if it already was.
   bool add(std::string_view name);
 
-  /// A name that was not taken: the wanted one, or with a number before the extension. It is taken then.
+  /// Takes and returns a free name: the wanted one, or one with a number before the extension.
   std::string take(std::string_view wanted, std::string_view extension = {});
 
  private:
@@ -26,7 +26,7 @@ class UniqueNames {
 
   Case case_;
   std::set<std::string, std::less<>> taken_;
-  std::map<std::string, int, std::less<>> last_numbers_;  ///< of names that were wanted twice
+  std::map<std::string, int, std::less<>> last_numbers_;  ///< by name that was wanted repeatedly
 };
 
 }  // namespace grf

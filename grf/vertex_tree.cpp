@@ -6,7 +6,7 @@
 namespace grf {
 namespace {
 
-/// So many that follow each other share a box.
+/// The number of consecutive vertices that share a box.
 constexpr std::size_t VerticesOfABox = 16;
 
 std::vector<Box3d> boxes_of(const Geometry& geometry) {

@@ -9,28 +9,28 @@
 
 namespace grf {
 
-/// A tree over the vertices of a mesh, those that no face uses too: it answers what would else need a look at
-/// each vertex for each place of the geometry.
+/// A bounding volume hierarchy over the vertices of a mesh, including unused ones: it answers queries without
+/// visiting each vertex per instance of the geometry.
 class VertexTree {
  public:
   VertexTree() = default;
-  /// It must stay as it is.
+  /// Builds the tree of a geometry, which must outlive this unchanged.
   explicit VertexTree(const Geometry& geometry);
 
   using ValueOfVertex = std::function<double(const Vec3d&)>;
-  /// The highest value of any vertex, found as `BoxTree` finds that of things.
+  /// Returns the highest value of any vertex, as `BoxTree::highest` does.
   double highest(const BoxTree::ValueOfBox& bound, const ValueOfVertex& value,
                  double least = -std::numeric_limits<double>::infinity(),
                  double enough = std::numeric_limits<double>::infinity()) const;
 
-  /// The box around all vertices, in the coordinates of the mesh.
+  /// Returns the bounds of all vertices, in object space.
   Box3d bounds() const { return boxes_.bounds(); }
-  /// The box around all vertices that were transformed: a smaller one than around a box that was.
+  /// Returns the bounds of the transformed vertices: tighter than the transformed bounds.
   Box3d bounds_under(const Matrix44d& transform) const;
 
  private:
   const Geometry* geometry_ = nullptr;
-  BoxTree boxes_;  ///< of runs of vertices
+  BoxTree boxes_;  ///< over the bounds of runs of vertices
 };
 
 }  // namespace grf

@@ -12,7 +12,7 @@ class Walk {
  public:
   Walk(const SceneVisitor& visitor, std::string file) : visitor_(visitor), file_(std::move(file)) {}
 
-  /// `before`: how many definitions stand before the blocks.
+  /// `before`: the number of definitions before the blocks, in paths.
   void blocks(const BlockList& list, const Matrix44d& to_world, std::size_t before = 0) {
     path_.push_back(static_cast<std::uint32_t>(before));
     for (const Block& block : list.blocks) {
@@ -77,7 +77,7 @@ class Walk {
   std::string file_;
 };
 
-/// Lists the BRDFs that a `combine` names, directly or through others, with the terms of each as places in
+/// Lists the BRDFs that a `combine` names, directly or through others, with the terms of each as indices into
 /// the list. Within one sum a definition has one scope, and so one meaning.
 class SumOfSums {
  public:
@@ -142,8 +142,8 @@ class SumOfSums {
 
   std::vector<Entry> entries_;
   std::unordered_map<const BrdfModel*, std::size_t> places_;
-  std::vector<Open> open_;                // in place of recursion
-  std::vector<std::size_t> inner_first_;  // each after all that it names
+  std::vector<Open> open_;                // explicit stack instead of recursion
+  std::vector<std::size_t> inner_first_;  // topological order: each after all that it names
 };
 
 template <class Model>

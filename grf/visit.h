@@ -1,4 +1,4 @@
-// Walks the blocks of a scene in order, with the transform and the definitions that are in force at each.
+// Traversal of a scene graph in order, with the transform and the definitions in scope at each block.
 #pragma once
 
 #include <compare>
@@ -19,26 +19,26 @@ namespace grf {
 
 class ScopeStack;
 
-/// The definitions in force at a place of a scene; inner ones hide outer ones. A light value, good as long as
-/// all of these definitions are in the stack that it was taken from.
+/// The definitions in scope at a block; inner ones hide outer ones. A cheap view, valid as long as all of
+/// these definitions are in the stack that it was taken from.
 class Scope {
  public:
-  /// Nothing is defined.
+  /// Makes an empty scope.
   Scope() = default;
 
-  /// The definition that the name means here, or null.
+  /// Finds the definition that a name refers to, or returns null.
   const Definition* find(std::string_view name) const;
-  /// What the name means if it is a definition of this kind, else null.
+  /// Finds the body of the definition that a name refers to; null if it is of another kind.
   template <class Body>
   const Body* find(std::string_view name) const {
     const Definition* definition = find(name);
     return definition == nullptr ? nullptr : std::get_if<Body>(&definition->body);
   }
-  /// What is in force where the definition stands that the name means here: names in its body mean those.
+  /// Returns the scope at the definition that a name refers to, in which names in its body are looked up.
   Scope around(std::string_view name) const;
-  /// All names that can be used here.
+  /// Returns all names in scope.
   std::vector<std::string> names() const;
-  /// Those that mean a definition of this kind.
+  /// Returns the names in scope of definitions of this kind.
   template <class Body>
   std::vector<std::string> names_of() const {
     std::vector<std::string> names;
@@ -50,19 +50,19 @@ class Scope {
 
  private:
   friend class ScopeStack;
-  /// What each name means.
+  /// Returns the visible definition of each name.
   std::vector<const Definition*> definitions() const;
   Scope(const ScopeStack& stack, std::size_t depth) : stack_(&stack), depth_(depth) {}
 
   const ScopeStack* stack_ = nullptr;
-  std::size_t depth_ = 0;  ///< how many of the stack's definitions, from the outermost
+  std::size_t depth_ = 0;  ///< number of the stack's definitions in scope, from the outermost
 };
 
-/// The definitions in force while one walks through a scene.
+/// The stack of definitions in scope during a traversal.
 class ScopeStack {
  public:
   ScopeStack() = default;
-  /// Starts with what is in force somewhere.
+  /// Starts with the definitions of a scope.
   explicit ScopeStack(const Scope& outside);
   ScopeStack(const ScopeStack&) = delete;
   ScopeStack& operator=(const ScopeStack&) = delete;
@@ -70,35 +70,35 @@ class ScopeStack {
   ScopeStack& operator=(ScopeStack&&) = delete;
   ~ScopeStack() = default;
 
-  /// The definition must stay where it is until its scope is left.
+  /// Enters the scope of a definition, whose address must be stable until the scope is left.
   void enter(const Definition& definition);
   /// Leaves the scope of the definitions that were entered last.
   void leave(std::size_t count);
-  /// What is in force now.
+  /// Returns the current scope.
   Scope scope() const { return {*this, definitions_.size()}; }
 
  private:
   friend class Scope;
 
   std::vector<const Definition*> definitions_;  // the outermost first
-  /// Where in the list of definitions those of a name are.
+  /// Indices of a name's definitions in definitions_.
   std::unordered_map<std::string_view, std::vector<std::size_t>> places_of_name_;
 };
 
 struct Placement {
   Matrix44d to_world;
-  Scope scope;  ///< where what is placed stands: for a mesh that is used, where it is defined
-  /// The definition that a `use` places, null for what stands in the scene itself.
+  Scope scope;  ///< the scope of the mesh or block: for an instance, that of the definition
+  /// The definition that a `use` instances, null for a block in the scene itself.
   const Definition* instance_of = nullptr;
-  /// Where the block or the definition stands that is met: for a mesh that is used, the `use`. Good until the
-  /// visitor returns.
+  /// The path of the visited block or definition: for an instance, that of the `use`. Valid until the visitor
+  /// returns.
   ScenePathView path = {};
-  /// The file in which that block or definition stands, from whose folder it names others. Good as long.
+  /// The file of that block or definition, which its file names are relative to. Valid as long as `path`.
   std::string_view file = {};
 };
 
-/// What to do with each kind of thing; those that are left empty are passed over. A mesh that is defined is
-/// met at its definition, and then as a mesh wherever it is used; the block is that of the `use`.
+/// Callbacks per kind of block; kinds with an empty callback are skipped. A defined mesh is visited at its
+/// definition, and then as a mesh for each instance; the block is that of the `use`.
 struct SceneVisitor {
   std::function<void(const Mesh&, const Placement&, const Block&)> mesh;
   std::function<void(const MeshLight&, const Placement&, const Block&)> mesh_light;
@@ -109,18 +109,19 @@ struct SceneVisitor {
   std::function<void(const Use&, const Placement&, const Block&)> use;  ///< before the mesh, if there is one
 };
 
-/// `path` is the scene's own file, beside which those are that it includes.
+/// Visits the blocks of a scene. `path` is the scene's own file, which its includes are relative to.
 void visit(const Scene& scene, const SceneVisitor& visitor, const std::string& path = {});
 
-/// The places in the world of the observers for whom irradiance was computed, in the order of the file.
+/// Returns the world-space positions of the observers for whom irradiance was computed, in the order of the
+/// file.
 std::vector<Vec3f> observers_of(const Scene& scene);
 
-/// A surface with its references looked up. The pointers are into the scene; what is
-/// null or absent was not given.
+/// A surface with its references resolved. Pointers are into the scene; null or absent attributes were not
+/// given.
 struct ResolvedSurface {
   Colour colour = Colour(1);
   const BrdfModel* brdf = nullptr;
-  Scope brdf_scope;  ///< where the terms of a `combine` are looked up
+  Scope brdf_scope;  ///< the scope in which the terms of a `combine` are looked up
   const PdfModel* pdf = nullptr;
   const Texture* texture = nullptr;
   std::optional<Colour> emission;
@@ -128,7 +129,7 @@ struct ResolvedSurface {
 
 ResolvedSurface resolve(const Surface& surface, const Scope& scope);
 
-/// A BRDF that is no sum, and its weight in one. The pointer is into the scene.
+/// A BRDF that is no `combine`, and its weight in a sum. The pointer is into the scene.
 struct WeightedBrdf {
   const BrdfModel* model = nullptr;
   float weight = 1;
@@ -136,10 +137,10 @@ struct WeightedBrdf {
   auto operator<=>(const WeightedBrdf&) const = default;
 };
 
-/// The BRDFs that a `combine` adds up, through all sums of sums, or the BRDF itself if it is none. Each one
-/// is there once, in the order in which they are named; names that mean no BRDF are left out. The scope is
-/// that in which the BRDF's own names are looked up. Takes time in proportion to the terms, and no stack,
-/// however long the chain of definitions is.
+/// Flattens a `combine` of nested sums into BRDFs with weights; any other BRDF gives itself. Each BRDF is
+/// listed once, in the order of first mention; undefined names are skipped. The scope is that in which the
+/// BRDF's own names are looked up. Takes time linear in the number of terms, and no recursion, however long
+/// the chain of definitions is.
 std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope);
 
 }  // namespace grf

@@ -1,4 +1,4 @@
-// Writing a scene as GRF text: one style, deterministic bytes, the fewest digits that read back.
+// Functions that write a scene as GRF text: one style, deterministic bytes, shortest round-trip numbers.
 #pragma once
 
 #include <string>
@@ -8,22 +8,21 @@
 
 namespace grf {
 
-/// The text of a scene's own file. Included files are named in it, not written out.
+/// Returns the text of a scene's own file. Included files are only named in it.
 std::string to_text(const Scene& scene);
 
-/// An instance as it stands after the word `brdf` or `pdf`, or in a file of its own.
+/// Returns the text of an instance as written after the keyword `brdf` or `pdf`, or in a file of its own.
 std::string to_text(const BrdfModel& brdf);
 std::string to_text(const PdfModel& pdf);
 
-/// The double with the fewest digits that is this float, for formats that know doubles alone: 0.1F gives 0.1.
+/// Returns the double with the fewest digits that rounds to a float, for formats that only have doubles: 0.1F
+/// gives 0.1.
 double shortest(float value);
 
-/// Replaces the file, and the included files that do not hold their contents, since these or the files have
-/// changed since they were read (each with a note that names it). A file that cannot be written stays as it
-/// was, and the diagnostics say why.
-///
-/// Text that no file can hold is written in the nearest way: line ends in comments and names as spaces, and
-/// the typographic quotes of a name that has plain ones too as plain ones.
+/// Writes a scene: replaces its file, and the included files that differ from their contents because either
+/// has changed since it was read (each with a note that names it). A file that cannot be written stays
+/// unchanged, and the diagnostics say why. Text that the format cannot express is replaced: line ends in
+/// comments and names by spaces, and typographic quotes in a name that has plain ones too by plain ones.
 bool write(const Scene& scene, const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace grf

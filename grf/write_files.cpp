@@ -22,8 +22,8 @@
 namespace grf {
 namespace {
 
-/// Does something with each definition and each block without a body of one file, with the scope that is in
-/// force there.
+/// Calls a function for each definition and each block without a body of one file, with the scope
+/// there.
 template <class Action>
 void for_each_in_file(const BlockList& list, ScopeStack& scope, const Action& action) {
   for (const Block& block : list.blocks) {
@@ -42,7 +42,7 @@ void for_each_in_file(const BlockList& list, ScopeStack& scope, const Action& ac
   }
 }
 
-/// The mesh that a block or a definition is, or null.
+/// Returns the mesh of a block or a definition, or null.
 template <class Variant>
 const Mesh* mesh_in(const Variant& content) {
   const auto* mesh = std::get_if<Shared<Mesh>>(&content);
@@ -56,8 +56,8 @@ bool reads_as_reference(const std::optional<std::variant<ModelOfKind, Reference>
   return model != nullptr && is_bare_word(*model) && scope.find<ModelOfKind>(model->keyword) != nullptr;
 }
 
-/// Whether a file that was not changed would now be read in another way, since a definition around it has
-/// taken the name of a model that it uses.
+/// Returns whether an unchanged file would now parse differently, since an outer definition has the name of a
+/// model that it uses.
 bool reads_otherwise(const BlockList& contents, const Scope& outside) {
   ScopeStack scope(outside);
   bool otherwise = false;
@@ -72,7 +72,7 @@ bool reads_otherwise(const BlockList& contents, const Scope& outside) {
   return otherwise;
 }
 
-/// All comments of a text, as lines of their own.
+/// Returns all comments of a text, as lines of their own.
 std::string comments_of(const std::shared_ptr<const std::string>& text) {
   Lexer lexer(text, nullptr);
   while (lexer.peek().kind != TokenKind::EndOfFile) lexer.next();
@@ -81,13 +81,13 @@ std::string comments_of(const std::shared_ptr<const std::string>& text) {
   return comments;
 }
 
-/// Writes the files that a scene names, where they do not hold what the scene has from there.
+/// Writes the files that a scene names, if their contents differ from the scene's.
 class FilesWriter {
  public:
   FilesWriter(const Scene& scene, const std::string& path, Diagnostics& diagnostics)
       : scene_(scene), path_(path), diagnostics_(diagnostics) {}
 
-  /// Makes the texts; false if there can be no such files.
+  /// Generates the texts; returns false if the scene cannot be written as such files.
   bool prepare() {
     valid_ = true;
     if (nesting_of(scene_.contents) > DeepestNesting) {
@@ -127,12 +127,12 @@ class FilesWriter {
     const auto old_text = read_file(exact_path, unheard);
     if (old_text && *old_text == text.text) return true;
     diagnostics_.note(whole_file(text.path), "this file, which the scene names, is written too");
-    std::error_code ignored;  // what is wrong with the folder is said when the file cannot be made
+    std::error_code ignored;  // an error of the folder is reported when the file cannot be created
     std::filesystem::create_directories(std::filesystem::path(exact_path).parent_path(), ignored);
     return replace_file(text.path, text.text, diagnostics_);
   }
 
-  /// Whether the file still holds what was read: it may have been written since, in another state.
+  /// Returns whether the file still has the bytes that were read: it may have been overwritten since.
   bool is_on_disk(const IncludeOrigin& origin) {
     const auto [known, is_new] = hashes_on_disk_.try_emplace(origin.path);
     Diagnostics unheard;
@@ -167,7 +167,7 @@ class FilesWriter {
     if (!is_new && known->second.text != text) fail(path, conflict);
   }
 
-  // The files of single BRDFs that a file of blocks names.
+  // Adds the BRDF files that a scene file names.
   void prepare_brdf_files(const BlockList& contents, const std::string& naming_file, const Scope& outside) {
     ScopeStack scope(outside);
     for_each_in_file(contents, scope, [&](const auto& content) {
@@ -250,7 +250,7 @@ class FilesWriter {
   std::map<std::string, std::size_t> hashes_on_disk_;
   std::string own_text_;
   std::map<std::string, Text> texts_;           // by canonical path
-  std::map<std::string, BrdfModel> instances_;  // the same
+  std::map<std::string, BrdfModel> instances_;  // by canonical path
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace grf {
 namespace {
 
-// The grammar knows no `transform` without a step and no `def` without a definition.
+// The grammar has no `transform` without a step and no `def` without a definition.
 constexpr std::string_view NoTransform = " translation (0, 0, 0)";
 
 }  // namespace
@@ -40,7 +40,7 @@ void Writer::put_block(const MeshLight& light) {
   begin_line("end");
 }
 
-// The colour stands last, where the grammar of 2008 has it.
+// The colour is written last, as in the grammar of 2008.
 void Writer::put_block(const AreaLight& light) {
   line("light begin");
   ++indentation_;
@@ -94,7 +94,7 @@ void Writer::put_block(const DefinitionScope& definitions) {
   scope_.leave(definitions.definitions.size());
 }
 
-// What is before the first `def` belongs to the block as a whole, so comments of the first definition stand
+// Comments before the first `def` belong to the whole block, so those of the first definition are written
 // between `def` and its name.
 void Writer::put_definition(const Definition& definition, bool first) {
   if (first && !definition.comments.before.empty()) {

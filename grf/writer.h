@@ -1,4 +1,4 @@
-// The writer behind `write.h`: one function a production.
+// The writer behind `write.h`, with one function per production.
 #pragma once
 
 #include <algorithm>
@@ -18,45 +18,46 @@ namespace grf {
 
 struct FileText {
   std::string text;
-  std::string_view problem = {};  ///< why it cannot be read again; empty: it can
+  std::string_view problem = {};  ///< why the text cannot be read again; empty if it can
 };
 
-/// The text of a file that holds these blocks and is read where those definitions are in force.
+/// Returns the text of a file with these blocks that is read in the scope of those definitions.
 FileText text_of_file(const BlockList& contents, const Scope& scope);
 
 // writer_words.cpp: words and values.
 
-// Numbers have the fewest digits that read back to the same float, without regard to the locale.
+// Numbers are written with the fewest digits that read back to the same float, independent of the locale.
 void append(std::string& text, const Vec2f& v);
 void append(std::string& text, const Vec3f& v);
 void append(std::string& text, std::span<const std::uint32_t> corners);
 
 inline constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
 inline constexpr std::string_view NoValueWord =
-    "it would have words as values of parameters that are no names, or that begin a definition (such as rgb)";
+    "it would have words as values of parameters that are not names, or that begin a definition (such as "
+    "rgb)";
 
 bool is_finite(const Vec2f& v);
 bool is_finite(const Vec3f& v);
 
-/// Why the text of an instance cannot be read again; empty: it can.
+/// Returns why the text of an instance cannot be read again; empty if it can.
 std::string_view problem_of(const Model& model);
 std::string_view problem_of(const BrdfModel& brdf);
 
-/// Text that cannot stand in a file as it is must not make the rest of it unreadable.
+// Text that the format cannot express is replaced, so that the rest of the file stays readable.
 std::string comment_text(const std::string& comment);
 std::string quoted(const std::string& string);
 
-/// The word with another case of its letters: each number, seen as binary digits, gives another spelling.
+/// Respells a word by changing the case of its letters: the bits of each number give another spelling.
 std::string respelled(std::string word, std::uint64_t number);
 
 class Writer {
  public:
-  /// The definitions in force where the text will stand.
+  /// Starts a text that will be read in a scope.
   explicit Writer(const Scope& scope) : scope_(scope) {}
 
   void blocks(const BlockList& list);
 
-  /// A file of no bytes at all is taken for a mistake when it is read.
+  /// Takes the text; it is never empty, since readers reject an empty file.
   FileText take_text() { return {text_.empty() ? "\n" : std::move(text_), problem_}; }
 
  private:
@@ -111,7 +112,7 @@ class Writer {
   void put_comments(const std::vector<std::string>& comments);
   void comments_before(const Comments& comments) { put_comments(comments.before); }
   void begin_line(std::string_view words) {
-    // Else a file of few bytes, nested deep, would be written as one of a thousand times as many.
+    // Without a limit, a small, deeply nested file would be written as one of a thousand times the size.
     constexpr std::size_t Deepest = 32;
     text_.append(2 * std::min(indentation_, Deepest), ' ');
     text_ += words;

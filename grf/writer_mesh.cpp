@@ -6,7 +6,7 @@
 
 namespace grf {
 
-// On the line that was begun; the last line is left open.
+// Writes a mesh from the current line on; the last line is left open.
 void Writer::put_mesh(const Mesh& mesh) {
   text_ += mesh.name.empty() ? "begin mesh" : "begin mesh " + quoted(mesh.name);
   end_line();
@@ -157,8 +157,8 @@ void Writer::put_attribute(const BrdfAttribute& brdf) { put_model("brdf ", brdf)
 
 void Writer::put_attribute(const PdfAttribute& pdf) { put_model("pdf ", pdf); }
 
-// A keyword without parameters reads as a reference where a definition has the same spelling. Definitions
-// are case-sensitive and keywords are not, so another spelling says the keyword.
+// A keyword without parameters would read as a reference to a definition of the same spelling. Definitions
+// are case-sensitive and keywords are not, so another case of letters denotes the keyword.
 template <class ModelOfKind>
 std::string Writer::unambiguous(const ModelOfKind& model) {
   std::string text = text_or_file(model);
@@ -171,7 +171,7 @@ std::string Writer::unambiguous(const ModelOfKind& model) {
   return text;
 }
 
-// A BRDF as it is written: by the name of its file where it has one.
+// Returns the text of a BRDF: the name of its file if it has one.
 std::string Writer::text_or_file(const BrdfModel& brdf) {
   if (!brdf.instance_file.empty()) return quoted(brdf.instance_file);
   add_problem(problem_of(brdf));

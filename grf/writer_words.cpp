@@ -81,7 +81,7 @@ std::string_view problem_of(const BrdfModel& brdf) {
   return has_weights ? problem_of(static_cast<const Model&>(brdf)) : NotFinite;
 }
 
-// A return at the end of a line is taken for a part of the line end.
+// A carriage return at the end of a line would be read as part of the line end.
 std::string comment_text(const std::string& comment) {
   std::string text = on_one_line(comment);
   while (text.ends_with('\r')) text.pop_back();

@@ -23,7 +23,7 @@
 namespace convert {
 namespace {
 
-/// The bytes of a file that has any.
+/// Reads the bytes of a file; an empty file is an error.
 struct SourceBytes {
   std::shared_ptr<const std::string> bytes;
   grf::SourceLocation location;
@@ -62,7 +62,7 @@ std::optional<Import> finish(const AssimpReading& reading, const AssimpRules& ru
   return make_scene(*reading.scene, rules, losses, location, diagnostics);
 }
 
-/// A format of one file, which Assimp's reader for the extension reads.
+/// Reads a single-file format by Assimp's importer for the extension.
 std::optional<Import> read_by_extension(const std::string& path, const AssimpRules& rules,
                                         const std::string& extension, grf::Diagnostics& diagnostics) {
   const auto source = read_bytes(path, diagnostics);
@@ -70,7 +70,7 @@ std::optional<Import> read_by_extension(const std::string& path, const AssimpRul
   return finish(import_bytes(*source->bytes, extension), rules, {}, source->location, diagnostics);
 }
 
-/// Objects whose surfaces are divided into finer ones when they are drawn: a line `subdiv` and a level.
+/// Counts subdivision surfaces in AC3D: objects with a line `subdiv` and a level.
 Losses losses_of_ac3d(std::string_view bytes) {
   constexpr std::string_view Line = "\nsubdiv ";
   const std::string text = to_utf8(bytes);
@@ -82,7 +82,8 @@ Losses losses_of_ac3d(std::string_view bytes) {
   return losses;
 }
 
-/// The same in LWO: lists of polygons (POLS, a size of four bytes) of the kinds that are divided.
+/// Counts subdivision surfaces in LWO: lists of polygons (POLS, a size of four bytes) of the kinds PTCH and
+/// SUBD.
 Losses losses_of_lwo(std::string_view bytes) {
   Losses losses;
   for (std::size_t i = bytes.find("POLS"); i != std::string_view::npos; i = bytes.find("POLS", i + 1)) {
@@ -92,8 +93,8 @@ Losses losses_of_lwo(std::string_view bytes) {
   return losses;
 }
 
-/// Assimp reads the chunks that a file still has. The sizes of the whole (IFF: of what follows its eight
-/// first bytes, with the most significant byte first) say whether there were more.
+/// Detects a truncated file, of which Assimp would read the remaining chunks, by the size in the header (IFF:
+/// of the bytes after the first eight, big-endian).
 std::optional<Import> read_lwo(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
   const auto source = read_bytes(path, diagnostics);
   if (!source) return {};
@@ -104,8 +105,8 @@ std::optional<Import> read_lwo(const std::string& path, const ReadOptions&, grf:
     size += std::uint64_t{static_cast<std::uint8_t>(bytes[4 + i])} << (24 - 8 * i);
   }
   if (size > bytes.size()) {
-    diagnostics.error(source->location, fmt::format("the file has {} bytes, and says that it has {}: it was "
-                                                    "cut off, or is damaged",
+    diagnostics.error(source->location, fmt::format("the file has {} bytes, and says that it has {}: it is "
+                                                    "truncated or damaged",
                                                     bytes.size(), size));
     return {};
   }
@@ -131,12 +132,13 @@ std::optional<Import> read_stl(const std::string& path, const ReadOptions&, grf:
   return finish(import_bytes(*bytes, "stl"), StlRules, {}, source->location, diagnostics);
 }
 
-/// The same of a format in text, whatever its encoding: some of Assimp's own ways from UTF-16 fail.
+/// Reads a text format in any encoding by converting it to UTF-8: some of Assimp's conversions from UTF-16
+/// fail.
 AssimpReading import_text(std::string_view bytes, const std::string& extension) {
   return import_bytes(to_utf8(bytes), extension);
 }
 
-// A zip archive of COLLADA is no text, and has to be a file for Assimp.
+// A zip archive of COLLADA is not text, and Assimp can read it only from a file.
 std::optional<Import> read_collada(const std::string& path, const ReadOptions&,
                                    grf::Diagnostics& diagnostics) {
   const auto source = read_bytes(path, diagnostics);
@@ -153,7 +155,7 @@ std::optional<Import> read_ac3d(const std::string& path, const ReadOptions&, grf
                 source->location, diagnostics);
 }
 
-// Files of these formats may name others beside them.
+// Files of these formats may refer to others beside them.
 std::optional<Import> read_other(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
   const auto source = read_bytes(path, diagnostics);
   if (!source) return {};
@@ -161,7 +163,7 @@ std::optional<Import> read_other(const std::string& path, const ReadOptions&, gr
 }
 
 bool sniff_3ds(std::string_view bytes) {
-  // The main chunk, which has no mark but its number, and the number of the first chunk in it.
+  // The main chunk is only marked by its number, so that the number of the first chunk in it is tested too.
   constexpr std::string_view Version("\x02\0", 2);
   const std::string_view first = bytes.substr(std::min<std::size_t>(6, bytes.size()), 2);
   return bytes.starts_with("MM") && (first == Version || first == "==");
@@ -179,7 +181,7 @@ bool sniff_dxf(std::string_view bytes) {
     line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
     lines.push_back(line);
   }
-  // Pairs of lines, a number and a value, of which 999 is for comments.
+  // DXF is pairs of lines, a group code and a value; 999 is for comments.
   for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
     if (lines[i] != "999") return lines[i] == "0" && lines[i + 1] == "SECTION";
   }
@@ -242,7 +244,7 @@ Format stl_format() {
   format.loses =
       "when read, normals of facets that their corners contradict; when written, shared vertices, polygons "
       "(cut into triangles), names, materials, colours, textures and their coordinates, normals, lights, "
-      "irradiance, transforms and instances (the faces stand where they put them)";
+      "irradiance, transforms and instances (applied)";
   return format;
 }
 

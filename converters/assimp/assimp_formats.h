@@ -4,33 +4,33 @@
 
 namespace convert {
 
-// Formats that are read through Assimp. A scene has the axes and the units of its file.
+// Formats that are read by Assimp. A scene keeps the axes and the units of its file.
 
-/// 3D Studio.
+/// The format 3D Studio (3DS).
 Format three_ds_format();
 
-/// Stereolithography, in text and binary.
+/// The format stereolithography (STL), in text and binary.
 Format stl_format();
 
-/// AutoCAD's drawing interchange format, in text.
+/// The format AutoCAD drawing interchange (DXF), in text.
 Format dxf_format();
 
-/// COLLADA, with its zip archives.
+/// The format COLLADA, including its zip archives.
 Format collada_format();
 
-/// Autodesk FBX, in text and binary.
+/// The format Autodesk FBX, in text and binary.
 Format fbx_format();
 
-/// LightWave objects of all versions, and those of Modo.
+/// The format LightWave object (LWO), of all versions, and Modo's.
 Format lwo_format();
 
-/// AC3D.
+/// The format AC3D.
 Format ac3d_format();
 
-/// DirectX models, in text, binary and compressed.
+/// The format DirectX model (X), in text, binary and compressed.
 Format x_format();
 
-/// All others that make surfaces. Assimp decides by content and name which it is, and reads files beside it
+/// All other formats with surfaces. Assimp detects the format by content and name, and reads files beside it
 /// that it names.
 Format other_assimp_format();
 

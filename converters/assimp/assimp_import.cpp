@@ -17,10 +17,10 @@
 namespace convert {
 namespace {
 
-/// A broken file can be complained of once for each byte.
+/// The maximum number of messages kept, since a corrupt file can cause one per byte.
 constexpr std::size_t MostTexts = 20;
 
-/// What Assimp says of itself, or of what is said in other words or loses nothing.
+/// Prefixes of ignored messages: about Assimp itself, reported otherwise, or without a loss.
 bool tells_nothing(std::string_view message) {
   constexpr std::array<std::string_view, 5> Beginnings = {
       "BlendDNA: Did not find a field", "<add reason>", "No hierarchy information",
@@ -29,7 +29,7 @@ bool tells_nothing(std::string_view message) {
                      [message](std::string_view beginning) { return message.starts_with(beginning); });
 }
 
-/// Takes down what Assimp says on the thread that reads.
+/// A log stream that records the messages of the importing thread.
 class Listener final : public Assimp::NullLogger {
  public:
   explicit Listener(std::vector<AssimpMessage>& messages) : messages_(messages) {}
@@ -55,12 +55,12 @@ class Listener final : public Assimp::NullLogger {
   std::thread::id thread_ = std::this_thread::get_id();
 };
 
-/// Listens as long as it lives. Assimp has one logger for the whole program, so that files that are read at
-/// once in several threads are read one after the other.
+/// Records Assimp's log during its lifetime. Assimp has one global logger, so concurrent imports are
+/// serialized by a mutex.
 class Listening {
  public:
   explicit Listening(std::vector<AssimpMessage>& messages) : lock_(one_at_a_time()) {
-    Assimp::DefaultLogger::set(new Listener(messages));  // which deletes it when the next one is set
+    Assimp::DefaultLogger::set(new Listener(messages));  // deleted when the next one is set
   }
   ~Listening() { Assimp::DefaultLogger::set(nullptr); }
   Listening(const Listening&) = delete;
@@ -75,12 +75,12 @@ class Listening {
 };
 
 void configure(Assimp::Importer& importer) {
-  // What the file says is wanted, and nothing that is made of it: no meshes for bones, no finer faces for
-  // surfaces that are subdivided when they are drawn, no normals in place of those that there are.
+  // Only data of the file is imported: no meshes for bones, no subdivision of subdivision surfaces, no
+  // generated normals.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_AC_EVAL_SUBDIVISION, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_ASE_RECONSTRUCT_NORMALS, false);
-  // Names for people in place of identifiers for programs.
+  // Use readable names instead of identifiers.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
 }
 
@@ -92,12 +92,12 @@ AssimpReading import_by(Read read) {
   configure(importer);
   try {
     read(importer);
-    // Assimp makes a text of any exception.
+    // Assimp converts any exception to a text.
     if (importer.GetErrorString() == std::string_view(std::bad_alloc().what())) throw std::bad_alloc();
     reading.error = text_of(aiString(importer.GetErrorString()));
     reading.scene.reset(importer.GetOrphanedScene());
   } catch (const std::bad_alloc&) {
-    throw;  // it says nothing of the file
+    throw;  // unrelated to the file
   } catch (const std::exception& exception) {
     reading.error = text_of(aiString(exception.what()));
   }
@@ -128,7 +128,7 @@ std::string text_of(const aiString& string) {
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
   text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
   std::replace_if(text.begin(), text.end(), is_control, ' ');
-  // GRF has two kinds of quotes, and a text may hold one of them.
+  // GRF has two kinds of quotes, and a string may have only one of them.
   constexpr std::string_view Opening = "\xE2\x80\x9C";
   constexpr std::string_view Closing = "\xE2\x80\x9D";
   if (text.find('"') != std::string::npos) {

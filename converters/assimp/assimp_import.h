@@ -1,4 +1,4 @@
-// Assimp, run on one file, and what it says meanwhile.
+// The import of one file by Assimp, with its log messages.
 #pragma once
 
 #include <cstddef>
@@ -11,30 +11,30 @@
 
 namespace convert {
 
-/// A warning or an error of Assimp's that did not end its reading.
+/// A warning or an error of Assimp that did not end its import.
 struct AssimpMessage {
   std::string text;
-  std::size_t count = 1;  ///< how often it was said
+  std::size_t count = 1;  ///< number of occurrences
   bool is_error = false;
 };
 
-/// A scene as Assimp's reader made it. None of Assimp's later steps ran, so that polygons are whole and no
-/// face, vertex or node was moved, merged or removed.
+/// A scene as imported by Assimp without any post-processing, so that polygons are whole and no face, vertex
+/// or node was moved, merged or removed.
 struct AssimpReading {
-  std::unique_ptr<aiScene> scene;       ///< null if the reading failed
-  std::string error;                    ///< why it failed
+  std::unique_ptr<aiScene> scene;       ///< null if the import failed
+  std::string error;                    ///< the reason of the failure
   std::vector<AssimpMessage> messages;  ///< each text once, in order
 };
 
-// Throw std::bad_alloc where Assimp had not the memory.
+// These throw std::bad_alloc if Assimp runs out of memory.
 
-/// Reads bytes by the reader that Assimp has for an extension.
+/// Imports bytes by Assimp's importer for an extension.
 AssimpReading import_bytes(std::string_view bytes, const std::string& extension);
 
-/// Reads a file, and those beside it that it names, by the reader that Assimp finds for it.
+/// Imports a file, and those beside it that it names, by the importer that Assimp selects.
 AssimpReading import_file(const std::string& path);
 
-/// A name or a text of Assimp's as UTF-8 on one line, as names, file names and comments of a scene are.
+/// Converts a string of Assimp to UTF-8 on one line, as names, file names and comments of a scene are.
 std::string text_of(const aiString& string);
 
 }  // namespace convert

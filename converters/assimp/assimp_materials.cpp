@@ -15,7 +15,7 @@
 namespace convert {
 namespace {
 
-/// The number that a float was written as, so that 0.9 stays 0.9 in double.
+/// Returns the shortest decimal of a float as a double, so that 0.9 stays 0.9.
 double as_written(float value) {
   const std::string text = fmt::format("{}", value);
   double number = value;
@@ -38,7 +38,7 @@ std::optional<grf::Vec3d> colour_of(const aiMaterial& material, const char* key,
   return grf::Vec3d(as_written(c.r), as_written(c.g), as_written(c.b));
 }
 
-// What Assimp's data holds is anywhere in memory, and so has to be copied to be looked at.
+// Assimp's data can be unaligned, and so is copied.
 template <class T>
 std::string numbers_text(const aiMaterialProperty& property) {
   constexpr std::size_t MostNumbers = 16;
@@ -70,7 +70,8 @@ std::string value_text(const aiMaterial& material, const aiMaterialProperty& pro
   }
 }
 
-/// `diffuse 0.5 0.5 0.5`, `file Diffuse wood.png`: Assimp's names without what stands before the point.
+/// Formats a property, such as `diffuse 0.5 0.5 0.5` or `file Diffuse wood.png`: Assimp's name without its
+/// prefix.
 std::string property_text(const aiMaterial& material, const aiMaterialProperty& property) {
   std::string text = text_of(property.mKey);
   text.erase(0, text.find('.') == std::string::npos ? 0 : text.find('.') + 1);
@@ -97,14 +98,14 @@ int shading_of(const aiMaterial& material) {
   return shading;
 }
 
-/// Whether a shading model has a highlight: without one, Assimp may have made up a specular colour.
+/// Returns whether a shading model has a highlight: otherwise Assimp may have invented a specular colour.
 bool has_highlight(int shading) {
   constexpr std::array<int, 5> Matt = {aiShadingMode_Flat, aiShadingMode_Gouraud, aiShadingMode_OrenNayar,
                                        aiShadingMode_Minnaert, aiShadingMode_NoShading};
   return std::find(Matt.begin(), Matt.end(), shading) == Matt.end();
 }
 
-/// What faces lose, each kind once.
+/// Returns the losses of faces with a material, each kind once.
 std::vector<Loss> losses_of(const aiMaterial& material) {
   std::vector<Loss> losses;
   const auto lose_if = [&losses](bool is_lost, Loss loss) {
@@ -153,7 +154,7 @@ void read_diffuse_map(const aiMaterial& material, AssimpMaterial& result) {
   }
 }
 
-/// What `read_material` reads, and the mapping makes of it; examples are named as in comments.
+/// The table of conversions by `read_material` and the mapping; examples are written as in comments.
 constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
     {"shading flat, Gouraud, Oren-Nayar, Minnaert or none, or no specular colour", "`diffuse kd=diffuse`",
      "AC3D: shadingm 2; diffuse 0.5; specular 0.25", "diffuse kd=0.5", ""},
@@ -161,17 +162,17 @@ constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
      "`lewis n=shininess ks=specular kd=diffuse`",
      "FBX: shadingm 3; diffuse 0.5; specular 0.5; shinpercent 0.5; shininess 20", "lewis n=20 ks=0.25 kd=0.5",
      ""},
-    {"shading of Blinn, and all of AC3D and X, whose exponents are of a half vector", "`n` = shininess/4",
+    {"shading of Blinn, and all of AC3D and X, whose exponents are of the half vector", "`n` = shininess/4",
      "COLLADA: shadingm 4; diffuse 0.5; specular 0.25; shininess 20", "lewis n=5 ks=0.25 kd=0.5", ""},
-    {"shininess of 3DS, a percentage p", "`n` = 2^(p/10), as 3D Studio has it",
+    {"shininess of 3DS, a percentage p", "`n` = 2^(p/10), as in 3D Studio",
      "3DS: shadingm 3; diffuse 0.5; specular 0.25; shininess 50", "lewis n=32 ks=0.25 kd=0.5", ""},
     {"a diffuse map", "`texture`, which multiplies all of the BRDF", "LWO: diffuse 0.5; file wood.png",
      "diffuse kd=0.5 texture \"wood.png\"", ""},
-    {"the same in 3DS, COLLADA and FBX", "in place of the diffuse colour", "FBX: diffuse 0.5; file wood.png",
+    {"the same in 3DS, COLLADA and FBX", "replaces the diffuse colour", "FBX: diffuse 0.5; file wood.png",
      "diffuse kd=1 texture \"wood.png\"", ""},
     {"emissive colour > 0", "`light rgb` on the faces", "X: diffuse 0.5; emissive 3",
      "diffuse kd=0.5 light rgb (3, 3, 3)", ""},
-    {"the same in 3DS", "a share of the diffuse colour", "3DS: diffuse 0.5; emissive 0.5",
+    {"the same in 3DS", "a fraction of the diffuse colour", "3DS: diffuse 0.5; emissive 0.5",
      "diffuse kd=0.5 light rgb (0.25, 0.25, 0.25)", ""},
     {"no shading in COLLADA", "no reflection", "COLLADA: shadingm 9; diffuse 0.5; emissive 3",
      "diffuse kd=0 light rgb (3, 3, 3)", ""},
@@ -179,13 +180,13 @@ constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
     {"other maps", "lost", "3DS: diffuse 0.5; bump wood.png", "diffuse kd=0.5", "bump map"},
     {"metallic and roughness", "lost", "FBX: diffuse 0.5; roughnessFactor 0.5", "diffuse kd=0.5",
      "physically based parameters"},
-    {"all others", "kept in the comment alone", "3DS: diffuse 0.5; ambient 0.5", "diffuse kd=0.5", ""},
+    {"all others", "kept only in the comment", "3DS: diffuse 0.5; ambient 0.5", "diffuse kd=0.5", ""},
 }};
 
 /// 3D Studio's percentage of glossiness is a logarithm of the exponent, which goes up to 1024.
 double exponent_of_percentage(double percentage) { return std::exp2(percentage / 10); }
 
-/// Assimp makes it of a percentage in floats, which leaves 0.19999999 of 20.
+/// Restores a percentage that Assimp converted in float, which makes 0.19999999 of 20.
 double strength_of(const aiMaterial& material) {
   constexpr double Digits = 1e6;
   return std::round(number_of(material, AI_MATKEY_SHININESS_STRENGTH).value_or(1) * Digits) / Digits;
@@ -240,7 +241,7 @@ AssimpMaterial read_material(const aiMaterial& material, const AssimpRules& rule
 bool is_invented(const aiMaterial& material, const AssimpRules& rules) {
   if (!rules.has_materials) return true;
   const std::string name = text_of(material.GetName());
-  // A file may have a material of the first name, which then has more to it than a name and a colour.
+  // A file may have a material of the first name, which then has more properties than a name and a colour.
   return (name == AI_DEFAULT_MATERIAL_NAME && material.mNumProperties <= 2) || name == "%%%DEFAULT";
 }
 

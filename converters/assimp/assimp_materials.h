@@ -12,7 +12,7 @@
 
 namespace convert {
 
-/// Texture coordinates as a map takes them: moved, then scaled and turned about the image's centre.
+/// A transform of texture coordinates: translation, then scale and rotation about the image's centre.
 struct UvPlacement {
   grf::Vec2f offset = grf::Vec2f(0);
   grf::Vec2f scale = grf::Vec2f(1);
@@ -21,20 +21,20 @@ struct UvPlacement {
   grf::Vec2f operator()(const grf::Vec2f& uv) const;
 };
 
-/// A material of Assimp's, with what faces need of it that GRF's materials have not.
+/// A material of Assimp, with the texture mapping that its faces need.
 struct AssimpMaterial {
   PhongMaterial phong;
-  unsigned uv_set = 0;  ///< the texture coordinates that the diffuse map takes
+  unsigned uv_set = 0;  ///< index of the diffuse map's texture coordinates
   std::optional<UvPlacement> placement;
 };
 
-/// Reads the table of properties, all of which stand in the comment too.
+/// Reads the table of properties; all of them are kept in the comment too.
 AssimpMaterial read_material(const aiMaterial& material, const AssimpRules& rules);
 
-/// True of the material that Assimp gives to faces without one.
+/// Returns whether this is the default material that Assimp gives to faces without one.
 bool is_invented(const aiMaterial& material, const AssimpRules& rules);
 
-/// What becomes of materials that are read.
+/// Returns the table of conversions of materials that are read.
 std::span<const MaterialRule> assimp_material_rules();
 
 }  // namespace convert

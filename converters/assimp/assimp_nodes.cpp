@@ -11,7 +11,7 @@
 namespace convert {
 namespace {
 
-/// Each level may be a block in a block, of which GRF allows 1,000.
+/// The maximum depth of the tree: a level may become two nested blocks, of which GRF allows 1,000.
 constexpr std::size_t DeepestTree = 500;
 
 std::string mesh_fault(const aiMesh& mesh, unsigned material_count) {
@@ -44,7 +44,7 @@ void add_uses(const aiNode& node, GroupUses& uses) {
   for (const aiNode* child : children_of(node)) add_uses(*child, uses);
 }
 
-// Assimp multiplies columns by matrices, and Imath rows.
+// Assimp uses column vectors, and Imath row vectors.
 grf::Matrix44d transposed(const aiMatrix4x4& m) {
   return grf::Matrix44d(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4,
                         m.c4, m.d4);
@@ -92,7 +92,7 @@ std::optional<grf::Matrix44d> invertible_transform(const aiNode& node) {
   if (!is_affine || !is_finite(matrix)) return {};
   if (matrix[3][3] != 1) matrix *= 1 / matrix[3][3];
   matrix[3][3] = 1;
-  double longest = 1;  // the determinant if the axes were perpendicular
+  double longest = 1;  // the determinant for orthogonal axes
   for (int i = 0; i < 3; ++i) longest *= grf::Vec3d(matrix[i][0], matrix[i][1], matrix[i][2]).length();
   constexpr double FloatsCannotTell = 1e-7;
   const double volume = std::abs(matrix.determinant());

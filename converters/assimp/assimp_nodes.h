@@ -1,4 +1,4 @@
-// The tree of nodes of a scene of Assimp's: what it places where.
+// The node hierarchy of a scene of Assimp: its transforms and instances.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +13,30 @@
 
 namespace convert {
 
-/// The meshes of one node, by their indices: the faces of one object, a mesh for each of its materials.
+/// The mesh indices of one node: the faces of one object, one mesh per material.
 using MeshGroup = std::vector<unsigned>;
 
-/// The nodes below a node. Assimp's reader of RAW leaves some of them null, which are not among these.
+/// Returns the children of a node, without null ones, which Assimp's RAW importer leaves.
 std::vector<const aiNode*> children_of(const aiNode& node);
 
-/// How many nodes have the same meshes.
+/// The number of nodes with the same meshes.
 using GroupUses = std::map<MeshGroup, std::size_t>;
 
-/// What is wrong with an index or the depth of the tree; empty if nothing is. All else here is for scenes of
-/// which nothing is wrong.
+/// Validates the indices and the depth of the tree: returns an error message, or an empty string. All other
+/// functions here require a valid scene.
 std::string fault_of(const aiScene& scene);
 
 GroupUses count_uses(const aiNode& root);
 
 MeshGroup group_of(const aiNode& node);
 
-/// How many nodes with meshes there are from this one down.
+/// Returns the number of nodes with meshes in the subtree of a node.
 std::size_t placed_groups(const aiNode& node);
 
-/// The transform to the parent; nothing if it has no inverse, within what its floats can tell, or is no
-/// affine one.
+/// Returns the transform to the parent; nothing if it is singular, to float precision, or not affine.
 std::optional<grf::Matrix44d> invertible_transform(const aiNode& node);
 
-/// The name of a node; empty for names that Assimp makes up.
+/// Returns the name of a node; empty for names that Assimp invents.
 std::string name_of(const aiNode& node);
 
 }  // namespace convert

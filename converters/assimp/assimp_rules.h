@@ -4,30 +4,30 @@
 
 namespace convert {
 
-/// What is to be known of a file format beyond what a scene of Assimp's says: which parts of the scene come
-/// from the file, and in which units they are.
+/// The properties of a file format that Assimp's scene does not tell: which parts of the scene come from the
+/// file, and in which units they are.
 struct AssimpRules {
   std::string_view source;  ///< the format's name in comments
-  /// The root's transform turns the file's axes to Assimp's and its units to metres. It is left out, so that
-  /// a scene has the numbers of the file.
+  /// The root's transform converts the file's axes and units to Assimp's (y up, metres). It is removed, so
+  /// that the scene keeps the coordinates of the file.
   bool root_is_conversion = false;
-  /// Objects that no node names stand where their vertices are (3DS: a file may have no nodes for them).
+  /// Objects without a node are placed without a transform (3DS: a file may have no nodes for them).
   bool places_all_meshes = false;
-  /// What is amiss in a file of this format is an error where others get a warning.
+  /// Problems that are warnings in other formats are errors in this one.
   bool errors_are_fatal = false;
 
-  // What of it is in the file, and not made up by Assimp.
+  // Parts of the scene that come from the file, and are not invented by Assimp.
   bool has_materials = true;
   bool has_normals = true;
   bool has_colours = true;
 
-  bool map_replaces_diffuse = false;     ///< a texture stands in the place of the diffuse colour
+  bool map_replaces_diffuse = false;     ///< a texture replaces the diffuse colour
   bool emission_is_of_diffuse = false;   ///< emission is a factor of the diffuse colour
-  bool shininess_is_percentage = false;  ///< and not an exponent
-  /// Highlights are those of Direct3D or OpenGL, powers of the cosine of the half vector, whatever Assimp
-  /// calls them. Blinn's always are.
+  bool shininess_is_percentage = false;  ///< shininess is no exponent
+  /// Exponents are Blinn-Phong's (of the half vector), as in Direct3D and OpenGL, whatever Assimp calls the
+  /// shading. Blinn's always are.
   bool exponent_is_of_half_vector = false;
-  bool unlit_has_no_reflection = false;  ///< unlit materials have an emission alone
+  bool unlit_has_no_reflection = false;  ///< unlit materials only emit
 };
 
 inline constexpr AssimpRules ThreeDsRules = {.source = "3DS",
@@ -36,10 +36,10 @@ inline constexpr AssimpRules ThreeDsRules = {.source = "3DS",
                                              .map_replaces_diffuse = true,
                                              .emission_is_of_diffuse = true,
                                              .shininess_is_percentage = true};
-// A facet's normal says what its corners say.
+// Normals of facets are ignored, since the corners define them.
 inline constexpr AssimpRules StlRules = {
     .source = "STL", .errors_are_fatal = true, .has_materials = false, .has_normals = false};
-// Assimp's table of colours is not AutoCAD's, and all numbers over 15 wrap around in it.
+// Colours are ignored: Assimp's colour table is not AutoCAD's, and all numbers over 15 wrap around in it.
 inline constexpr AssimpRules DxfRules = {
     .source = "DXF", .root_is_conversion = true, .has_materials = false, .has_colours = false};
 inline constexpr AssimpRules ColladaRules = {.source = "COLLADA",

@@ -21,7 +21,7 @@
 namespace convert {
 namespace {
 
-// -0 is 0: it tells nothing, and would keep corners apart that are at one place.
+// Normalises -0 to 0, so that equal corners share a vertex.
 grf::Vec3f to_vector(const aiVector3D& v) { return {v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}; }
 
 bool is_finite(const grf::Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -40,7 +40,7 @@ class SceneMaker {
   std::optional<Import> run();
 
  private:
-  /// A material of the file, or none where Assimp made one up.
+  /// Returns a material of the file, or none if Assimp invented it.
   struct Material {
     AssimpMaterial read;
     std::optional<std::size_t> index;
@@ -67,7 +67,7 @@ class SceneMaker {
   Materials materials_{names_};
   std::vector<Material> material_of_index_;
   GroupUses uses_;
-  std::map<MeshGroup, std::optional<std::string>> defined_;  // no name: a group without faces
+  std::map<MeshGroup, std::optional<std::string>> defined_;  // empty: a group without faces
   std::vector<grf::Definition> mesh_definitions_;
   std::size_t face_count_ = 0;
   std::size_t unplaced_ = 0;
@@ -88,7 +88,7 @@ std::optional<Import> SceneMaker::run() {
   for (grf::Block& block : unplaced_meshes()) blocks.push_back(std::move(block));
   if (!finite_) return fail("a vertex is not finite, or too large for a float");
   report();
-  if (face_count_ == 0) return fail("the file has no faces, and nothing else can be kept");
+  if (face_count_ == 0) return fail("the file has no faces, and only faces can be imported");
   std::vector<grf::Definition> definitions = materials_.definitions();
   std::move(mesh_definitions_.begin(), mesh_definitions_.end(), std::back_inserter(definitions));
   return Import{scene_of(std::move(definitions), std::move(blocks), location_), textures_.take()};
@@ -119,7 +119,7 @@ std::vector<grf::Block> SceneMaker::blocks_of(const aiNode& node) {
       return {};
     }
     matrix = *step * matrix;
-    // What does nothing but move one other thing is one step with it.
+    // A node that only transforms a single child is merged with it.
     const std::vector<const aiNode*> children = children_of(*inner);
     if (inner->mNumMeshes > 0 || children.size() != 1) break;
     inner = children[0];
@@ -230,13 +230,13 @@ Corner SceneMaker::corner_of(const aiMesh& mesh, const AssimpMaterial& material,
   if (rules_.has_normals && mesh.HasNormals()) {
     const grf::Vec3f normal = to_vector(mesh.mNormals[vertex]);
     if (!is_finite(normal)) ++odd_normals_;
-    // Assimp gives normals of no length to corners without one.
+    // Assimp gives zero normals to corners without one.
     if (is_finite(normal) && normal != grf::Vec3f(0)) corner.normal = normal;
   }
   if (rules_.has_colours && mesh.HasVertexColors(0)) {
     const aiColor4D& c = mesh.mColors[0][vertex];
     const grf::Colour colour(std::max(c.r, 0.0F), std::max(c.g, 0.0F), std::max(c.b, 0.0F));
-    // The readers of STL and others give this colour to what has none.
+    // Importers of STL and others set this colour if there is none.
     const bool is_made_up = c == aiColor4D(0.6F, 0.6F, 0.6F, 0.6F);
     if (is_finite(colour) && !is_made_up) corner.colour = colour;
   }

@@ -1,5 +1,4 @@
-// Scenes of Assimp's as scenes of GRF. With the reader of OBJ, whose scenes are of another kind, this folder
-// is all that knows Assimp.
+// The conversion of Assimp's scenes to GRF. Only this folder depends on Assimp.
 #pragma once
 
 #include <optional>
@@ -14,9 +13,9 @@
 
 namespace convert {
 
-/// The nodes that have faces as transforms, their faces as meshes: what several nodes place is defined once
-/// and used. Nothing after an error: an index that points nowhere, a number that is none, a file without
-/// faces. `losses` are those known so far, which are reported with what the scene cannot hold of the rest.
+/// Converts nodes with faces to transforms, and their faces to meshes; meshes of several nodes become a
+/// definition and instances. Returns nothing after an error: an index out of range, a number that is not
+/// finite, a file without faces. `losses` are those known so far, which are reported with the others.
 std::optional<Import> make_scene(const aiScene& imported, const AssimpRules& rules, Losses losses,
                                  const grf::SourceLocation& location, grf::Diagnostics& diagnostics);
 

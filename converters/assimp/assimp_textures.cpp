@@ -17,7 +17,7 @@ void append_word(std::string& bytes, unsigned value) {
   bytes += static_cast<char>(value >> 8U);
 }
 
-/// Pixels, which Assimp has from the top row down, as an uncompressed TGA file of 32 bits a pixel.
+/// Encodes pixels, in Assimp's order from the top row down, as an uncompressed TGA file of 32 bits per pixel.
 std::string tga_of(const aiTexture& texture) {
   std::string bytes("\0\0\2\0\0\0\0\0\0\0\0\0", 12);  // no name, no palette, true colour, at (0, 0)
   append_word(bytes, texture.mWidth);
@@ -40,7 +40,7 @@ std::string bytes_of(const aiTexture& texture) {
   return tga_of(texture);
 }
 
-/// `wood.png` of `C:\textures\wood.png`.
+/// Returns the file name of a path, `wood.png` of `C:\textures\wood.png`.
 std::string without_folder(std::string_view path) {
   const std::size_t separator = path.find_last_of("/\\:");
   return std::string(separator == std::string_view::npos ? path : path.substr(separator + 1));

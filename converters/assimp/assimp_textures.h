@@ -12,19 +12,19 @@
 
 namespace convert {
 
-/// The images that stand inside a file, as files of their own.
+/// Extracts embedded images of a file.
 class EmbeddedTextures {
  public:
   explicit EmbeddedTextures(const aiScene& scene) : scene_(scene) {}
 
-  /// The file that a material names: the name itself, or for an embedded image that of the file which is to
-  /// be written.
+  /// Returns the file of a material's image: the name itself, or for an embedded image that of the extracted
+  /// file.
   std::string file_of(const std::string& name);
 
-  /// How many of the images no material named so far.
+  /// Returns the number of embedded images that no material has used so far.
   std::size_t unused() const { return scene_.mNumTextures - names_.size(); }
 
-  /// The images that were named.
+  /// Moves out the embedded images that were used.
   std::vector<EmbeddedFile> take() { return std::move(files_); }
 
  private:

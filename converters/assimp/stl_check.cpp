@@ -43,20 +43,20 @@ std::optional<std::string_view> check_stl(std::string_view bytes, const grf::Sou
   if (is_text_stl(bytes)) return bytes;
   if (!has_count) {
     diagnostics.error(location,
-                      "the file is no STL model: it has neither facets in text nor the 84 bytes "
+                      "the file is not an STL model: it has neither facets in text nor the 84 bytes "
                       "that a binary file begins with");
     return {};
   }
   if (size > bytes.size()) {
     const std::size_t there = (bytes.size() - HeaderSize - CountSize) / FacetSize;
-    diagnostics.error(location, fmt::format("the file ends behind {} of {} facets", there, facets));
+    diagnostics.error(location, fmt::format("the file ends after {} of {} facets", there, facets));
     return {};
   }
   const std::string_view rest = bytes.substr(size);
   if (is_padding(rest)) return bytes.substr(0, size);
-  diagnostics.error(
-      location, fmt::format("{} behind the last of {} facets: their count is wrong, or the file was damaged",
-                            counted(rest.size(), "byte stands", "bytes stand"), facets));
+  diagnostics.error(location,
+                    fmt::format("{} the last of {} facets: their count is wrong, or the file was damaged",
+                                counted(rest.size(), "byte follows", "bytes follow"), facets));
   return {};
 }
 

@@ -7,13 +7,13 @@
 
 namespace convert {
 
-/// What of an STL file Assimp may read: all of it, or what a binary one announces, with a warning of what
-/// follows. Nothing after an error: a file that is cut off, or none of the format. Assimp by itself takes a
-/// count of facets modulo 2^32 bytes at its word.
+/// Validates an STL file and returns the bytes to give to Assimp: all of them, or the facets that a binary
+/// header announces, with a warning about trailing bytes. Returns nothing after an error: a file that is
+/// truncated, or not STL. Assimp itself trusts the count of facets modulo 2^32 bytes.
 std::optional<std::string_view> check_stl(std::string_view bytes, const grf::SourceLocation& location,
                                           grf::Diagnostics& diagnostics);
 
-/// True of a file that begins as STL in text does. Binary files have no mark of their own.
+/// Returns whether a file begins like STL in text. Binary files have no magic number.
 bool is_text_stl(std::string_view first_bytes);
 
 }  // namespace convert

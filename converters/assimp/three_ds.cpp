@@ -28,8 +28,8 @@ enum ChunkId : unsigned {
 
 constexpr std::size_t ChunkHeaderSize = 6;
 
-/// What is left of a chunk, from an offset in the file. Numbers are little-endian, and may be read as long as
-/// `size` bears them out.
+/// The rest of a chunk, from an offset in the file. Numbers are little-endian; callers must check `size`
+/// before they read one.
 class ChunkData {
  public:
   ChunkData(std::string_view file, std::size_t begin, std::size_t end)
@@ -49,7 +49,7 @@ class ChunkData {
   std::uint16_t take_index() { return static_cast<std::uint16_t>(take_number(2)); }
   float take_float() { return std::bit_cast<float>(take_number(4)); }
 
-  /// Up to a zero byte, or what there is.
+  /// Reads a string up to a zero byte or the end.
   std::string take_text() {
     const std::string_view rest = file_.substr(position_, size());
     const std::size_t length = std::min(rest.find('\0'), rest.size());
@@ -57,13 +57,13 @@ class ChunkData {
     return std::string(rest.substr(0, length));
   }
 
-  /// A chunk's number and its size, with that of its header. There is room for both.
+  /// Reads a chunk's number and its size, including the header, which must fit.
   std::pair<unsigned, std::size_t> take_header() {
     const unsigned id = take_number(2);
     return {id, take_number(4)};
   }
 
-  /// What is next, of so many bytes. There is room for them.
+  /// Takes a number of bytes, which must fit.
   ChunkData take_data(std::size_t bytes) {
     position_ += bytes;
     return {file_, position_ - bytes, position_};
@@ -91,8 +91,8 @@ class ThreeDsReader {
   }
 
  private:
-  /// The data of the next chunk of a chunk, with its number; empty behind the last one, and after an error.
-  /// What is not a whole chunk was cut off, or is read at a wrong place.
+  /// Returns the next child chunk with its number; empty after the last one, and after an error. An
+  /// incomplete chunk is truncated, or read at a wrong offset.
   std::optional<std::pair<unsigned, ChunkData>> take_chunk(ChunkData& data) {
     if (data.size() == 0) return {};
     const std::size_t begin = data.position();
@@ -102,7 +102,7 @@ class ThreeDsReader {
         return std::pair(id, data.take_data(length - ChunkHeaderSize));
       }
     }
-    error(begin, "the file was cut off, or is damaged: a chunk ends behind the one that it is in");
+    error(begin, "the file is truncated or damaged: a chunk extends past its parent chunk");
     return {};
   }
 
@@ -158,7 +158,7 @@ class ThreeDsReader {
     for (std::size_t n = count_of(data, 8, "faces"); n > 0; --n) {
       ThreeDsFace face;
       for (std::uint16_t& corner : face.corners) corner = data.take_index();
-      data.take_number(2);  // which edges are drawn
+      data.take_number(2);  // edge visibility
       object.faces.push_back(face);
     }
     if (failed_) return;
@@ -189,13 +189,13 @@ class ThreeDsReader {
     }
   }
 
-  /// The count that a list begins with, or 0 after an error.
+  /// Reads the count at the start of a list; returns 0 after an error.
   std::size_t count_of(ChunkData& data, std::size_t bytes_each, std::string_view of_what) {
     const std::size_t begin = data.position() - ChunkHeaderSize;
     const std::size_t count = data.size() < 2 ? 0 : data.take_index();
     const std::size_t there = data.size() / bytes_each;
     if (count <= there) return count;
-    error(begin, fmt::format("the list of {} {} ends behind {}", count, of_what, there));
+    error(begin, fmt::format("the list of {} {} ends after {}", count, of_what, there));
     return 0;
   }
 
@@ -226,7 +226,7 @@ class ThreeDsReader {
   grf::SourceLocation location_;
   grf::Diagnostics& diagnostics_;
   ThreeDsFile file_;
-  std::vector<std::pair<std::size_t, std::size_t>> places_;  // of objects in the file
+  std::vector<std::pair<std::size_t, std::size_t>> places_;  // offsets of objects in the file
   bool failed_ = false;
 };
 

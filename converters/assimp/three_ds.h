@@ -1,6 +1,6 @@
-// The objects of a 3DS file, read from its chunks (3D Studio File Toolkit, Release 3: "3DS File Format"). For
-// Assimp's scene has them cut into triangles that share nothing, with normals that are wrong: it smooths
-// faces without a smoothing group into all others, and takes an index that is out of range for another one.
+// A reader of the objects in a 3DS file's chunks (3D Studio File Toolkit, Release 3: "3DS File Format").
+// Assimp splits them into triangles without shared vertices and with wrong normals: it smooths faces without
+// a smoothing group with all others, and replaces an index out of range by another one.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct ThreeDsFace {
   static constexpr std::size_t NoMaterial = std::numeric_limits<std::size_t>::max();
 
   std::array<std::uint16_t, 3> corners = {};  ///< indices of positions of its object
-  std::uint32_t groups = 0;                   ///< a bit for each smoothing group
-  std::size_t material = NoMaterial;          ///< its place among the file's materials
+  std::uint32_t groups = 0;                   ///< a bit per smoothing group
+  std::size_t material = NoMaterial;          ///< index into the file's materials
 };
 
 struct ThreeDsObject {
@@ -33,11 +33,12 @@ struct ThreeDsObject {
 };
 
 struct ThreeDsFile {
-  std::vector<ThreeDsObject> objects;  ///< those of triangles, in the order of the file
+  std::vector<ThreeDsObject> objects;  ///< triangle meshes, in the order of the file
   std::vector<std::string> materials;  ///< names, in the order of the file
 };
 
-/// Nothing after an error, which has the offset of the chunk: a list that is cut off, an index out of range.
+/// Reads the objects; returns nothing after an error at the offset of a chunk, such as a truncated list or an
+/// index out of range.
 std::optional<ThreeDsFile> read_three_ds(std::string_view bytes, const grf::SourceLocation& location,
                                          grf::Diagnostics& diagnostics);
 

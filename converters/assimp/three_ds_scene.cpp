@@ -27,7 +27,7 @@ struct SceneCorner {
 
 using SceneFace = std::array<SceneCorner, 3>;
 
-/// Assimp names its meshes by the number of the object that they are of.
+/// Returns the object of a mesh, whose number is the mesh's name in Assimp.
 std::size_t object_of(const aiMesh& mesh) {
   const std::string_view name(mesh.mName.C_Str());
   std::size_t object = std::numeric_limits<std::size_t>::max();
@@ -35,8 +35,8 @@ std::size_t object_of(const aiMesh& mesh) {
   return object;
 }
 
-/// The material that Assimp gives to faces without one: one that it adds at the end, or the last that looks
-/// to it like a default.
+/// Returns the material that Assimp gives to faces without one: one that it adds at the end, or the last one
+/// that it takes for a default.
 std::size_t default_material(const ThreeDsFile& file, const aiScene& scene) {
   if (scene.mNumMaterials > file.materials.size()) return file.materials.size();
   std::size_t result = ThreeDsFace::NoMaterial;
@@ -57,8 +57,8 @@ std::size_t default_material(const ThreeDsFile& file, const aiScene& scene) {
   return result;
 }
 
-/// Where the faces of an object are in the scene: each of its meshes has the faces of one material, in the
-/// order of the file. Empty if that is not so.
+/// Finds the faces of an object in the scene: each of its meshes has the faces of one material, in the order
+/// of the file. Empty if they do not match.
 std::vector<SceneFace> faces_in_scene(const ThreeDsObject& object, std::span<aiMesh* const> meshes,
                                       std::size_t default_index) {
   std::vector<SceneFace> faces(object.faces.size());
@@ -99,7 +99,7 @@ class Smoothing {
     }
   }
 
-  /// Of no length for a corner that is not smooth.
+  /// Returns the normal of a corner, zero if it is not smooth.
   grf::Vec3f normal(std::size_t face, std::size_t corner) {
     const std::uint32_t groups = object_.faces[face].groups;
     if (groups == 0) return grf::Vec3f(0);
@@ -152,7 +152,7 @@ void restore_object(const ThreeDsObject& object, std::span<aiMesh* const> meshes
   }
 }
 
-/// Where the file has no nodes, Assimp makes one of each mesh.
+/// Without nodes in the file, Assimp makes a node per mesh.
 void join_objects(aiScene& scene, const std::vector<std::size_t>& object_of_mesh, const ThreeDsFile& file) {
   aiNode& root = *scene.mRootNode;
   if (std::strcmp(root.mName.C_Str(), "<3DSDummyRoot>") != 0) return;

@@ -24,26 +24,25 @@ CLI::IsMember is_format_with(Member Format::*member) {
 }
 
 void add_input_options(CLI::App& command, Arguments& arguments) {
-  command.add_option("--from", arguments.from, "Format of the input, whatever its content and name")
+  command.add_option("--from", arguments.from, "Input format, overriding detection by content and name")
       ->check(is_format_with(&Format::read));
   command.add_option("--brdf", arguments.brdf,
-                     "BRDF of faces that come without a material, such as \"ward sx=0.15 ks=0.3 kd=0.2\"");
+                     "BRDF for faces without a material, such as \"ward sx=0.15 ks=0.3 kd=0.2\"");
 }
 
 void add_limit_options(CLI::App& command, Arguments& arguments) {
   command
       .add_option("--max-memory", arguments.limits.memory,
-                  "Most memory that a file may take to be read and converted, such as 512MB (0: no limit)")
+                  "Memory limit per file, such as 512MB (0: no limit)")
       ->transform(CLI::AsSizeValue(false))
       ->default_str("4GB");
-  command
-      .add_option("--max-time", arguments.limits.seconds, "Most seconds that a file may take (0: no limit)")
+  command.add_option("--max-time", arguments.limits.seconds, "Time limit per file in seconds (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
 
 void add_quiet_option(CLI::App& command, Arguments& arguments) {
-  command.add_flag("-q,--quiet", arguments.quiet, "Print errors alone");
+  command.add_flag("-q,--quiet", arguments.quiet, "Print only errors");
 }
 
 void add_json_option(CLI::App& command, Arguments& arguments) {
@@ -53,70 +52,66 @@ void add_json_option(CLI::App& command, Arguments& arguments) {
 void add_mesh_options(CLI::App& app, Arguments& arguments) {
   app.add_option(
       "--weld", arguments.weld,
-      "Merge vertices nearer than this, in the units of the meshes as they are read (0: those at one "
-      "place)");
-  app.add_option(
-         "--smooth", arguments.smooth,
-         "Move vertices towards their neighbours in so many steps (Taubin's smoothing), so that noise "
-         "goes but the size stays; boundaries are kept")
+      "Merge vertices closer than this distance, in the units of the input (0: only those at one position)");
+  app.add_option("--smooth", arguments.smooth,
+                 "Smooth meshes in this number of steps (Taubin smoothing): removes noise without shrinking; "
+                 "boundaries are kept")
       ->check(CLI::Range(0, 10'000));
   app.add_option(
       "--decimate", arguments.decimate,
-      "Leave about this share of the triangles (over 0, up to 1): holes, borders between materials and "
-      "seams are kept, and the vertices that are left keep normals, colours and texture coordinates");
+      "Reduce triangles to about this fraction (over 0, up to 1): holes, borders between materials and "
+      "seams are kept, and the remaining vertices keep normals, colours and texture coordinates");
   app.add_option(
       "--subdivide", arguments.subdivide,
-      "loop:LEVELS, each triangle becomes four; or catmull-clark:LEVELS, each face becomes as many as it has "
-      "corners: so many times (1 if not given), towards a smooth surface; faces keep their materials");
-  app.add_flag("--triangulate", arguments.triangulate, "Cut polygons into triangles");
+      "Subdivide meshes into a smooth surface by loop:LEVELS (each triangle becomes four) or "
+      "catmull-clark:LEVELS (each face becomes a quadrilateral per corner), LEVELS times (default 1); faces "
+      "keep their materials");
+  app.add_flag("--triangulate", arguments.triangulate, "Triangulate polygons");
   app.add_option(
       "--normals", arguments.normals,
-      "keep; smooth:ANGLE, new ones with creases where faces are turned by more than so many degrees; "
-      "or flat, none");
+      "Keep normals (keep), recompute smooth normals with creases at edges over an angle in degrees "
+      "(smooth:ANGLE), or remove normals (flat)");
 }
 
 void add_placement_options(CLI::App& app, Arguments& arguments) {
-  app.add_option("--up", arguments.up, "The input's axis that points up; it becomes y")
+  app.add_option("--up", arguments.up, "Up axis of the input; it becomes y")
       ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case));
-  app.add_option("--scale", arguments.scale, "Factor for all lengths, after --up");
+  app.add_option("--scale", arguments.scale, "Scale factor, applied after --up");
   app.add_option(
       "--transform", arguments.transform,
-      "Steps in their order, after --scale, such as \"rotation 0 90 0 translation 1 0 0\"; angles in "
-      "degrees about x, then y, then z; \"scale 1 2 1\" is one too");
+      "Transform steps in order, applied after --scale, such as \"rotation 0 90 0 translation 1 0 0\"; "
+      "rotations are in degrees about x, then y, then z; \"scale 1 2 1\" is a step too");
 }
 
 void define_conversion(CLI::App& app, Arguments& arguments) {
   app.description(
-      "Converts models to GRF scenes: grfconvert IN -o OUT, or grfconvert IN... -o FOLDER. Commands do other "
-      "things with them.");
+      "Converts models between GRF and other formats: grfconvert IN -o OUT, or grfconvert IN... -o FOLDER. "
+      "Subcommands inspect, check and tidy files.");
   app.require_subcommand(0, 1);
-  app.add_option("IN", arguments.inputs, "Files to read");
+  app.add_option("IN", arguments.inputs, "Input files");
   app.add_option(
       "-o,--output", arguments.output,
-      "File to write, whose extension says the format; or a folder (a name that ends in / is one), and "
-      "for several files always");
-  app.add_option("--to", arguments.to,
-                 "Format of the output, whatever its name; in a folder, grf if not given")
+      "Output file, whose extension selects the format; or output folder (a name that ends in /, or with "
+      "several inputs)");
+  app.add_option("--to", arguments.to, "Output format, overriding the extension; default in a folder: grf")
       ->check(is_format_with(&Format::write));
-  app.add_flag("--flatten", arguments.flat, "Write included files and files of BRDFs out, into one GRF file");
-  app.add_flag("--grf2008", arguments.grf2008, "Write GRF by its grammar of 2008, without extensions");
+  app.add_flag("--flatten", arguments.flat, "Expand included files and BRDF files into one GRF file");
+  app.add_flag("--grf2008", arguments.grf2008, "Write GRF in its grammar of 2008, without extensions");
   add_input_options(app, arguments);
   add_mesh_options(app, arguments);
   add_placement_options(app, arguments);
-  app.add_option("--jobs", arguments.jobs,
-                 "So many files are converted at once (0: as many as there are cores)")
+  app.add_option("--jobs", arguments.jobs, "Number of files to convert in parallel (0: one per core)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   add_limit_options(app, arguments);
-  app.add_flag("--dry-run", arguments.dry_run,
-               "Read and convert all, and say what there is to say, but write nothing");
-  app.add_flag("--progress", arguments.progress, "Show how many files are done");
+  app.add_flag("--dry-run", arguments.dry_run, "Read, convert and report everything, but write no files");
+  app.add_flag("--progress", arguments.progress, "Show progress");
   add_quiet_option(app, arguments);
   add_json_option(app, arguments);
 }
 
 void define_info(CLI::App& app, Arguments& arguments) {
-  CLI::App* info = app.add_subcommand("info", "Print the figures of a file");
+  CLI::App* info = app.add_subcommand("info", "Print statistics of a file");
   info->add_option("FILE", arguments.input, "File to read")->required();
   add_json_option(*info, arguments);
   add_input_options(*info, arguments);
@@ -125,7 +120,7 @@ void define_info(CLI::App& app, Arguments& arguments) {
 }
 
 void define_check(CLI::App& app, Arguments& arguments) {
-  CLI::App* check = app.add_subcommand("check", "Say what is wrong with files");
+  CLI::App* check = app.add_subcommand("check", "Validate files");
   check->add_option("FILE", arguments.inputs, "Files to read")->required();
   add_json_option(*check, arguments);
   add_limit_options(*check, arguments);
@@ -133,17 +128,17 @@ void define_check(CLI::App& app, Arguments& arguments) {
 }
 
 void define_tidy(CLI::App& app, Arguments& arguments) {
-  CLI::App* tidy = app.add_subcommand("tidy", "Write GRF files again in the one style");
-  tidy->add_option("FILE", arguments.inputs, "Files to write again")->required();
+  CLI::App* tidy = app.add_subcommand("tidy", "Reformat GRF files in the standard style");
+  tidy->add_option("FILE", arguments.inputs, "Files to reformat")->required();
   add_quiet_option(*tidy, arguments);
 }
 
 void define_formats(CLI::App& app, Arguments& arguments) {
-  CLI::App* formats = app.add_subcommand("formats", "List the formats, and what each keeps and loses");
+  CLI::App* formats = app.add_subcommand("formats", "List file formats, and what each keeps and loses");
   add_json_option(*formats, arguments);
 }
 
-/// Takes what `--normals` says; what is wrong with it, or empty.
+/// Parses `--normals`; returns an error message, or an empty string.
 std::string set_normals(const std::string& text, MeshOperations& operations) {
   constexpr std::string_view Smooth = "smooth:";
   if (text == "keep") return {};
@@ -165,7 +160,7 @@ std::string set_normals(const std::string& text, MeshOperations& operations) {
   return {};
 }
 
-/// Takes what `--subdivide` says; what is wrong with it, or empty.
+/// Parses `--subdivide`; returns an error message, or an empty string.
 std::string set_subdivision(const std::string& text, MeshOperations& operations) {
   constexpr int MostLevels = 10;
   if (text.empty()) return {};
@@ -185,7 +180,7 @@ std::string set_subdivision(const std::string& text, MeshOperations& operations)
   return {};
 }
 
-/// What is wrong with a number; empty if nothing is.
+/// Validates the numbers; returns an error message, or an empty string.
 std::string problem_of_numbers(const Arguments& arguments) {
   constexpr double Largest = std::numeric_limits<float>::max();
   const auto wrong = [](const char* option, double value, const char* expected) {
@@ -200,7 +195,7 @@ std::string problem_of_numbers(const Arguments& arguments) {
   return {};
 }
 
-/// The steps of `--up`, `--scale` and `--transform`.
+/// Returns the transform steps of `--up`, `--scale` and `--transform`.
 std::vector<grf::TransformStep> placement_of(const Arguments& arguments, std::string& problem) {
   std::vector<grf::TransformStep> steps;
   if (arguments.up == "z") steps.push_back(z_up_to_y_up());
@@ -238,9 +233,9 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   BatchOptions options;
   std::string problem;
   if (arguments.inputs.empty()) {
-    problem = "the file to read is missing";
+    problem = "no input file is given";
   } else if (arguments.output.empty()) {
-    problem = "the file to write is missing (-o OUT)";
+    problem = "no output file is given (-o OUT)";
   } else {
     problem = problem_of_numbers(arguments);
     if (problem.empty()) problem = set_subdivision(arguments.subdivide, options.each.operations);

@@ -1,4 +1,4 @@
-// The words of grfconvert's command line.
+// The command line of grfconvert.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace convert {
 
-/// What the command line says.
+/// The values of the command line.
 struct Arguments {
   std::string input;
   std::vector<std::string> inputs;
@@ -40,13 +40,13 @@ struct Arguments {
   bool json = false;
 };
 
-/// Makes the command line: the conversion, and the commands info, check, tidy and formats.
+/// Defines the command line: the conversion, and the commands info, check, tidy and formats.
 void define_command_line(CLI::App& app, Arguments& arguments);
 
-/// What the arguments say of an input, or nothing after a message.
+/// Converts the arguments to the options of an input, or returns nothing after a message.
 std::optional<InputOptions> input_options(const Arguments& arguments);
 
-/// What they say of a conversion, or nothing after a message.
+/// Converts the arguments to the options of a conversion, or returns nothing after a message.
 std::optional<BatchOptions> batch_options(const Arguments& arguments);
 
 }  // namespace convert

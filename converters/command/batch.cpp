@@ -20,7 +20,7 @@
 namespace convert {
 namespace {
 
-/// The name of an output in the folder. A file with irradiance is to be called so.
+/// Returns the path of an output in the folder, with the format's extension; `.igrf` stays.
 std::string name_in_folder(const std::string& folder, const std::string& input, const Format& format) {
   const std::filesystem::path path(input);
   const bool is_igrf = format.name == "grf" && grf::is_igrf_name(input);
@@ -28,21 +28,21 @@ std::string name_in_folder(const std::string& folder, const std::string& input, 
   return (std::filesystem::path(folder) / path.stem()).string() + fmt::format(".{}", extension);
 }
 
-/// There is such a file, or there is nothing and the name is that of a file of some format.
+/// Returns whether the path is an existing file, or does not exist and has the extension of a format.
 bool looks_like_a_file(const std::string& path) {
   std::error_code error;
   if (std::filesystem::exists(path, error)) return !std::filesystem::is_directory(path, error);
   return !path.ends_with('/') && format_of_name(path) != nullptr;
 }
 
-/// All conversions to be made. Where that cannot be, there are none, and `problem` says why.
+/// Lists all conversions; empty after an error, with the reason in `problem`.
 std::vector<ConvertOptions> conversions_of(const BatchOptions& options, std::string& problem) {
   const bool has_folder = is_folder_of_outputs(options);
   if (has_folder && looks_like_a_file(options.output)) {
-    problem = fmt::format("several files are to be written, and '{}' is no folder", options.output);
+    problem = fmt::format("several files need an output folder, and '{}' is a file", options.output);
   }
   std::vector<ConvertOptions> conversions;
-  std::map<std::string, std::string> input_of;  // by what is written
+  std::map<std::string, std::string> input_of;  // by output
   for (const std::string& input : options.inputs) {
     ConvertOptions conversion = options.each;
     conversion.input.path = input;
@@ -66,12 +66,12 @@ bool make_folder(const std::string& path) {
   std::filesystem::create_directories(path, error);
   if (!error) return true;
   grf::Diagnostics diagnostics;
-  diagnostics.error(grf::whole_file(path), fmt::format("cannot make the folder: {}", error.message()));
+  diagnostics.error(grf::whole_file(path), fmt::format("cannot create the folder: {}", error.message()));
   print(diagnostics, true);
   return false;
 }
 
-/// Prints what becomes of the files.
+/// Prints the results of the conversions.
 class Report {
  public:
   explicit Report(const BatchOptions& options)
@@ -115,7 +115,7 @@ class Report {
   bool is_batch() const { return options_.inputs.size() > 1; }
 
   const BatchOptions& options_;
-  std::vector<nlohmann::ordered_json> results_;  // by file; null where there is none
+  std::vector<nlohmann::ordered_json> results_;  // by file; null if it failed
   std::vector<std::string> failed_;
   Progress progress_;
 };

@@ -21,7 +21,7 @@ ExitCode check_file(const std::string& path, bool json, bool quiet) {
   print(diagnostics, quiet);
   const std::size_t warnings = diagnostics.warning_count();
   if (json) print_json(entry_of(path, diagnostics.error_count(), warnings));
-  if (!json && !quiet && sound) fmt::print("{}: sound{}\n", path, warnings > 0 ? ", with warnings" : "");
+  if (!json && !quiet && sound) fmt::print("{}: valid{}\n", path, warnings > 0 ? ", with warnings" : "");
   return sound ? ExitCode::Done : ExitCode::BadInput;
 }
 

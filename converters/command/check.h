@@ -8,7 +8,7 @@
 
 namespace convert {
 
-/// `grfconvert check`: reads each file and says what is wrong with it, going on after one that is bad.
+/// Runs `grfconvert check`: validates each file, and continues after one with errors.
 ExitCode check_files(const std::vector<std::string>& paths, bool json, bool quiet, const Limits& limits);
 
 }  // namespace convert

@@ -45,11 +45,11 @@ bool has_includes(const grf::BlockList& list) {
   });
 }
 
-/// The scene with what the options do to it, still named from the input.
+/// Applies the options to the scene; file names stay relative to the input.
 grf::Scene changed(grf::Scene scene, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
   const std::string& path = options.input.path;
   const grf::SourceLocation location = grf::whole_file(path);
-  // Meshes of included files are other files, which nobody asked to change.
+  // Meshes of included files are in other files, which must not change.
   const bool joins_files = options.operations.any() && !options.flat && has_includes(scene.contents);
   if (joins_files) diagnostics.note(location, "meshes are changed: all files are written as one");
   if (options.flat || joins_files) scene = grf::flatten(scene, path);
@@ -58,7 +58,7 @@ grf::Scene changed(grf::Scene scene, const ConvertOptions& options, grf::Diagnos
   return scene;
 }
 
-/// Writes the scene with the files that stood inside the input; nothing after an error.
+/// Writes the scene with the embedded files of the input; returns nothing after an error.
 std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
                                       const ConvertOptions& options, grf::Diagnostics& diagnostics) {
   auto files = write_embedded_files(embedded, options.output, diagnostics);
@@ -74,7 +74,7 @@ std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<Embed
   return is_written ? std::optional(WrittenFiles()) : std::nullopt;
 }
 
-/// A folder that goes when it is done with.
+/// A temporary folder, removed by the destructor.
 class ShortLivedFolder {
  public:
   ShortLivedFolder() {
@@ -95,7 +95,7 @@ class ShortLivedFolder {
   std::filesystem::path path_;
 };
 
-/// Says what was said of a file of another.
+/// Copies the diagnostics of one file to another file.
 void say_of(const std::string& path, const grf::Diagnostics& said, grf::Diagnostics& diagnostics) {
   const grf::SourceLocation location = grf::whole_file(path);
   for (const grf::Diagnostic& entry : said.entries()) {
@@ -112,7 +112,7 @@ void say_of(const std::string& path, const grf::Diagnostics& said, grf::Diagnost
   }
 }
 
-/// Does all that writing does, where nobody sees it, for what there is to say of it.
+/// Writes to a temporary folder, for a dry run, to get the diagnostics of writing.
 std::optional<WrittenFiles> try_to_write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
                                              const ConvertOptions& options, grf::Diagnostics& diagnostics) {
   const ShortLivedFolder folder;
@@ -173,11 +173,12 @@ const Format* output_format(const ConvertOptions& options) {
 std::string problem_of(const ConvertOptions& options) {
   const Format* format = output_format(options);
   if (format == nullptr) {
-    return fmt::format("the name '{}' does not say its format: give it by --to ({})", options.output,
+    return fmt::format("the format of '{}' is unknown: give it by --to ({})", options.output,
                        writable_formats());
   }
   if (format->write == nullptr) {
-    return fmt::format("{} files are not written; what is: {}", format->name, writable_formats());
+    return fmt::format("{} files cannot be written; the formats that can are: {}", format->name,
+                       writable_formats());
   }
   if ((options.flat || options.grf2008) && format->name != "grf") {
     return fmt::format("--flatten and --grf2008 are for GRF files, and this is {}", format->name);

@@ -12,24 +12,24 @@ namespace convert {
 struct ConvertOptions {
   InputOptions input;
   std::string output;
-  const Format* output_format = nullptr;  ///< null: told by the output's name
-  bool flat = false;                      ///< includes and BRDF files are written out in the one file
-  bool grf2008 = false;                   ///< the grammar of 2008 alone
+  const Format* output_format = nullptr;  ///< null: detected from the output's name
+  bool flat = false;                      ///< expand includes and BRDF files into one file
+  bool grf2008 = false;                   ///< write only the grammar of 2008
   MeshOperations operations;
-  std::vector<grf::TransformStep> placement;  ///< of the scene as a whole
-  bool dry_run = false;                       ///< nothing is written
+  std::vector<grf::TransformStep> placement;  ///< transform of the whole scene
+  bool dry_run = false;                       ///< write no file
   bool quiet = false;
   bool json = false;
 };
 
-/// The format of the output, or null.
+/// Returns the format of the output, or null.
 const Format* output_format(const ConvertOptions& options);
 
-/// What is wrong with the options, whatever the input is; empty if nothing is.
+/// Validates the options, whatever the input is: returns an error message, or an empty string.
 std::string problem_of(const ConvertOptions& options);
 
-/// `grfconvert IN -o OUT`, with options that are sound: nothing is written unless all of the input could be
-/// read. Prints one line, or one JSON object, where it was done.
+/// Runs `grfconvert IN -o OUT` with valid options: nothing is written unless all of the input could be read.
+/// Prints one line, or one JSON object, on success.
 ExitCode convert_file(const ConvertOptions& options);
 
 }  // namespace convert

@@ -19,15 +19,14 @@ std::string size_text(std::uint64_t bytes) {
   return size < Giga ? fmt::format("{:.4g} MB", size / Mega) : fmt::format("{:.4g} GB", size / Giga);
 }
 
-/// What to tell of a child that did not end by itself.
+/// Returns the error message for a child that crashed or exceeded a limit.
 std::string why_it_died(const Ending& ending, const Limits& limits) {
   switch (ending.cause) {
     case Ending::Cause::OutOfMemory:
-      return limits.memory == 0
-                 ? "out of memory"
-                 : fmt::format("more memory is needed than the limit of {}", size_text(limits.memory));
+      return limits.memory == 0 ? "out of memory"
+                                : fmt::format("exceeded the memory limit of {}", size_text(limits.memory));
     case Ending::Cause::OutOfTime:
-      return fmt::format("not done within the limit of {:g} s", limits.seconds);
+      return fmt::format("exceeded the time limit of {:g} s", limits.seconds);
     case Ending::Cause::Crashed:
       return fmt::format("the conversion crashed ({})", ::strsignal(ending.signal));
     case Ending::Cause::Returned:

@@ -10,30 +10,30 @@
 
 namespace convert {
 
-/// What a command does with each of some files, each in a child process of its own.
+/// A command's work on several files, each in a child process of its own.
 struct FileWork {
   std::vector<std::string> inputs;
-  std::vector<std::string> outputs;  ///< one an input, or none at all if nothing is written
+  std::vector<std::string> outputs;  ///< one per input, or empty if nothing is written
   std::size_t at_once = 1;
   Limits limits;
 
-  std::function<ExitCode(std::size_t file)> work;  ///< in the child
+  std::function<ExitCode(std::size_t file)> work;  ///< called in the child
 
-  /// What became of a file.
+  /// The result for a file.
   struct Result {
     std::size_t file = 0;
     ExitCode code = ExitCode::Done;
-    bool has_ended = true;  ///< else it crashed, or broke a limit; the code is BadInput then
-    std::string out;        ///< what the child printed on standard output; empty if it has not ended
+    bool has_ended = true;  ///< false: it crashed or exceeded a limit, and the code is BadInput
+    std::string out;        ///< the child's standard output; empty unless it has ended
   };
-  /// Called here, in whatever order files are done, before anything of the file is printed.
+  /// Called in this process as files complete, before the output of the file is printed.
   std::function<void(const Result& result)> before_errors = [](const Result&) {};
-  /// Called afterwards: errors are printed by now, and what is left of a dead child is removed.
+  /// Called afterwards: errors are printed by now, and temporary files of a dead child are removed.
   std::function<void(const Result& result)> done;
 };
 
-/// Does the work. The code is that of the only file; of several, BadInput if one failed. Interrupted: a
-/// signal came.
+/// Runs the work. Returns the code of the only file, or BadInput if one of several failed; Interrupted after
+/// a signal.
 ExitCode run(const FileWork& work);
 
 }  // namespace convert

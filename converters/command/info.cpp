@@ -68,7 +68,7 @@ bool is_closed_manifold(const grf::Topology& topology) {
          topology.nonmanifold_vertices == 0;
 }
 
-/// Each mesh that has something of the kind, by its name and its place among the meshes.
+/// Prints each mesh with topological defects, by its name and index.
 void print_topology(const grf::Summary& summary) {
   print_row("boundary edges", summary.boundary_edges);
   print_row("boundary loops", summary.boundary_loops);

@@ -6,7 +6,7 @@
 
 namespace convert {
 
-/// `grfconvert info`: the figures of a file, as a table or as one JSON object.
+/// Runs `grfconvert info`: prints statistics of a file as a table or as one JSON object.
 ExitCode print_info(const InputOptions& options, bool json, bool quiet, const Limits& limits);
 
 }  // namespace convert

@@ -11,8 +11,8 @@
 namespace convert {
 namespace {
 
-/// The paths under which a scene names files that stand inside of its own: those beside it, or mere names
-/// where the scene does not know from where it is.
+/// Returns the paths of embedded files as the scene names them: beside the scene, or only names if the scene
+/// has no location.
 std::set<std::string> paths_of(const std::vector<EmbeddedFile>& files, const std::string& path) {
   std::set<std::string> paths;
   for (const EmbeddedFile& file : files) {

@@ -10,7 +10,7 @@ namespace convert {
 
 struct InputOptions {
   std::string path;
-  const Format* format = nullptr;  ///< null: told by content, then by name
+  const Format* format = nullptr;  ///< null: detected from content, then from the name
   ReadOptions reading;
 };
 
@@ -20,10 +20,10 @@ struct Input {
   std::vector<EmbeddedFile> files;
 };
 
-/// Reads a file and checks the scene against the models that there are. Nothing is returned after an error.
+/// Reads a file and validates the scene against the catalogue of models. Returns nothing after an error.
 std::optional<Input> read_input(const InputOptions& options, grf::Diagnostics& diagnostics);
 
-/// The BRDF that an option gives, checked as one of a scene.
+/// Parses and validates the BRDF of an option.
 std::optional<grf::BrdfModel> read_brdf_option(const std::string& text, const std::string& option,
                                                grf::Diagnostics& diagnostics);
 

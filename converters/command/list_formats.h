@@ -2,7 +2,7 @@
 
 namespace convert {
 
-/// `grfconvert formats`: the table of formats.
+/// Runs `grfconvert formats`: prints the table of formats.
 void print_formats(bool json);
 
 }  // namespace convert

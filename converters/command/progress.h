@@ -5,7 +5,7 @@
 
 namespace convert {
 
-/// Shows on standard error how many files are done: a bar on a terminal, else one line a file.
+/// Shows progress on standard error: a bar on a terminal, else one line per file.
 class Progress {
  public:
   /// Shows nothing unless `is_shown`.
@@ -14,7 +14,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// The line of the bar is left empty for something else to be printed.
+  /// Clears the line of the bar so that something else can be printed.
   void clear() const;
   void add(const std::string& file, bool is_converted);
 

@@ -11,14 +11,14 @@ namespace convert {
 
 using grf::ExitCode;
 
-/// Prints to standard error; `quiet` leaves out warnings and notes.
+/// Prints diagnostics to standard error; `quiet` suppresses warnings and notes.
 void print(const grf::Diagnostics& diagnostics, bool quiet);
 
-/// Prints one object to standard output. A path need not be UTF-8, and a string of JSON must: what is not is
+/// Prints one object to standard output. Invalid UTF-8, which a path may have and JSON may not, is
 /// replaced.
 void print_json(const nlohmann::ordered_json& json);
 
-/// Says what is wrong with the command line.
+/// Prints an error of the command line, and returns its exit code.
 ExitCode bad_command_line(std::string_view message);
 
 }  // namespace convert

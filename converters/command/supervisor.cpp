@@ -25,19 +25,19 @@ namespace {
 using grf::ExitCode;
 using Clock = std::chrono::steady_clock;
 
-// Sanitizers take terabytes of address space, most of which is never touched.
+// Sanitizers reserve terabytes of address space, most of it unused.
 #ifdef GRANADA_HAS_SANITIZERS
 constexpr bool LimitsMemory = false;
 #else
 constexpr bool LimitsMemory = true;
 #endif
 
-/// A child's exit code where an allocation failed; no ExitCode.
+/// A child's exit code after a failed allocation, different from all ExitCodes.
 constexpr int OutOfMemoryCode = 3;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// A file in memory, so that a child can print however much without waiting for a reader.
+/// An in-memory file for a child's output, so that it never blocks on a full pipe.
 class Capture {
  public:
   explicit Capture(const char* name) : descriptor_(::memfd_create(name, MFD_CLOEXEC)) {
@@ -70,14 +70,14 @@ class Capture {
   int descriptor_;
 };
 
-/// Holds back the signals that are waited for, and gives back what was before.
+/// Blocks the signals that are waited for, and restores the signal mask in the destructor.
 class HeldSignals {
  public:
   HeldSignals() {
     ::sigemptyset(&set_);
     for (const int signal : {SIGCHLD, SIGINT, SIGTERM}) ::sigaddset(&set_, signal);
     ::sigprocmask(SIG_BLOCK, &set_, &before_);
-    // Of a child whose signal is ignored nobody would hear.
+    // If SIGCHLD were ignored, the end of a child would not be reported.
     struct sigaction heeded = {};
     heeded.sa_handler = SIG_DFL;
     ::sigaction(SIGCHLD, &heeded, &child_before_);
@@ -91,7 +91,7 @@ class HeldSignals {
 
   void release() const { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
-  /// The next signal, or 0 if none comes for so long; for ever if nothing says how long.
+  /// Waits for the next signal; returns 0 after the timeout, if there is one.
   int wait(std::optional<Clock::duration> longest) const {
     if (!longest) return std::max(::sigwaitinfo(&set_, nullptr), 0);
     const auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(*longest).count();
@@ -125,7 +125,7 @@ void limit_resources(const Limits& limits) {
   }
 }
 
-/// In the child: does the work and ends.
+/// Runs a job in the child and exits.
 [[noreturn]] void work_and_exit(const Pieces& pieces, std::size_t piece) {
   int code = 0;
   try {
@@ -137,7 +137,7 @@ void limit_resources(const Limits& limits) {
     code = static_cast<int>(ExitCode::BadInput);
   }
   std::fflush(nullptr);
-  ::_exit(code);  // what the parent would clean up at its end is not the child's
+  ::_exit(code);  // without the parent's exit handlers
 }
 
 Ending ending_of(const Child& child, int status) {
@@ -174,7 +174,7 @@ class Supervisor {
     return true;
   }
 
-  /// Ends all children there are, and gives their processes.
+  /// Kills all children, and returns their process ids.
   std::vector<pid_t> end_all() {
     std::vector<pid_t> ended;
     for (const Child& child : children_) {
@@ -189,7 +189,7 @@ class Supervisor {
 
  private:
   void start() {
-    std::fflush(nullptr);  // or the child would print once more what waits to be printed
+    std::fflush(nullptr);  // or the child would print the buffered output again
     Child child{next_++, 0, std::nullopt, false, Capture("out"), Capture("err")};
     const pid_t parent = ::getpid();
     child.process = ::fork();
@@ -203,7 +203,7 @@ class Supervisor {
       limit_resources(limits_);
       work_and_exit(pieces_, child.piece);
     }
-    constexpr double Years = 1e9;  // what a clock can still add
+    constexpr double Years = 1e9;  // in seconds, which does not overflow the clock
     const std::chrono::duration<double> longest(std::min(limits_.seconds, Years));
     if (limits_.seconds > 0) {
       child.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(longest);
@@ -231,7 +231,7 @@ class Supervisor {
     }
   }
 
-  // One signal can stand for several children.
+  // Pending SIGCHLD are merged: one signal can be for several children.
   void reap() {
     for (std::size_t i = 0; i < children_.size();) {
       int status = 0;

@@ -1,5 +1,5 @@
-// Work that may crash, hang or want too much memory, since libraries parse untrusted bytes in it: each piece
-// is done in a child process.
+// A supervisor of child processes for jobs that may crash, hang or exhaust memory, since libraries parse
+// untrusted bytes in them: each job runs in a child process.
 #pragma once
 
 #include <cstddef>
@@ -14,46 +14,46 @@
 
 namespace convert {
 
-/// What one child may use. 0: as much as there is.
+/// Resource limits of one child. 0: no limit.
 struct Limits {
-  std::uint64_t memory = std::uint64_t(4) << 30U;  ///< bytes of address space; not heeded under sanitizers
-  double seconds = 600;                            ///< by the clock on the wall
+  std::uint64_t memory = std::uint64_t(4) << 30U;  ///< bytes of address space; ignored under sanitizers
+  double seconds = 600;                            ///< wall-clock time
 };
 
-/// How a child ended.
+/// The exit status and output of a child process.
 struct Ending {
   enum class Cause {
-    Returned,     ///< the work was done, well or not: see `code`
-    OutOfMemory,  ///< an allocation failed, and nobody but the child's `main` knew what to do
+    Returned,     ///< the job returned, successfully or not: see `code`
+    OutOfMemory,  ///< an allocation failed, and only the child's `main` caught it
     OutOfTime,
-    Crashed  ///< by `signal`
+    Crashed  ///< terminated by `signal`
   };
   Cause cause = Cause::Returned;
-  grf::ExitCode code = grf::ExitCode::Done;  ///< what the work returned
+  grf::ExitCode code = grf::ExitCode::Done;  ///< the job's return value
   int signal = 0;
-  std::string out;  ///< all that was printed on standard output and standard error
+  std::string out;  ///< captured standard output; `err`: standard error
   std::string err;
   pid_t process = 0;
 };
 
-/// Work of several pieces, of which each has an index.
+/// Jobs to run in child processes, identified by their index.
 struct Pieces {
   std::size_t count = 0;
-  std::size_t at_once = 1;  ///< so many children there are at most
+  std::size_t at_once = 1;  ///< maximum number of concurrent children
 
-  /// Done in the child. An exception is what the work has no answer to: of std::bad_alloc the ending is
-  /// OutOfMemory, what another one says is printed as an error, and the code is BadInput.
+  /// Called in the child. If it throws std::bad_alloc, the child ends as OutOfMemory; the message of any
+  /// other exception is printed as an error, and the code is BadInput.
   std::function<grf::ExitCode(std::size_t piece)> work;
-  /// Called in this process as soon as a child has ended, in whatever order they do. May throw: the others
-  /// are ended then.
+  /// Called in this process as soon as a child has ended, in any order. May throw: the other children are
+  /// terminated then.
   std::function<void(std::size_t piece, const Ending& ending)> ended;
 };
 
-/// Does all pieces, whatever becomes of each. False: SIGINT or SIGTERM came; all children were ended then,
-/// and `ended` was called for those alone that had ended before. `left` gets the processes that were ended
-/// so, since there may be temporary files of theirs.
+/// Runs all jobs, also after failures. Returns false after SIGINT or SIGTERM: all children were terminated
+/// then, and `ended` was called only for those that had ended before. `left` gets the ids of the terminated
+/// processes, which may have left temporary files.
 ///
-/// Children leave no core dumps, and die with this process. This process must have one thread alone.
+/// Children leave no core dumps, and die with this process. This process must be single-threaded.
 bool run_supervised(const Pieces& pieces, const Limits& limits, std::vector<pid_t>& left);
 
 }  // namespace convert

@@ -39,7 +39,7 @@ ExitCode tidy_files(const std::vector<std::string>& paths, bool quiet) {
     if (outcome == Outcome::Failed) {
       code = ExitCode::BadInput;
     } else if (!quiet) {
-      fmt::print("{}: {}\n", path, outcome == Outcome::Tidied ? "tidied" : "was tidy");
+      fmt::print("{}: {}\n", path, outcome == Outcome::Tidied ? "tidied" : "already tidy");
     }
   }
   return code;

@@ -7,8 +7,8 @@
 
 namespace convert {
 
-/// `grfconvert tidy`: writes each GRF file again in the one style, where it is not so yet, and goes on after
-/// one that is bad. Models are not checked: a file is as good as it was.
+/// Runs `grfconvert tidy`: reformats each GRF file that is not yet in the standard style, and continues after
+/// one with errors. Models are not validated.
 ExitCode tidy_files(const std::vector<std::string>& paths, bool quiet);
 
 }  // namespace convert

@@ -15,7 +15,7 @@ namespace {
 
 bool is_glb(std::string_view first_bytes) { return first_bytes.starts_with(GlbMagic); }
 
-/// A JSON object with a name of glTF's first level among the first bytes.
+/// Detects a JSON object with a top-level key of glTF among the first bytes.
 bool is_gltf(std::string_view first_bytes) {
   constexpr std::array<std::string_view, 6> Names = {
       "\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"extensionsUsed\"", "\"animations\"", "\"buffers\""};

@@ -4,7 +4,7 @@
 
 namespace convert {
 
-/// glTF 2 as JSON with its buffer beside it (`.bin`), and as one binary file.
+/// The formats glTF 2: JSON with its buffer beside it (`.bin`), and one binary file.
 Format gltf_format();
 Format glb_format();
 

@@ -48,7 +48,7 @@ Number number_at(const unsigned char* bytes) {
   return number;
 }
 
-// Section 3.6.2.3: the most negative integer and the one next to it are both -1.
+// Section 3.6.2.3: the most negative integer and the next one are both -1.
 template <class Integer>
 float number_of(const unsigned char* bytes, bool normalised) {
   const auto value = static_cast<float>(number_at<Integer>(bytes));
@@ -79,7 +79,7 @@ std::uint32_t integer_at(const unsigned char* bytes, int component_type) {
   return number_at<std::uint32_t>(bytes);
 }
 
-/// Reads an element's numbers as floats.
+/// Reads the components of an element as floats.
 void read_element(const tinygltf::Accessor& accessor, const unsigned char* bytes, float* values) {
   const std::size_t components = components_of(accessor);
   if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT) {
@@ -122,14 +122,14 @@ std::optional<std::size_t> GltfAccessors::checked_count(int index, std::size_t c
   const bool of_a_kind =
       integers ? is_index_type(accessor->componentType) : component_bytes(accessor->componentType) != 0;
   if (!of_a_kind) {
-    return fail(
-        fmt::format("accessor {}: components of type {} cannot stand here", index, accessor->componentType));
+    return fail(fmt::format("accessor {}: components of type {} are not allowed here", index,
+                            accessor->componentType));
   }
   if (components_of(*accessor) != components) {
-    return fail(fmt::format("accessor {}: found {} numbers an element, expected {}", index,
+    return fail(fmt::format("accessor {}: found {} numbers per element, expected {}", index,
                             components_of(*accessor), components));
   }
-  // All but what sparse values leave at zero is borne out by a buffer.
+  // Only sparse accessors may have no buffer; their other elements are zero.
   if (accessor->bufferView < 0 && accessor->count > file_.bytes) {
     return fail(fmt::format("accessor {}: {} elements without data", index, accessor->count));
   }
@@ -221,7 +221,7 @@ bool GltfAccessors::for_sparse(const tinygltf::Accessor& accessor, const Put& pu
   return true;
 }
 
-// The accessor was checked.
+// The accessor was validated.
 bool GltfAccessors::fill(int index, float* values, bool infinite) {
   const tinygltf::Accessor& accessor = *find(index);
   const std::size_t components = components_of(accessor);
@@ -280,7 +280,7 @@ std::optional<std::vector<std::uint32_t>> GltfAccessors::integers(int index) {
 }
 
 bool GltfAccessors::spend(std::size_t elements) {
-  // Meshes share accessors, and some files have many small ones of one shape; no honest one is near this.
+  // Meshes share accessors, and some files have many small equal ones; no valid file is near this limit.
   constexpr std::size_t MostPerByte = 256;
   constexpr std::size_t AlwaysAllowed = std::size_t{1} << 27U;
   const std::size_t limit = std::min(MostPerByte * file_.bytes, std::max(AlwaysAllowed, 8 * file_.bytes));
@@ -288,8 +288,8 @@ bool GltfAccessors::spend(std::size_t elements) {
     spent_ += elements;
     return true;
   }
-  fail(fmt::format("the file asks for more than {} vertices and corners, which {} bytes do not bear out",
-                   limit, file_.bytes));
+  fail(fmt::format("the file expands to more than {} vertices and corners, too many for its {} bytes", limit,
+                   file_.bytes));
   return false;
 }
 

@@ -1,4 +1,5 @@
-// The numbers of a glTF file. tinygltf checks none of the places that accessors, views and buffers name.
+// Bounds-checked access to the numbers of a glTF file: tinygltf does not validate accessors, views and
+// buffers.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +14,18 @@
 
 namespace convert {
 
-/// Reads accessors (glTF 2.0, section 3.6.2): strides, sparse values and normalised integers are dealt with.
-/// Nothing is returned after an error, which names the accessor.
+/// Reads accessors (glTF 2.0, section 3.6.2), with strides, sparse values and normalised integers. Functions
+/// return nothing after an error, which names the accessor.
 class GltfAccessors {
  public:
   GltfAccessors(const GltfFile& file, grf::Diagnostics& diagnostics)
       : file_(file), diagnostics_(diagnostics) {}
 
-  /// Elements of so many numbers each, one after the other, from an accessor of one of the types VEC2, VEC3,
-  /// VEC4, MAT4 and SCALAR. Each is finite, unless `infinite` allows others.
+  /// Reads the elements of an accessor of type SCALAR, VEC2, VEC3, VEC4 or MAT4, with that number of
+  /// components, concatenated. Values must be finite unless `infinite` is set.
   std::optional<std::vector<float>> floats(int accessor, std::size_t components, bool infinite = false);
 
-  /// The same as vectors, whose members are floats alone.
+  /// Reads the elements as vectors of floats.
   template <class Vector>
   std::optional<std::vector<Vector>> vectors(int accessor, bool infinite = false) {
     std::optional<std::size_t> count = checked_count(accessor, sizeof(Vector) / sizeof(float), false);
@@ -34,25 +35,25 @@ class GltfAccessors {
     return values;
   }
 
-  /// Unsigned integers, one an element.
+  /// Reads unsigned integers, one per element.
   std::optional<std::vector<std::uint32_t>> integers(int index);
 
-  /// How many elements the accessor has; 0 if there is no such accessor.
+  /// Returns the number of elements of an accessor; 0 if it does not exist.
   std::size_t count(int accessor) const;
 
   bool has_components(int accessor, std::size_t components) const;
 
-  /// The bytes of a view, or nothing after an error.
+  /// Returns the bytes of a buffer view, or nothing after an error.
   std::optional<std::span<const unsigned char>> view(int index);
 
-  /// Takes note of work that the file asks for, in elements that are read or made. False, after an error,
-  /// once it is out of all proportion to the file: a few bytes can name one accessor again and again.
+  /// Adds to the work that the file causes, in elements read or generated. Returns false, after an error,
+  /// once it is out of proportion to the size of the file: a few bytes can name one accessor again and again.
   bool spend(std::size_t elements);
 
   std::nullopt_t fail(std::string_view message);
 
  private:
-  /// A run of elements in a buffer, checked; without bytes all elements are 0.
+  /// A validated run of elements in a buffer; without bytes all elements are 0.
   struct Run {
     const unsigned char* bytes = nullptr;
     std::size_t stride = 0;
@@ -70,7 +71,7 @@ class GltfAccessors {
 
   const GltfFile& file_;
   grf::Diagnostics& diagnostics_;
-  int current_ = -1;  ///< the accessor that is being read, for messages
+  int current_ = -1;  ///< index of the current accessor, for messages
   std::size_t spent_ = 0;
 };
 

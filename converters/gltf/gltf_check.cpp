@@ -11,7 +11,7 @@ unsigned long sum(unsigned long before, std::string_view bytes) {
   return ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
 
-/// Where the digits of the check begin, or npos.
+/// Returns the offset of the checksum's digits, or npos.
 std::size_t place_of_check(std::string_view json) {
   const std::size_t member = json.find(CheckMember);
   if (member == std::string_view::npos) return member;

@@ -77,7 +77,7 @@ int GltfDocument::add(std::span<const grf::Vec2f> values, Use use) {
 }
 
 int GltfDocument::add(std::span<const std::uint32_t> values, Use use) {
-  // The highest number of a type is not allowed as an index.
+  // The maximum of a type is not allowed as an index (primitive restart).
   constexpr std::uint32_t HighestShort = 65534;
   const bool are_short =
       std::all_of(values.begin(), values.end(), [](std::uint32_t i) { return i <= HighestShort; });

@@ -13,10 +13,9 @@
 
 namespace convert {
 
-/// A glTF file in the making: its JSON, and the one buffer that its accessors look into.
-///
-/// tinygltf's own writer is not used: it writes files in place, so that one that cannot be finished is lost,
-/// and holds text, buffer and base64 of it at once.
+/// A glTF file under construction: its JSON, and the single buffer of its accessors. tinygltf's own writer is
+/// not used: it writes in place, so that an error loses the old file, and holds text, buffer and base64 in
+/// memory at once.
 class GltfDocument {
  public:
   enum class Use { Vertices, Indices, Data };
@@ -25,22 +24,22 @@ class GltfDocument {
 
   nlohmann::json& json() { return json_; }
 
-  /// Appends to an array of the first level, and gives the place.
+  /// Appends an item to a top-level array, and returns its index.
   int append(const char* array, nlohmann::json item);
 
-  // Accessors; of positions with their bounds, as the specification asks.
+  // These add accessors; those of positions have bounds, as the specification requires.
 
   int add(std::span<const grf::Vec3f> values, Use use, bool with_bounds = false);
   int add(std::span<const grf::Vec2f> values, Use use);
-  /// In 16 bits where they fit.
+  /// Adds indices, in 16 bits if they fit.
   int add(std::span<const std::uint32_t> values, Use use);
   int add_bytes(std::span<const std::uint8_t> values);
 
-  /// A view of bytes that are no accessor's, such as those of an image.
+  /// Adds a buffer view of bytes without an accessor, such as those of an image.
   int add_view(std::string_view bytes);
 
-  /// The JSON as text and the buffer: `uri` is the name of the buffer's file, empty inside a GLB file. The
-  /// JSON has the check of `gltf_check.h`.
+  /// Returns the JSON as text, with the checksum of `gltf_check.h`. `uri` is the name of the buffer's file,
+  /// empty inside a GLB file.
   std::string text(const std::string& uri);
   const std::string& buffer() const { return buffer_; }
 
@@ -52,7 +51,7 @@ class GltfDocument {
   std::string buffer_;
 };
 
-/// A GLB file of both (glTF 2.0, section 4.4).
+/// Packs both into a GLB file (glTF 2.0, section 4.4).
 std::string glb_of(std::string_view json, std::string_view buffer);
 
 }  // namespace convert

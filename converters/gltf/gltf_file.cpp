@@ -24,10 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of JSON arrays and objects, one in another. tinygltf reads extras recursively.
+/// The maximum nesting of JSON arrays and objects, since tinygltf reads extras recursively.
 constexpr int DeepestJson = 200;
 
-/// The extensions that the reader understands, or whose absence from a scene it reports.
+/// The extensions that the reader supports, or reports as losses.
 constexpr std::array<std::string_view, 20> KnownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_anisotropy",
                                                               "KHR_materials_clearcoat",
@@ -64,15 +64,15 @@ std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
   return word[0] | word[1] << 8U | word[2] << 16U | static_cast<std::uint32_t>(word[3]) << 24U;
 }
 
-/// The JSON of a GLB file, or an empty text and what is wrong with the file (glTF 2.0, section 4.4). tinygltf
-/// would read up to eight bytes behind the end of a file whose last chunk is too short.
+/// Returns the JSON of a GLB file, or an empty text and an error message (glTF 2.0, section 4.4). tinygltf
+/// would read up to eight bytes past the end of a file whose last chunk is too short.
 std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
   constexpr std::uint32_t JsonChunk = 0x4E4F534A;
   constexpr std::size_t HeaderBytes = 12;
   constexpr std::size_t ChunkHeaderBytes = 8;
   if (bytes.size() < HeaderBytes + ChunkHeaderBytes) return {"", "the file ends inside its header"};
   const std::uint32_t version = word_at(bytes, 4);
-  if (version != 2) return {"", fmt::format("the file is glTF {}, and glTF 2 alone is read", version)};
+  if (version != 2) return {"", fmt::format("the file is glTF {}, and only glTF 2 can be read", version)};
   const std::size_t length = word_at(bytes, 8);
   if (length != bytes.size() && (length > bytes.size() || !is_padding(bytes.substr(length)))) {
     return {"", fmt::format("the file has {} bytes, and says that it has {}", bytes.size(), length)};
@@ -80,13 +80,13 @@ std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
   const std::size_t json = HeaderBytes + ChunkHeaderBytes;
   const std::size_t json_bytes = word_at(bytes, HeaderBytes);
   if (word_at(bytes, HeaderBytes + 4) != JsonChunk || json + json_bytes > length) {
-    return {"", "the first part of the file is no JSON, or is cut off"};
+    return {"", "the first part of the file is not JSON, or is truncated"};
   }
   std::size_t rest = length - json - json_bytes;
   while (rest != 0) {
     const std::size_t part = rest < ChunkHeaderBytes ? 0 : word_at(bytes, length - rest);
     if (rest < ChunkHeaderBytes || part > rest - ChunkHeaderBytes) {
-      return {"", "the binary part of the file is cut off"};
+      return {"", "the binary part of the file is truncated"};
     }
     rest -= ChunkHeaderBytes + part;
   }
@@ -112,13 +112,13 @@ bool is_nested_too_deep(std::string_view json) {
   return false;
 }
 
-/// What tinygltf's callbacks need to know.
+/// The context of tinygltf's callbacks.
 struct Folder {
   std::string path;
 };
 
-// tinygltf looks beside the file, and then where the program was started, where a file of the same name is
-// another one. Images are left alone: they are named, not decoded. Folders above the file's own are allowed:
+// tinygltf searches beside the file, and then in the current directory, where a file of the same name is
+// unrelated. Images are not read: they are referenced, not decoded. Folders above the file's own are allowed:
 // models share their buffers and textures there, and GRF and OBJ files may name any file, too.
 bool file_exists(const std::string& path, void* user_data) {
   const auto& folder = *static_cast<const Folder*>(user_data);
@@ -142,7 +142,7 @@ bool read_whole_file(std::vector<unsigned char>* bytes, std::string* problem, co
   return true;
 }
 
-// The bytes of an image in a view are not looked at: tinygltf has not checked that the buffer has them.
+// Embedded images are not decoded: tinygltf has not validated that the buffer has their bytes.
 bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
                 const unsigned char* bytes, int size, void*) {
   if (image->uri.empty() && image->bufferView < 0) image->image.assign(bytes, bytes + size);
@@ -150,8 +150,8 @@ bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, i
   return true;
 }
 
-/// tinygltf takes what the specification leaves out for an error (skins without matrices), and says no more
-/// of some errors than their text (a primitive that it leaves out).
+/// Filters tinygltf's messages: it treats optional properties as errors (skins without matrices), and reports
+/// some errors only as text (a primitive that it drops).
 std::string errors_of(std::string text) {
   constexpr std::string_view Allowed = "'inverseBindMatrices' property is missing in Skin.\n";
   for (std::size_t at = 0; (at = text.find(Allowed)) != std::string::npos;) text.erase(at, Allowed.size());
@@ -196,7 +196,7 @@ class Loader {
     parser.SetImageLoader(keep_image, nullptr);
     parser.SetFsCallbacks({file_exists, unexpanded, read_whole_file, nullptr, &folder});
     std::string errors;
-    std::string warnings;  // of images alone
+    std::string warnings;  // only about images
     const auto size = static_cast<unsigned>(bytes.size());
     bool parsed = false;
     try {
@@ -212,8 +212,8 @@ class Loader {
     }
     errors = errors_of(errors);
     if (parsed && errors.empty()) return true;
-    if (lacks_extension()) return false;  // which may be why it does not hold
-    fail(errors.empty() ? "the file is no glTF 2 model" : errors);
+    if (lacks_extension()) return false;  // the likely cause of the error
+    fail(errors.empty() ? "the file is not a glTF 2 model" : errors);
     return false;
   }
 
@@ -230,7 +230,7 @@ class Loader {
   bool is_understood() {
     const std::string& version = file_.model.asset.version;
     if (version != "2" && !version.starts_with("2.")) {
-      fail(fmt::format("the file is glTF {}, and glTF 2 alone is read", version));
+      fail(fmt::format("the file is glTF {}, and only glTF 2 can be read", version));
       return false;
     }
     if (lacks_extension()) return false;
@@ -241,7 +241,7 @@ class Loader {
     if (!passed_over.empty()) {
       diagnostics_.warning(
           location_,
-          fmt::format("{} passed over: {}", counted(passed_over.size(), "extension was", "extensions were"),
+          fmt::format("{} skipped: {}", counted(passed_over.size(), "extension was", "extensions were"),
                       listed(passed_over)));
     }
     return true;
@@ -258,8 +258,7 @@ class Loader {
       const auto& data = file_.model.buffers.front().data;
       buffer = {reinterpret_cast<const char*>(data.data()), data.size()};
     }
-    while (json.ends_with(' ') || json.ends_with('\n'))
-      json.remove_suffix(1);  // what fills up its part of a file
+    while (json.ends_with(' ') || json.ends_with('\n')) json.remove_suffix(1);  // padding of the chunk
     file_.is_unchanged_grf = stated == check_of(std::string(json), buffer);
     if (!file_.is_unchanged_grf) {
       diagnostics_.warning(

@@ -1,4 +1,4 @@
-// A glTF file as tinygltf sees it. This header alone includes tinygltf, for the reader's files in this
+// A glTF file as loaded by tinygltf. Only this header includes tinygltf, for the reader's files in this
 // folder.
 #pragma once
 
@@ -16,17 +16,17 @@ namespace convert {
 struct GltfFile {
   std::string path;
   tinygltf::Model model;
-  std::size_t bytes = 0;  ///< of the file and its buffers: what bears out how much it may ask for
-  /// Its extras hold a scene of GRF, and nothing was changed since that was written.
+  std::size_t bytes = 0;  ///< size of the file and its buffers, which limits the work that it may cause
+  /// Whether its extras hold a scene of GRF and the file was not changed since they were written.
   bool is_unchanged_grf = false;
 };
 
-/// Reads a `.gltf` or `.glb` file (told by its first bytes) and its buffers, not its images. Nothing is
-/// returned after an error: a file that is no glTF 2, a buffer that is missing or too short, an extension
-/// that is required and not known. Accessors, views and indices are not checked: see `GltfAccessors`.
+/// Loads a `.gltf` or `.glb` file (detected from its first bytes) and its buffers, not its images. Returns
+/// nothing after an error: a file that is not glTF 2, a buffer that is missing or too short, a required but
+/// unsupported extension. Accessors, views and indices are not validated: see `GltfAccessors`.
 std::optional<GltfFile> load_gltf(const std::string& path, grf::Diagnostics& diagnostics);
 
-/// The four bytes that a GLB file begins with.
+/// The magic number of a GLB file, its first four bytes.
 inline constexpr std::string_view GlbMagic = "glTF";
 
 }  // namespace convert

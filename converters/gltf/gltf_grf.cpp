@@ -13,7 +13,7 @@ namespace {
 
 using tinygltf::Value;
 
-/// Fills one mesh with its lists.
+/// Restores the lists of one mesh.
 class ListReader {
  public:
   ListReader(const GltfMeshLists& lists, const grf::Mesh& stub, GltfAccessors& accessors)
@@ -175,7 +175,7 @@ std::optional<grf::Scene> read_grf_extras(const GltfFile& file, GltfAccessors& a
   const Value& extras = file.model.extras.Get("grf");
   if (!extras.Has("scene") || !extras.Get("scene").IsString())
     return accessors.fail("the extras have no scene");
-  // Lines of the scene are none of the file's.
+  // Line numbers in the scene's text are not those of the file.
   auto scene = grf::read_text(extras.Get("scene").Get<std::string>(), file.path + "#grf", diagnostics);
   if (!scene) return std::nullopt;
   const Value none;

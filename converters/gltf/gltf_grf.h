@@ -1,5 +1,5 @@
-// The scene of GRF that a glTF file of ours carries in its extras: all that glTF cannot say. Its text stands
-// there as GRF, but for the lists of meshes, which are accessors.
+// The GRF scene that our glTF files carry in their extras, for all that glTF cannot represent. It is GRF
+// text, except for the lists of meshes, which are accessors.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,32 @@
 
 namespace convert {
 
-/// A mesh with the same name, comments and surfaces, but one triangle for each surface that faces have.
+/// Returns a mesh with the same name, comments and surfaces, but only one triangle per surface that faces
+/// use.
 grf::Mesh without_lists(const grf::Mesh& mesh);
 
-/// Where the lists of a mesh are in a file, as members of an object in its extras. Accessors are absent where
-/// there is nothing to say.
+/// The accessors of the lists of a mesh, as members of an object in the extras. Accessors with no information
+/// are absent.
 struct GltfMeshLists {
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::optional<int> positions, normals, colours, uvs;
-  std::optional<int> present;  ///< a byte a vertex, bits as below; absent: all vertices have what some have
-  std::optional<int> irradiance;                              ///< an RGB value a vertex
-  std::optional<int> ray_counts, ray_directions, ray_values;  ///< the first an integer a vertex
+  std::optional<int> present;  ///< a byte per vertex, bits as below; absent: attributes are on all vertices
+  std::optional<int> irradiance;                              ///< an RGB value per vertex
+  std::optional<int> ray_counts, ray_directions, ray_values;  ///< the first an integer per vertex
   std::optional<int> corners;
-  std::optional<int> sizes;     ///< corners of each face; absent: 3
-  std::optional<int> surfaces;  ///< of each face, the place of its triangle in `without_lists`; absent: 0
+  std::optional<int> sizes;     ///< corners per face; absent: 3
+  std::optional<int> surfaces;  ///< per face, the index of its triangle in `without_lists`; absent: 0
 };
 
-// Bits of what a vertex has.
+// Bits of the attributes of a vertex.
 inline constexpr unsigned HasNormal = 1;
 inline constexpr unsigned HasColour = 2;
 inline constexpr unsigned HasUv = 4;
 inline constexpr unsigned HasIrradiance = 8;
 inline constexpr unsigned HasRays = 16;
 
-/// Calls `member` with the name and the place of each accessor.
+/// Calls `member` with the name and the index of each accessor.
 template <class Lists, class Member>
 void for_each_list(Lists& lists, const Member& member) {
   member("positions", lists.positions);
@@ -52,7 +53,7 @@ void for_each_list(Lists& lists, const Member& member) {
   member("surfaces", lists.surfaces);
 }
 
-/// The scene in the extras of a file that was not changed since. Nothing is returned after an error.
+/// Reads the scene in the extras of an unchanged file. Returns nothing after an error.
 std::optional<grf::Scene> read_grf_extras(const GltfFile& file, GltfAccessors& accessors,
                                           grf::Diagnostics& diagnostics);
 

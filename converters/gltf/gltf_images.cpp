@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name for a file without what file systems and shells take for something else.
+/// Returns a file name without characters that are special to file systems and shells.
 std::string plain_name(std::string_view name) {
   std::string plain;
   for (const char c : name) {
@@ -40,7 +40,7 @@ int hex_digit(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/// The image that an extension of a texture names, for programs that know its kind of image.
+/// Returns the image that a texture's extension names, for programs that support its format.
 int source_of(const tinygltf::Texture& texture) {
   if (texture.source >= 0) return texture.source;
   for (const auto& [name, extension] : texture.extensions) {

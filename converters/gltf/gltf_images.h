@@ -14,30 +14,30 @@
 
 namespace convert {
 
-/// Names of their own for the images inside a file, good for files in one folder.
+/// Unique file names for embedded images, within one folder.
 class ImageNames {
  public:
-  /// The name with the extension (with a dot) of the image's kind, and with `_2` and so on before that where
-  /// it was taken before. A name that came from here stays as it is.
+  /// Returns the name with the image's extension (with a dot), preceded by `_2` and so on if the name was
+  /// taken before. Names returned from here stay unchanged.
   std::string take(std::string_view wanted, std::string_view extension);
 
  private:
-  // Some file systems know no case.
+  // Some file systems are case-insensitive.
   grf::UniqueNames names_{grf::UniqueNames::Case::Ignored};
 };
 
-/// The images of a glTF file: files beside it, or bytes inside it that become files of their own.
+/// The images of a glTF file: files beside it, or embedded bytes that are extracted to files.
 class GltfImages {
  public:
   GltfImages(const GltfFile& file, GltfAccessors& accessors) : file_(file), accessors_(accessors) {}
 
-  /// Takes the embedded images out of the file; false after an error.
+  /// Extracts the embedded images of the file; returns false after an error.
   bool load();
 
-  /// The image of a texture of the file by the name under which a scene has it, or nothing.
+  /// Returns the image of a texture of the file, by its name in the scene, or nothing.
   std::optional<grf::Texture> texture(int index) const;
 
-  /// Whether lookups outside the image repeat it, as GRF's do.
+  /// Returns whether the texture's wrap mode is repeat, as in GRF.
   bool repeats(int texture) const;
 
   std::vector<EmbeddedFile> take_files() { return std::move(embedded_); }
@@ -47,15 +47,15 @@ class GltfImages {
 
   const GltfFile& file_;
   GltfAccessors& accessors_;
-  std::vector<std::string> names_;  ///< of each image
+  std::vector<std::string> names_;  ///< by image
   ImageNames free_names_;
   std::vector<EmbeddedFile> embedded_;
 };
 
-/// What kind of image the bytes are, as the extension of a file with a dot; empty if that is not known.
+/// Detects the format of an image from its bytes, as a file extension with a dot; empty if unknown.
 std::string_view image_extension(std::string_view bytes);
 
-/// A name as a URI has it, and back (RFC 3986, section 2.1).
+/// Percent-encodes a name as a URI, and decodes it (RFC 3986, section 2.1).
 std::string to_uri(std::string_view path);
 std::string from_uri(std::string_view uri);
 

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-/// glTF has no number under 0 or over 1 here.
+/// Clamps a factor to glTF's range, 0 to 1.
 double in_unit(double x) { return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0.0; }
 
 json factors(const grf::Vec3d& v) {
@@ -47,15 +47,15 @@ void emit(json& material, json& root, const grf::Colour& radiance) {
   extend(material, root, "KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
 }
 
-/// What `GltfMaterialWriter::material` writes of a surface.
+/// The table of conversions by `GltfMaterialWriter::material`.
 constexpr std::array<MaterialRule, 6> GltfWriterRules = {{
-    {"a matte part m under a highlight g", "D = m/(1 - g) and F0 = g, solved for base colour and metallic",
-     "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
+    {"a diffuse lobe m under a glossy lobe g",
+     "D = m/(1 - g) and F0 = g, solved for base colour and metallic", "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 0, "
      "\"roughnessFactor\": 0.5}",
      ""},
-    {"the highlight's exponent h", "`roughnessFactor` = (2/(h + 2))^(1/4); 0 for a mirror",
-     "brdf specular ks=0.5",
+    {"the glossy lobe's exponent h",
+     "`roughnessFactor` = (2/(h + 2))^(1/4); 0 for perfect specular reflection", "brdf specular ks=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 1, "
      "\"roughnessFactor\": 0}",
      ""},
@@ -75,7 +75,7 @@ constexpr std::array<MaterialRule, 6> GltfWriterRules = {{
      "\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}", ""},
 }};
 
-/// The name under which people know the surface: that of its BRDF's definition, or the model's.
+/// Returns the name of a surface's material: that of its BRDF's definition, or the model's.
 std::string name_of(const grf::Surface& surface) {
   if (!surface.brdf) return surface.emission ? "light" : "";
   if (const auto* reference = std::get_if<grf::Reference>(&*surface.brdf)) {
@@ -111,7 +111,7 @@ int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& 
     const int place = texture(resolved.texture->file);
     if (place >= 0) pbr["baseColorTexture"] = {{"index", place}};
   }
-  // Else what is matte would reflect 0.04 as well.
+  // Without this, diffuse materials would have a specular reflectance of 0.04.
   if (facets.specular == grf::Vec3d(0)) {
     extend(material, document_.json(), "KHR_materials_specular", {{"specularFactor", 0}});
   }
@@ -183,8 +183,8 @@ void GltfMaterialWriter::report() const {
                                      counted(files.size(), one, many), listed(paths)));
   };
   warn(unreadable_, "image cannot be read", "images cannot be read");
-  warn(unknown_, "image is neither PNG nor JPEG, all that glTF has",
-       "images are neither PNG nor JPEG, all that glTF has");
+  warn(unknown_, "image is neither PNG nor JPEG, the formats of glTF",
+       "images are neither PNG nor JPEG, the formats of glTF");
 }
 
 std::span<const MaterialRule> gltf_material_writer_rules() { return GltfWriterRules; }

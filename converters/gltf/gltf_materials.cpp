@@ -16,7 +16,7 @@ namespace {
 
 using tinygltf::Value;
 
-/// A member of an extension as a number, if it is a finite one.
+/// Returns a member of an extension as a number, if it is finite.
 double number(const Value& object, const std::string& name, double otherwise) {
   if (!object.Has(name) || !object.Get(name).IsNumber()) return otherwise;
   const double value = object.Get(name).GetNumberAsDouble();
@@ -37,7 +37,7 @@ std::array<double, Size> numbers(const Value& object, const std::string& name,
 grf::Vec3d to_vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 grf::Vec3d first_three(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// The texture that a member of an extension names; -1 if it names none.
+/// Returns the texture that a member of an extension names; -1 if there is none.
 int texture_index(const Value& extension, const std::string& name) {
   if (!extension.Has(name) || !extension.Get(name).Has("index")) return -1;
   const Value& index = extension.Get(name).Get("index");
@@ -62,7 +62,7 @@ TextureLookup lookup_of(int set, const Value* transform) {
 
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
-/// What `Reading` reads, and the mapping makes of it.
+/// The table of conversions by `Reading` and the mapping.
 constexpr std::array<MaterialRule, 15> GltfRules = {{
     {"metallic = 1, or D = 0 of specular-glossiness", "`torrance rough=a nreal=1 nimag=100 ks=F0 kd=0`",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"roughnessFactor\": 0.5}",
@@ -79,7 +79,7 @@ constexpr std::array<MaterialRule, 15> GltfRules = {{
      "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}}, \"pbrMetallicRoughness\": {\"metallicFactor\": "
      "0, \"roughnessFactor\": 0.5}",
      "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
-    {"`KHR_materials_pbrSpecularGlossiness`", "read in place of metallic-roughness",
+    {"`KHR_materials_pbrSpecularGlossiness`", "read instead of metallic-roughness",
      "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"specularFactor\": [0.25, 0.25, 0.25], "
      "\"glossinessFactor\": 0.5}}",
      "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
@@ -89,7 +89,7 @@ constexpr std::array<MaterialRule, 15> GltfRules = {{
      "diffuse kd=1", ""},
     {"`KHR_materials_unlit`", "`diffuse kd=D`, lost",
      "\"extensions\": {\"KHR_materials_unlit\": {}}, \"pbrMetallicRoughness\": {\"metallicFactor\": 0}",
-     "diffuse kd=1", "without light"},
+     "diffuse kd=1", "unlit shading"},
     {"`baseColorTexture`", "`texture`, which multiplies all of the BRDF",
      "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\": {\"index\": 0}}",
      "ashikhmin ex=0 Rs=0.04 Rd=1 texture \"wood.png\"", ""},
@@ -106,13 +106,13 @@ constexpr std::array<MaterialRule, 15> GltfRules = {{
      "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "normal map"},
     {"other extensions", "lost", "\"extensions\": {\"KHR_materials_sheen\": {}}",
      "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "what KHR_materials_sheen says"},
-    {"`extras` with a BRDF, and the values that were written with it", "that very BRDF",
+    {"`extras` with a BRDF, and the values that were written with it", "exactly that BRDF",
      "\"extras\": {\"grf\": {\"brdf\": \"oren r=0.5\"}}, \"pbrMetallicRoughness\": {\"baseColorFactor\": "
      "[0.5, 0.5, 0.5, 1], \"metallicFactor\": 0}",
      "oren r=0.5", ""},
 }};
 
-/// Makes of one material of the file what the mapping takes.
+/// Converts one material of the file to the input of the mapping.
 class Reading {
  public:
   Reading(const tinygltf::Material& source, const GltfImages& images) : source_(source), images_(images) {}
@@ -137,7 +137,7 @@ class Reading {
 
   const TextureLookup& lookup() const { return lookup_; }
 
-  /// The BRDF of GRF in the extras of the material; nothing if there is none or it does not fit.
+  /// Returns the BRDF of GRF in the extras of the material; nothing if there is none or it does not match.
   std::optional<grf::BrdfModel> exact_brdf(grf::Colour& colour) const {
     const Value& extras = grf_extras();
     if (!extras.Has("brdf") || !extras.Get("brdf").IsString()) return std::nullopt;
@@ -151,7 +151,7 @@ class Reading {
   bool has_exact_brdf() const { return grf_extras().Has("brdf"); }
   bool has_exact_colour() const { return grf_extras().Has("rgb"); }
 
-  /// Extensions of which nothing is kept.
+  /// Collects unsupported extensions.
   std::vector<std::string> lost_extensions() const {
     std::vector<std::string> lost;
     for (const auto& [name, extension] : source_.extensions) {
@@ -166,7 +166,7 @@ class Reading {
  private:
   const Value& grf_extras() const { return source_.extras.Has("grf") ? source_.extras.Get("grf") : nothing_; }
 
-  // Whether the material is still what would be written for the BRDF.
+  // The material is unchanged if it is what would be written for the BRDF.
   bool fits(const grf::BrdfModel& brdf, const grf::Vec3d& colour) const {
     constexpr double Rounding = 3e-6;
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
@@ -223,7 +223,7 @@ class Reading {
     if (texture_index(glossiness, "specularGlossinessTexture") >= 0) lose(Loss::OtherMap);
   }
 
-  // KHR_materials_ior and KHR_materials_specular.
+  // Reads KHR_materials_ior and KHR_materials_specular.
   grf::Vec3d dielectric() {
     grf::Vec3d reflectance(0.04);
     if (const Value* ior = extension_of(source_, "ior")) {
@@ -253,7 +253,7 @@ class Reading {
     if (!images_.repeats(texture)) lose(Loss::TextureWrap);
   }
 
-  // What a map of emission leaves dark is most of it as a rule: such faces do not shine at all.
+  // An emissive map is mostly dark as a rule: such faces do not emit at all.
   void read_emission() {
     if (source_.emissiveFactor.size() != 3) return;
     const grf::Vec3d factor = first_three(source_.emissiveFactor);

@@ -17,9 +17,9 @@
 
 namespace convert {
 
-/// How the texture coordinates of a primitive become those of its image (KHR_texture_transform).
+/// The transform from a primitive's texture coordinates to those of its image (KHR_texture_transform).
 struct TextureLookup {
-  int set = 0;  ///< which TEXCOORD
+  int set = 0;  ///< index of TEXCOORD
   std::array<double, 2> offset = {0, 0};
   double rotation = 0;  ///< radians
   std::array<double, 2> scale = {1, 1};
@@ -32,14 +32,14 @@ class GltfMaterials {
  public:
   GltfMaterials(const GltfFile& file, const GltfImages& images, DefinitionNames& names);
 
-  /// The surface of so many faces with the material (-1: none), whose losses are counted.
+  /// Returns the surface of a material (-1: none) for a number of faces, and counts their losses.
   grf::Surface surface(int material, std::size_t faces, Losses& losses);
   TextureLookup lookup(int material) const;
 
-  /// Whether there is such a material, or the index means that there is none.
+  /// Returns whether the material exists, or the index means no material.
   bool has(int material) const { return material < static_cast<int>(lookups_.size()); }
 
-  /// Warns of what the materials lose that is no kind of `Loss`, a line an extension.
+  /// Warns about ignored material extensions, one line per extension.
   void report(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const;
   std::vector<grf::Definition> definitions() const { return materials_.definitions(); }
 
@@ -49,13 +49,13 @@ class GltfMaterials {
   const GltfFile& file_;
   const GltfImages& images_;
   Materials materials_;
-  std::vector<std::string> changed_;  ///< materials whose extras no longer fit
+  std::vector<std::string> changed_;  ///< materials whose extras no longer match
   std::vector<TextureLookup> lookups_;
-  std::vector<std::vector<std::string>> lost_extensions_;  ///< of each material
-  std::map<std::string, std::size_t> lost_;                ///< faces of each extension
+  std::vector<std::vector<std::string>> lost_extensions_;  ///< by material
+  std::map<std::string, std::size_t> lost_;                ///< number of faces by extension
 };
 
-/// What becomes of materials that are read.
+/// Returns the table of conversions of materials that are read.
 std::span<const MaterialRule> gltf_material_rules();
 
 }  // namespace convert

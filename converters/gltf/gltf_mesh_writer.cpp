@@ -28,17 +28,17 @@ bool are_alike(const std::vector<T>& a, const std::vector<T>& b) {
   });
 }
 
-/// Of unit length, or nothing where there is no direction.
+/// Normalizes a vector; returns nothing if it is zero.
 std::optional<grf::Vec3f> unit(const grf::Vec3f& v) {
   const grf::Vec3d wide(v);
   const double length = std::sqrt(wide.dot(wide));
   if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-  // What is of unit length but for rounding stays as it is.
+  // Vectors of unit length up to rounding stay unchanged.
   constexpr double Rounding = 1e-6;
   return std::abs(length - 1) <= Rounding ? v : grf::Vec3f(wide / length);
 }
 
-/// What a primitive has in common.
+/// The key of a primitive.
 struct Part {
   int material = -1;
   bool smooth = false;  ///< all corners have normals
@@ -116,15 +116,15 @@ class MeshWriter {
     if (accessor) attributes_["COLOR_0"] = *accessor;
   }
 
-  /// Writes what glTF allows as an attribute, if there are faces for it, and gives where the exact values
-  /// are.
+  /// Writes values that glTF allows as a vertex attribute, if there are faces, and returns the accessor of
+  /// the exact values.
   int write(const std::vector<grf::Vec3f>& exact, const std::vector<grf::Vec3f>& allowed,
             std::optional<int>& attribute) {
     if (has_faces()) attribute = document_.add(allowed, Use::Vertices);
     return attribute && are_alike(exact, allowed) ? *attribute : document_.add(exact, Use::Data);
   }
 
-  // The axis that points up in GRF points down in glTF, and turning it rounds.
+  // The v axis points up in GRF and down in glTF, and flipping it rounds.
   void write_uvs() {
     const auto exact = filled(mesh_.geometry->uvs, grf::Vec2f(0));
     lists_.uvs = document_.add(exact, Use::Data);
@@ -185,7 +185,7 @@ class MeshWriter {
     std::vector<std::optional<int>> materials(mesh_.surfaces.size());
     std::map<Part, std::size_t> places;
     std::vector<Part> parts;
-    std::vector<std::vector<std::uint32_t>> corners;  // of triangles
+    std::vector<std::vector<std::uint32_t>> corners;  // corners of triangles
     for (std::size_t i = 0; i < mesh_.face_count(); ++i) {
       auto& material = materials[(*mesh_.surface_of_face)[i]];
       if (!material) material = material_of_(mesh_.surface(i));
@@ -259,7 +259,7 @@ class MeshWriter {
   json attributes_ = json::object();
   std::optional<int> normal_accessor_;
   std::vector<bool> has_normal_;
-  std::optional<int> last_indices_;  ///< of the one primitive, if there is one alone
+  std::optional<int> last_indices_;  ///< indices of the primitive, if there is only one
   bool has_rays_ = false;
 };
 

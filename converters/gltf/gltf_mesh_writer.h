@@ -7,14 +7,14 @@
 
 namespace convert {
 
-/// A mesh as it was written.
+/// A mesh that was written.
 struct WrittenMesh {
-  int mesh = -1;         ///< its place among the document's meshes; -1: it has no faces
-  nlohmann::json lists;  ///< where its lists are (`GltfMeshLists`)
+  int mesh = -1;         ///< index of the document's mesh; -1: it has no faces
+  nlohmann::json lists;  ///< accessors of its lists (`GltfMeshLists`)
 };
 
-/// Writes a mesh: a primitive for each surface, of triangles, and what those do not say of its polygons and
-/// vertices in lists of its own. `material_of` gives the material of one of its surfaces.
+/// Writes a mesh: a primitive of triangles per surface, and additional lists for its polygons and vertices.
+/// `material_of` returns the material of one of its surfaces.
 WrittenMesh write_mesh(const grf::Mesh& mesh, const std::string& name,
                        const std::function<int(const grf::Surface&)>& material_of, GltfDocument& document);
 

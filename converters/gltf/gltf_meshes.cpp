@@ -14,13 +14,13 @@ namespace {
 
 constexpr auto Unused = std::numeric_limits<std::uint32_t>::max();
 
-/// Vertices that primitives share, and which of them faces use.
+/// Vertices that primitives share, with flags of those in use.
 struct Block {
   GltfVertices vertices;
   std::vector<bool> used;
 };
 
-/// The corners of one primitive in the mesh, still indices into its block.
+/// The corners of one primitive in the mesh, as indices into its block of vertices.
 struct Run {
   std::size_t block = 0;
   std::size_t begin = 0;
@@ -53,7 +53,7 @@ class MeshReader {
       return false;
     }
     const auto position = primitive.attributes.find("POSITION");
-    // Section 3.7.2.1: such a primitive has no shape.
+    // Section 3.7.2.1: a primitive without positions has no geometry.
     if (position == primitive.attributes.end()) return true;
     const std::size_t vertices = accessors_.count(position->second);
     std::optional<std::vector<std::uint32_t>> indices;
@@ -78,7 +78,7 @@ class MeshReader {
     return true;
   }
 
-  /// Counts what points and lines are lost.
+  /// Counts lost points and lines.
   bool has_faces(int mode, std::size_t corners) {
     switch (mode) {
       case TINYGLTF_MODE_POINTS:
@@ -152,7 +152,7 @@ class MeshReader {
     return true;
   }
 
-  /// Section 3.7.2.1: every second triangle of a strip is turned round.
+  /// Adds a triangle strip, in which every second triangle has the opposite winding (section 3.7.2.1).
   static std::array<std::size_t, 3> corners_of_face(int mode, std::size_t face) {
     if (mode == TINYGLTF_MODE_TRIANGLES) return {3 * face, 3 * face + 1, 3 * face + 2};
     if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {face + 1, face + 2, 0};
@@ -160,7 +160,7 @@ class MeshReader {
   }
 
   void reserve(std::size_t faces) {
-    if (runs_.size() > 1) return;  // then arrays grow by themselves, to twice their size
+    if (runs_.size() > 1) return;  // then arrays grow by doubling
     mesh_.corners.reserve(3 * faces);
     mesh_.face_offsets.reserve(faces + 1);
     mesh_.surface_of_face.reserve(faces);
@@ -185,8 +185,8 @@ class MeshReader {
     mesh_.free_spare_memory();
   }
 
-  /// Puts the used vertices of a block behind those of the mesh, and says where each has come; nothing if
-  /// they are where they were.
+  /// Appends the used vertices of a block to the mesh, and returns their new indices; nothing if they are
+  /// unchanged.
   std::vector<std::uint32_t> place(Block& block) {
     const GltfVertices& from = block.vertices;
     const std::size_t count = from.positions.size();

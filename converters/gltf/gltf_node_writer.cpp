@@ -19,10 +19,10 @@ using Kind = grf::TransformStep::Kind;
 
 json numbers(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-/// A turn as a unit quaternion (x, y, z, w).
+/// A rotation as a unit quaternion (x, y, z, w).
 using Quaternion = std::array<double, 4>;
 
-/// The turn a, then b.
+/// Composes rotations: a, then b.
 Quaternion product(const Quaternion& b, const Quaternion& a) {
   return {b[3] * a[0] + b[0] * a[3] + b[1] * a[2] - b[2] * a[1],
           b[3] * a[1] - b[0] * a[2] + b[1] * a[3] + b[2] * a[0],
@@ -30,7 +30,7 @@ Quaternion product(const Quaternion& b, const Quaternion& a) {
           b[3] * a[3] - b[0] * a[0] - b[1] * a[1] - b[2] * a[2]};
 }
 
-/// Angles about x, then y, then z.
+/// Converts Euler angles about x, then y, then z.
 Quaternion quaternion_of(const grf::Vec3f& angles) {
   Quaternion turn = {0, 0, 0, 1};
   for (int axis = 0; axis < 3; ++axis) {
@@ -44,8 +44,8 @@ Quaternion quaternion_of(const grf::Vec3f& angles) {
   return turn;
 }
 
-/// What one node can say of a list of steps: a scale, then a turn, then an offset, none of them twice. A node
-/// has no shear, and so a list may need several.
+/// The steps that one node can represent: a scale, then a rotation, then a translation, each at most once. A
+/// node has no shear, and so a list may need several nodes.
 struct NodeTransform {
   std::array<const grf::TransformStep*, 3> steps = {};
 
@@ -66,7 +66,7 @@ struct NodeTransform {
 static_assert(static_cast<int>(Kind::Scale) == 0 && static_cast<int>(Kind::Rotation) == 1 &&
               static_cast<int>(Kind::Translation) == 2);
 
-/// The innermost first.
+/// Splits a list of steps into nodes, the innermost first.
 std::vector<NodeTransform> node_transforms(const std::vector<grf::TransformStep>& steps) {
   std::vector<NodeTransform> nodes(1);
   for (const grf::TransformStep& step : steps) {
@@ -103,7 +103,7 @@ void GltfNodeWriter::write(const grf::AreaLight& light, Nodes& nodes) {
   grf::MeshDraft mesh;
   mesh.positions = {light.corner, light.corner + light.edge1, light.corner + light.edge1 + light.edge2,
                     light.corner + light.edge2};
-  // glTF has no infinity: a corner beyond the largest float stands there.
+  // glTF has no infinity: a corner out of the range of a float is clamped to the largest float.
   constexpr float Largest = std::numeric_limits<float>::max();
   for (grf::Vec3f& position : mesh.positions) {
     for (int k = 0; k < 3; ++k) position[k] = std::clamp(position[k], -Largest, Largest);
@@ -111,7 +111,7 @@ void GltfNodeWriter::write(const grf::AreaLight& light, Nodes& nodes) {
   constexpr std::array<std::uint32_t, 4> Corners = {0, 1, 2, 3};
   mesh.add_face(Corners, 0);
   const grf::Colour radiance = light.radiance.value_or(grf::Colour(1));
-  // Its lists are of no use: the light stands in the scene's text.
+  // Its lists are not needed: the light is in the scene's text.
   const WrittenMesh written = write_mesh(
       grf::Mesh(std::move(mesh)), "light",
       [&](const grf::Surface&) { return materials_.light_material(radiance); }, document_);
@@ -150,7 +150,7 @@ void GltfNodeWriter::write(const grf::Use& use, Nodes& nodes) {
 int GltfNodeWriter::add_mesh(const grf::Mesh& mesh, const std::string& name) {
   const grf::Scope scope = scope_.scope();
   const auto material_of = [&](grf::Surface surface) {
-    // glTF has no image without texture coordinates; GRF looks up one place of it.
+    // glTF has no texture without texture coordinates; GRF uses a single texel.
     if (mesh.geometry->uvs.empty()) surface.texture.reset();
     return materials_.material(surface, scope);
   };

@@ -11,17 +11,17 @@
 
 namespace convert {
 
-/// Writes the blocks of a scene without includes as nodes: a node for each mesh and light, and one or more
-/// around them for a transform.
+/// Writes the blocks of a scene without includes as nodes: a node per mesh and light, and one or more parent
+/// nodes per transform.
 class GltfNodeWriter {
  public:
   GltfNodeWriter(GltfDocument& document, GltfMaterialWriter& materials)
       : document_(document), materials_(materials) {}
 
-  /// The places of the nodes that blocks became.
+  /// Writes blocks and returns the indices of their nodes.
   std::vector<int> write(const grf::BlockList& list);
 
-  /// The lists of all meshes, in the order of the scene's text.
+  /// Moves out the lists of all meshes, in the order of the scene's text.
   nlohmann::json take_lists() { return std::move(lists_); }
 
  private:
@@ -43,7 +43,7 @@ class GltfNodeWriter {
   GltfMaterialWriter& materials_;
   grf::ScopeStack scope_;
   nlohmann::json lists_ = nlohmann::json::array();
-  std::unordered_map<const grf::Definition*, int> meshes_;  ///< of definitions
+  std::unordered_map<const grf::Definition*, int> meshes_;  ///< by definition
 };
 
 }  // namespace convert

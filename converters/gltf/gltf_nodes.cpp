@@ -21,8 +21,8 @@ bool is_finite(const Matrix44d& matrix) {
   return true;
 }
 
-// Columns of glTF are rows here: vectors stand on the other side of the matrix, so that the numbers keep
-// their places.
+// glTF's matrices are column-major for column vectors, so that the numbers are in the same order for row
+// vectors.
 template <class Numbers>
 Matrix44d matrix_of(const Numbers& numbers) {
   Matrix44d matrix;
@@ -33,7 +33,7 @@ Matrix44d matrix_of(const Numbers& numbers) {
   return matrix;
 }
 
-/// Of a quaternion of any length but zero.
+/// Converts a non-zero quaternion of any length to a matrix.
 Matrix44d rotation_of(const std::vector<double>& q) {
   const double squared = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   Matrix44d matrix;
@@ -55,7 +55,7 @@ Matrix44d rotation_of(const std::vector<double>& q) {
   return matrix;
 }
 
-/// Nothing if an array has another length than it should.
+/// Returns the transform of a node; nothing if an array has a wrong length.
 std::optional<Matrix44d> local_matrix(const tinygltf::Node& node) {
   const auto has_length = [](const std::vector<double>& values, std::size_t length) {
     return values.empty() || values.size() == length;
@@ -86,7 +86,7 @@ bool GltfNodes::find_parents() {
     for (const int child : nodes[i].children) {
       if (!exists(child)) return accessors_.fail(fmt::format("there is no node {}", child)), false;
       int& parent = parents_[static_cast<std::size_t>(child)];
-      if (parent >= 0) return accessors_.fail(fmt::format("node {} stands in two others", child)), false;
+      if (parent >= 0) return accessors_.fail(fmt::format("node {} has two parents", child)), false;
       parent = static_cast<int>(i);
     }
   }
@@ -94,7 +94,7 @@ bool GltfNodes::find_parents() {
     int depth = 0;
     for (int node = static_cast<int>(i); node >= 0; node = parents_[static_cast<std::size_t>(node)]) {
       if (++depth > Deepest) {
-        accessors_.fail(fmt::format("node {} stands in itself, or in more than {} others", i, Deepest));
+        accessors_.fail(fmt::format("node {} is its own ancestor, or is nested deeper than {}", i, Deepest));
         return false;
       }
     }
@@ -118,11 +118,11 @@ bool GltfNodes::find_roots() {
   }
   std::sort(roots_.begin(), roots_.end());
   const bool twice = std::adjacent_find(roots_.begin(), roots_.end()) != roots_.end();
-  if (twice) return accessors_.fail("a node stands twice in its scene"), false;
+  if (twice) return accessors_.fail("a node is twice a root of its scene"), false;
   roots_ = model.scenes[scene].nodes;
   const auto is_child = [this](int node) { return parents_[static_cast<std::size_t>(node)] >= 0; };
   if (std::any_of(roots_.begin(), roots_.end(), is_child)) {
-    return accessors_.fail("a node stands in its scene, and in another node"), false;
+    return accessors_.fail("a node is a root of its scene, and a child of another node"), false;
   }
   return true;
 }
@@ -132,7 +132,7 @@ bool GltfNodes::find_transforms() {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto matrix = local_matrix(nodes[i]);
     if (!matrix || !is_finite(*matrix) || !is_affine(*matrix)) {
-      return accessors_.fail(fmt::format("node {} has a transform that is none", i)), false;
+      return accessors_.fail(fmt::format("node {} has an invalid transform", i)), false;
     }
     to_parent_.push_back(*matrix);
   }

@@ -23,7 +23,7 @@
 namespace convert {
 namespace {
 
-/// What nodes share that use the same mesh in the same pose.
+/// The key of instances: nodes with the same mesh in the same pose.
 struct Form {
   int mesh = -1;
   std::vector<double> weights;
@@ -31,17 +31,17 @@ struct Form {
   auto operator<=>(const Form&) const = default;
 };
 
-/// A form that several nodes use becomes a definition.
+/// A mesh in a pose, which becomes a definition if several nodes use it.
 struct Shape {
   std::size_t uses = 0;
-  std::string name;  ///< of the definition; empty: its mesh has no faces
+  std::string name;  ///< name of the definition; empty: its mesh has no faces
 };
 
-/// Text that stands on one line of a GRF file.
+/// Converts a text to one line, for a GRF file.
 std::string on_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-  // The one thing that a name cannot have is plain and typographic quotes at once.
+  // A name cannot have both plain and typographic quotes.
   if (text.find("“") != std::string::npos || text.find("”") != std::string::npos) {
     std::replace(text.begin(), text.end(), '"', '\'');
   }
@@ -70,7 +70,7 @@ class SceneReader {
     }
     std::move(skinned_.begin(), skinned_.end(), std::back_inserter(blocks));
     report();
-    if (blocks.empty()) return accessors_.fail("the file has no faces, and nothing else can be kept");
+    if (blocks.empty()) return accessors_.fail("the file has no faces, and only faces can be imported");
     std::vector<grf::Definition> definitions = materials_.definitions();
     std::move(shared_.begin(), shared_.end(), std::back_inserter(definitions));
     return scene_of(std::move(definitions), std::move(blocks), location_);
@@ -83,7 +83,7 @@ class SceneReader {
     return node.mesh < 0 || index >= file_.model.meshes.size() ? nullptr : &file_.model.meshes[index];
   }
 
-  // Weights say nothing of a mesh without targets.
+  // Weights are ignored for a mesh without morph targets.
   Form form_of(const tinygltf::Node& node) const {
     const tinygltf::Mesh* mesh = mesh_of(node);
     if (mesh == nullptr) return {node.mesh, {}};
@@ -124,7 +124,7 @@ class SceneReader {
     return blocks;
   }
 
-  /// With room for what floats make of it.
+  /// The tolerance allows for float rounding.
   static bool has_inverse(const grf::Matrix44d& matrix) {
     const double volume = matrix.determinant();
     if (!std::isfinite(volume) || volume == 0) return false;
@@ -149,8 +149,8 @@ class SceneReader {
     return true;
   }
 
-  // Section 3.7.3.1: joints say where such a mesh is, and the transforms of its node and of those around it
-  // say nothing.
+  // Section 3.7.3.1: joints place a skinned mesh, and the transforms of its node and of ancestors are
+  // ignored.
   bool read_skinned(const tinygltf::Node& source, const tinygltf::Mesh& mesh, Form form) {
     auto joints = nodes_.joints(source.skin);
     if (!joints) return false;
@@ -213,7 +213,7 @@ class SceneReader {
     }
     if (unplaced.empty()) return;
     diagnostics_.warning(location_,
-                         fmt::format("{} left out that the scene has no place for: {}",
+                         fmt::format("{} left out that no node of the scene uses: {}",
                                      counted(unplaced.size(), "mesh was", "meshes were"), listed(unplaced)));
   }
 

@@ -7,7 +7,7 @@
 
 namespace convert {
 
-/// Reads a `.gltf` or `.glb` file: the scene of GRF in its extras if that still holds, else what glTF says.
+/// Reads a `.gltf` or `.glb` file: the GRF scene in its extras if the file is unchanged, else the glTF scene.
 std::optional<Import> read_gltf(const std::string& path, const ReadOptions& options,
                                 grf::Diagnostics& diagnostics);
 

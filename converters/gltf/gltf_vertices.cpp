@@ -46,7 +46,7 @@ class VertexReader {
     return true;
   }
 
-  /// Whether there is a value for each vertex; an error if not.
+  /// Returns whether there is a value per vertex; otherwise reports an error.
   bool fits(const std::string& name, int accessor) {
     const std::size_t count = accessors_.count(accessor);
     if (count == size()) return true;
@@ -59,7 +59,7 @@ class VertexReader {
     return fits(name, accessor) && take(accessors_.vectors<Vector>(accessor, infinite), values);
   }
 
-  // A normal without a direction is dealt with where the mesh is made.
+  // Zero normals are handled when the mesh is built.
   bool read_normals() {
     const int accessor = attribute("NORMAL");
     return accessor < 0 || read("NORMAL", accessor, vertices_.normals, true);
@@ -85,7 +85,7 @@ class VertexReader {
     return accessor < 0 || read(name, accessor, vertices_.uvs);
   }
 
-  // Section 3.7.2.2: attributes are the sums of the mesh's own and of the weighted differences.
+  // Section 3.7.2.2: morphed attributes are the sum of the base and of the weighted displacements.
   bool morph() {
     for (std::size_t i = 0; i < source_.targets.size() && i < pose_.weights.size(); ++i) {
       const auto weight = static_cast<float>(pose_.weights[i]);
@@ -108,14 +108,13 @@ class VertexReader {
     const int accessor = named(source_.targets[target], name);
     if (accessor < 0 || values.empty()) return true;
     std::vector<Vector> differences;
-    if (!accessors_.has_components(accessor, sizeof(Vector) / sizeof(float)))
-      return true;  // colours with alpha
+    if (!accessors_.has_components(accessor, sizeof(Vector) / sizeof(float))) return true;  // RGBA
     if (!read(name, accessor, differences)) return false;
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += differences[i] * weight;
     return true;
   }
 
-  // KHR_texture_transform, and the axis that points down in glTF.
+  // Applies KHR_texture_transform, and flips v, which points down in glTF.
   void finish_uvs() {
     const TextureLookup& lookup = source_.lookup;
     const double c = std::cos(lookup.rotation);
@@ -169,7 +168,8 @@ class VertexReader {
     return true;
   }
 
-  // Normals follow the inverse transpose, which the cofactors are but for a factor; they need no inverse.
+  // Normals transform by the inverse transpose, which the cofactor matrix is up to a factor, without an
+  // inverse.
   void move(std::size_t vertex, const Matrix44d& matrix) {
     Vec3d position;
     matrix.multVecMatrix(Vec3d(vertices_.positions[vertex]), position);
@@ -183,7 +183,7 @@ class VertexReader {
     vertices_.normals[vertex] = Vec3f(moved.normalized());
   }
 
-  // Values that are read are finite, but sums and products of them need not be.
+  // Input values are finite, but sums and products of them may overflow.
   bool is_in_range() {
     if (are_finite(vertices_.positions) && are_finite(vertices_.colours) && are_finite(vertices_.uvs))
       return true;

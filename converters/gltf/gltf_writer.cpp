@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Buffers and GLB files say their size in 32 bits.
+/// The maximum size of buffers and GLB files, which have 32-bit sizes.
 constexpr std::size_t LargestFile = 0xFFFFFFFF;
 
 class Writer {
@@ -56,7 +56,7 @@ class Writer {
     const std::string text = to_utf8(grf::to_text(stubs));
     grf::Diagnostics problems;
     if (!grf::read_text(text, path_, problems)) {
-      return fail(fmt::format("the scene has what GRF cannot say ({})", problems.entries().front().message));
+      return fail(fmt::format("the scene cannot be written as GRF ({})", problems.entries().front().message));
     }
     document_.json()["extras"]["grf"] = {{"check", NoCheck}, {"scene", text}, {"meshes", std::move(lists)}};
     return true;
@@ -70,7 +70,7 @@ class Writer {
     return grf::replace_file(path_, glb_of(text, document_.buffer()), diagnostics_);
   }
 
-  // The buffer first: where that fails, the old file still names the old buffer.
+  // The buffer is written first: if that fails, the old file still names the old buffer.
   bool write_json() {
     const fs::path buffer = fs::path(path_).replace_extension(".bin");
     const std::string text = document_.text(to_uri(buffer.filename().string()));

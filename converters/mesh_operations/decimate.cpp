@@ -27,10 +27,10 @@ using Face = HalfEdgeMesh::FaceHandle;
 using Edge = HalfEdgeMesh::EdgeHandle;
 using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<HalfEdgeMesh>;
 
-/// A face of the half-edge mesh, with what that does not know of it.
+/// A face of the half-edge mesh, with its attributes.
 struct Triangle {
   std::array<Vertex, 3> ends;
-  std::array<std::uint32_t, 3> corners;  ///< vertices of the mesh, of which several can be at one end
+  std::array<std::uint32_t, 3> corners;  ///< vertices of the mesh; several can be at one half-edge vertex
   std::uint32_t surface = 0;
 
   std::size_t place_of(Vertex vertex) const {
@@ -39,7 +39,7 @@ struct Triangle {
   std::uint32_t corner_at(Vertex vertex) const { return corners[place_of(vertex)]; }
 };
 
-/// Which vertex of the mesh takes the place of which, where one end of an edge goes to the other.
+/// The replacement of vertices of the mesh when an edge collapses onto one of its ends.
 class CornerMap {
  public:
   CornerMap(const CollapseInfo& collapse, const std::vector<Triangle>& triangles) {
@@ -48,7 +48,7 @@ class CornerMap {
       const Triangle& triangle = triangles[static_cast<std::size_t>(face.idx())];
       pairs_[count_++] = {triangle.corner_at(collapse.v0), triangle.corner_at(collapse.v1)};
     }
-    // One side of a seam cannot go to both sides of another one.
+    // One side of a seam cannot collapse onto both sides of another one.
     is_unique_ = count_ < 2 || pairs_[0].first != pairs_[1].first || pairs_[0].second == pairs_[1].second;
   }
 
@@ -66,7 +66,7 @@ class CornerMap {
   bool is_unique_ = true;
 };
 
-/// Keeps borders and seams, and takes the triangles along with each collapse.
+/// A decimation module that preserves borders and seams, and updates the triangles after each collapse.
 class BordersModule : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
  public:
   using Base = OpenMesh::Decimater::ModBaseT<HalfEdgeMesh>;
@@ -123,7 +123,7 @@ class BordersModule : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
     return is_between(collapse.p0, mesh().point(neighbours[0]), mesh().point(neighbours[1]));
   }
 
-  /// On the straight line between two points, but for the rounding of float.
+  /// Returns whether a point is on the straight line between two points, up to float rounding.
   static bool is_between(const HalfEdgeMesh::Point& point, const HalfEdgeMesh::Point& a,
                          const HalfEdgeMesh::Point& b) {
     constexpr double Rounding = 1e-6;
@@ -138,8 +138,8 @@ class BordersModule : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
   std::vector<Triangle>* triangles_ = nullptr;
 };
 
-/// OpenMesh's quadrics, for faces in a plane too: there the error can round to less than nothing, which would
-/// make a collapse illegal.
+/// OpenMesh's quadric module, fixed for planar regions: there the error can round below 0, which would make a
+/// collapse illegal.
 class QuadricModule : public OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh> {
  public:
   using Base = OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>;
@@ -151,7 +151,7 @@ class QuadricModule : public OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh> {
   }
 };
 
-/// OpenMesh reports faces that it cannot take on a stream of its own.
+/// Silences OpenMesh's error stream, on which it reports non-manifold faces.
 class Silence {
  public:
   Silence() { omerr().disable(); }
@@ -160,7 +160,7 @@ class Silence {
   ~Silence() { omerr().enable(); }
 };
 
-/// A mesh of triangles while it is being decimated.
+/// A triangle mesh under decimation.
 class Decimation {
  public:
   explicit Decimation(const grf::Mesh& mesh) : mesh_(mesh), alike_(first_alike(mesh)) {
@@ -232,7 +232,7 @@ class Decimation {
     return half_edges_.add_vertex({position.x, position.y, position.z});
   }
 
-  /// A face that cannot be part of a manifold keeps its vertices where they are.
+  /// Locks the vertices of a face that cannot be part of a manifold.
   void add(const Triangle& triangle, bool is_left_alone) {
     const auto& [a, b, c] = triangle.ends;
     Face face;
@@ -247,7 +247,7 @@ class Decimation {
 
   void lock(Vertex vertex) { half_edges_.status(vertex).set_locked(true); }
 
-  /// Vertices and faces have a status, of which ones are locked and deleted.
+  /// The traits request status flags of vertices and faces: locked and deleted.
   struct StatusMesh : HalfEdgeMesh {
     StatusMesh() {
       request_vertex_status();
@@ -260,8 +260,8 @@ class Decimation {
   const grf::Mesh& mesh_;
   std::vector<std::uint32_t> alike_;
   StatusMesh half_edges_;
-  std::vector<Triangle> triangles_;  // by the index of their face in half_edges_
-  std::vector<Face> handles_;        // of the mesh's faces; invalid for those that are left alone
+  std::vector<Triangle> triangles_;  // by face index in half_edges_
+  std::vector<Face> handles_;        // by face of the mesh; invalid for faces that stay unchanged
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ class Operator {
     };
     lose(unused_vertices_, "vertex was left out", "vertices were left out", "no face uses it");
     lose(collapsed_faces_, "face was left out", "faces were left out",
-         "fewer than three different corners are left once vertices are welded");
+         "fewer than three distinct corners remain after welding");
     if (operations_.weld) {
       diagnostics.note(location,
                        fmt::format("{} welded", counted(merged_vertices_, "vertex was", "vertices were")));
@@ -82,7 +82,7 @@ class Operator {
   void decimate_mesh(grf::Mesh& mesh, double ratio) {
     Decimated decimated = decimate(mesh, ratio);
     const std::size_t left = decimated.mesh.face_count();
-    // The last collapse can take two triangles or one.
+    // The last collapse can remove two triangles or one.
     if (left > decimated.triangles_wanted + 1) {
       ++meshes_held_;
       triangles_held_ += left - decimated.triangles_wanted;
@@ -103,7 +103,7 @@ class Operator {
   }
 
   void report_decimation(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const {
-    diagnostics.note(location, fmt::format("{} of {} triangles are left; their vertices are as they were",
+    diagnostics.note(location, fmt::format("{} of {} triangles are left; their vertices are unchanged",
                                            triangles_after_, triangles_before_));
     if (triangles_left_alone_ > 0) {
       diagnostics.warning(location, fmt::format("{}: not part of a manifold",
@@ -111,7 +111,7 @@ class Operator {
                                                         "triangles were not decimated")));
     }
     if (meshes_held_ > 0) {
-      diagnostics.warning(location, fmt::format("{} by {}: holes, borders, seams and shape are kept",
+      diagnostics.warning(location, fmt::format("{} by {}: holes, borders, seams and shape are preserved",
                                                 counted(meshes_held_, "mesh has more triangles than asked",
                                                         "meshes have more triangles than asked"),
                                                 triangles_held_));
@@ -141,8 +141,8 @@ bool has_room_for_faces(const MeshOperations& operations, grf::Scene& scene,
   });
   if (most <= MostSubdividedFaces) return true;
   diagnostics.error(location,
-                    fmt::format("a mesh would have {:.3g} faces once it is subdivided, and can have "
-                                "{:.3g}: ask for fewer levels",
+                    fmt::format("a mesh would have {:.3g} faces after subdivision, over the limit of "
+                                "{:.3g}: use fewer levels",
                                 most, MostSubdividedFaces));
   return false;
 }

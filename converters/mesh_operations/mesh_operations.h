@@ -1,4 +1,4 @@
-// What `grfconvert` does to the meshes of a scene on their way.
+// The mesh operations of `grfconvert` between reading and writing.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@ namespace convert {
 
 enum class Normals {
   Keep,
-  Smooth,  ///< new ones, with creases
-  Flat     ///< none
+  Smooth,  ///< recompute smooth normals, with creases
+  Flat     ///< remove normals
 };
 
-/// In this order they are done.
+/// The mesh operations, in the order of their execution.
 struct MeshOperations {
   std::optional<double> weld;      ///< distance, in the units of each mesh
   int smooth = 0;                  ///< steps
-  std::optional<double> decimate;  ///< share of the triangles that is to be left, over 0, up to 1
+  std::optional<double> decimate;  ///< fraction of the triangles to keep, over 0, up to 1
   std::optional<Subdivision> subdivide;
   bool triangulate = false;
   Normals normals = Normals::Keep;
@@ -30,9 +30,9 @@ struct MeshOperations {
   }
 };
 
-/// Does that to all meshes and mesh lights of the scene, of which none is in an included file, and says what
-/// was lost and what could not be done, in one line a kind. A mesh that would have too many faces once it is
-/// subdivided is an error, and no mesh is changed then.
+/// Applies the operations to all meshes and mesh lights of a scene without included meshes, and reports
+/// losses and failures in one line per kind. If subdivision would give a mesh too many faces, that is an
+/// error, and no mesh is changed.
 void apply(const MeshOperations& operations, grf::Scene& scene, const grf::SourceLocation& location,
            grf::Diagnostics& diagnostics);
 

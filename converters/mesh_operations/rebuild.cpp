@@ -11,10 +11,10 @@
 namespace convert {
 namespace {
 
-/// The place of a vertex, the bits of normal, colour and texture coordinates, and which of these there are.
+/// The key of a vertex: its position, the bits of normal, colour and texture coordinates, and presence flags.
 using Key = std::array<std::uint32_t, 10>;
 
-// FNV-1a on words, with a last mix since the bits of round numbers differ in their upper half alone.
+// The hash is FNV-1a on words, with a final mix since round numbers differ only in their upper bits.
 struct KeyHash {
   std::size_t operator()(const Key& key) const {
     std::uint64_t hash = 0xcbf29ce484222325ULL;

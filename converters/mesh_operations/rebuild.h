@@ -1,4 +1,4 @@
-// What the mesh operations have in common.
+// Functions that the mesh operations share.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace convert {
 
-/// For each vertex, the first one that is like it: at the same place, with the same normal, colour, texture
-/// coordinates and irradiance, bit for bit.
+/// Returns, for each vertex, the first equal one: with the same position, normal, colour, texture coordinates
+/// and irradiance, bit for bit.
 std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh);
 
-/// For each vertex, the first one at the same place with the same value of one kind.
+/// Returns, for each vertex, the first one with the same position and value of one attribute.
 template <class Value>
 std::vector<std::uint32_t> first_with_value(const grf::Geometry& geometry,
                                             grf::OptionalVertexValues<Value> grf::Geometry::*values) {
@@ -24,17 +24,17 @@ std::vector<std::uint32_t> first_with_value(const grf::Geometry& geometry,
   return first_alike(std::move(of_one_kind));
 }
 
-/// Faces of a mesh with other corners, before they are a mesh themselves. The name, the comments and the
-/// surfaces are those of the mesh.
+/// A builder of a mesh with new faces of an existing mesh's vertices. Name, comments and surfaces are those
+/// of the source.
 class Rebuild {
  public:
-  /// The mesh outlives this.
+  /// Starts without faces; the source must outlive this.
   explicit Rebuild(const grf::Mesh& source);
 
-  /// Corners are vertices of the source.
+  /// Adds a face; corners are vertices of the source.
   void add_face(std::span<const std::uint32_t> corners, std::uint32_t surface);
 
-  /// The mesh of these faces. It has the vertices that they use, in the order of the source.
+  /// Moves out the mesh. It has the vertices that its faces use, in the order of the source.
   grf::Mesh take();
 
  private:
@@ -42,7 +42,7 @@ class Rebuild {
   grf::MeshDraft mesh_;
 };
 
-/// A mesh without vertices and faces that is else like another one.
+/// Copies a mesh without its vertices and faces.
 grf::MeshDraft without_geometry(const grf::Mesh& mesh);
 
 }  // namespace convert

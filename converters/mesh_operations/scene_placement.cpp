@@ -42,7 +42,7 @@ std::optional<double> number_of(const std::string& word) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
-/// The three numbers from a word on; nothing if they are not there.
+/// Parses three numbers from a word on; returns nothing if they are missing.
 std::optional<grf::Vec3d> vector_at(const std::vector<std::string>& words, std::size_t at) {
   if (at + 3 > words.size()) return std::nullopt;
   grf::Vec3d vector;
@@ -72,7 +72,7 @@ std::optional<std::vector<grf::TransformStep>> read_transform_steps(std::string_
     } else {
       const grf::Vec3f value(*kind == Kind::Rotation ? *vector * Degree : *vector);
       if (*kind == Kind::Scale && (value.x == 0 || value.y == 0 || value.z == 0))
-        problem = "a scale of zero leaves nothing";
+        problem = "a scale of zero makes the scene degenerate";
       steps.push_back({*kind, value});
     }
   }

@@ -1,4 +1,4 @@
-// Turning, scaling and moving a scene as a whole.
+// Rotation, scale and translation of a whole scene.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace convert {
 
-/// Steps as a command line says them: `rotation 0 90 0 translation 1 0 0`. Words and order are those of GRF,
-/// and the parentheses and commas of GRF may be there too, but angles are in degrees. Nothing where the text
-/// is none, with the reason in `problem`.
+/// Parses transform steps of a command line: `rotation 0 90 0 translation 1 0 0`. Keywords and order are
+/// those of GRF, whose parentheses and commas are optional, but angles are in degrees. Returns nothing for an
+/// invalid text, with the reason in `problem`.
 std::optional<std::vector<grf::TransformStep>> read_transform_steps(std::string_view text,
                                                                     std::string& problem);
 
-/// The turn that makes the z axis point where y did: up, in GRF.
+/// Returns the rotation from z up to y up, as in GRF.
 grf::TransformStep z_up_to_y_up();
 
-/// Puts all of the scene under the steps, if there are any. Definitions stay inside.
+/// Transforms the whole scene by the steps, if there are any. Definitions stay inside.
 void place(grf::Scene& scene, const std::vector<grf::TransformStep>& steps,
            const grf::SourceLocation& location);
 

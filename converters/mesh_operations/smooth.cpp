@@ -11,7 +11,7 @@
 namespace convert {
 namespace {
 
-/// Moves the vertices that may move by a factor of the way to the mean of their neighbours.
+/// A Laplacian step: moves smooth vertices by a factor towards the mean of their neighbours.
 void move_towards_neighbours(const grf::Geometry& geometry, const EdgeRules& rules, double factor,
                              std::vector<grf::Vec3d>& positions) {
   std::vector<grf::Vec3d> sums(positions.size(), grf::Vec3d(0));
@@ -31,7 +31,7 @@ void move_towards_neighbours(const grf::Geometry& geometry, const EdgeRules& rul
   }
 }
 
-/// New normals for those vertices that have one, shared by those at one place that shared one before.
+/// Recomputes the normals of vertices that have one; vertices at one position that shared one still do.
 void renew_normals(const grf::Geometry& before, grf::MeshDraft& mesh) {
   if (before.normals.empty()) return;
   const std::vector<std::uint32_t> first = first_with_value(before, &grf::Geometry::normals);

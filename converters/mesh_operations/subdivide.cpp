@@ -20,8 +20,8 @@ using Ids = std::vector<std::uint32_t>;
 using Rule = EdgeRules::Rule;
 constexpr std::uint32_t None = grf::SharedEdges::None;
 
-/// A mesh between two steps, without normals. What vertices have in common is known by the steps before:
-/// vertices that come to lie at one place by chance do not grow together.
+/// A mesh at one level, without normals. Identities of vertices are inherited from the previous level:
+/// vertices that coincide by chance are not merged.
 struct Level {
   grf::MeshDraft mesh;
   // For each vertex the first one
@@ -30,7 +30,7 @@ struct Level {
   Ids colours;  // and with the same colour.
 };
 
-/// New values of one kind: at the vertices that stand for others, at edges, and at faces.
+/// Refined values of one attribute: at representative vertices, at edges, and at faces.
 template <class Value>
 struct Refined {
   std::vector<Value> at_vertex;
@@ -38,7 +38,7 @@ struct Refined {
   std::vector<Value> at_face;
 };
 
-/// Computes the new values of one kind from the old ones, `old(vertex)`, by the masks of a scheme.
+/// Computes the refined values of one attribute from the old ones, `old(vertex)`, by the masks of a scheme.
 template <class Value, class Old>
 class Masks {
  public:
@@ -64,8 +64,8 @@ class Masks {
             rules_.id(geometry_.corners[grf::end_corner(geometry_, edge)])};
   }
 
-  /// What a face adds to an inner edge, to 1/4 of which the face's part comes. Of a triangle, (a + b + c)/3
-  /// has the vertex across the edge; Loop's mask is 3/8 of the ends and 1/8 of those vertices.
+  /// Returns a face's contribution to an interior edge, which has the weight 1/4. For a triangle, (a + b +
+  /// c)/3 includes the opposite vertex; Loop's mask is 3/8 of the ends and 1/8 of the opposite vertices.
   Value of_face(const grf::FaceEdge& edge, const Value& sum_of_ends) const {
     const Value& middle = refined_.at_face[edge.face];
     return is_loop_ ? (3.0 * middle - sum_of_ends + sum_of_ends / 2) / 2 : middle;
@@ -82,7 +82,7 @@ class Masks {
     }
   }
 
-  /// Sums around vertices: of the other ends of edges, of those that are sharp alone, and of faces.
+  /// Sums around vertices: of the neighbours, of the neighbours by sharp edges only, and of faces.
   struct Around {
     Value neighbours = Value(0);
     Value sharp_neighbours = Value(0);
@@ -117,7 +117,7 @@ class Masks {
   Value vertex_value(std::uint32_t vertex, const Around& around) const {
     const Value& old = old_(vertex);
     if (rules_.rule(vertex) == Rule::Crease) return 0.75 * old + around.sharp_neighbours / 8;
-    // Fewer than two edges are no part of a surface.
+    // A vertex with fewer than two edges is isolated.
     if (rules_.rule(vertex) == Rule::Corner || around.edge_count < 2) return old;
     const double n = around.edge_count;
     if (is_loop_) {
@@ -125,7 +125,7 @@ class Masks {
       const double beta = (0.625 - c * c) / n;
       return (1 - n * beta) * old + beta * around.neighbours;
     }
-    // (F + 2 R + (n - 3) P)/n, where R is the mean of the edges' middles.
+    // Catmull-Clark's vertex rule, (F + 2 R + (n - 3) P)/n, where R is the mean of the edges' midpoints.
     return (around.faces / static_cast<double>(around.face_count) + around.neighbours / n + (n - 2) * old) /
            n;
   }
@@ -137,14 +137,14 @@ class Masks {
   Refined<Value> refined_;
 };
 
-/// What appends values to a list that some vertices have, and of which all have one here.
+/// An inserter of values of an optional vertex attribute that all vertices have here.
 template <class Value>
 auto append_to(grf::OptionalVertexValues<Value>& values) {
   return [&values, i = std::size_t(0)](const auto& value) mutable { values.set(i++, Value(value)); };
 }
 
-/// One step from a level to the next. Its vertices are the old ones, then one for each edge between vertices,
-/// then, for Catmull-Clark, one for each face.
+/// A refinement step from a level to the next. Its vertices are the old ones, then one per edge, then, for
+/// Catmull-Clark, one per face.
 class Refinement {
  public:
   Refinement(const Level& level, SubdivisionScheme scheme)
@@ -180,7 +180,7 @@ class Refinement {
     return first_of_faces_ + (has_face_points ? static_cast<std::uint32_t>(level_.mesh.face_count()) : 0);
   }
 
-  /// Appends the new value of each vertex, and which vertex is the first that has it.
+  /// Appends the new value of each vertex, and the first vertex with that value.
   template <class Value, class Values, class Append>
   void refine(const EdgeRules& rules, const Values& values, Ids& ids, Append append) {
     const auto old = [&](std::uint32_t vertex) { return Value(values[vertex]); };
@@ -209,7 +209,7 @@ class Refinement {
     }
   }
 
-  /// The new vertex on the edge that begins in a corner.
+  /// Returns the new vertex on the edge that begins at a corner.
   std::uint32_t edge_vertex(std::uint32_t corner) const {
     const std::uint32_t edge = edges_.at_corner(corner);
     return edge == None ? level_.mesh.corners[corner] : first_of_edges_ + edge;
@@ -246,8 +246,7 @@ class Refinement {
   Level next_;
 };
 
-/// All vertices have what some have: texture coordinates of (0, 0) and a colour of 1 are what their absence
-/// means.
+/// Fills in attributes that only some vertices have by their defaults: texture coordinates (0, 0), colour 1.
 template <class Value>
 void fill(grf::OptionalVertexValues<Value>& values, std::size_t vertices, const Value& absent) {
   if (values.empty()) return;

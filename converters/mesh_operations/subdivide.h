@@ -8,7 +8,7 @@ namespace convert {
 
 enum class SubdivisionScheme {
   /// C. Loop 1987, "Smooth Subdivision Surfaces Based on Triangles": each triangle becomes four. Polygons are
-  /// cut into triangles first.
+  /// triangulated first.
   Loop,
   /// E. Catmull and J. Clark 1978, "Recursively generated B-spline surfaces on arbitrary topological meshes":
   /// each face becomes as many quadrilaterals as it has corners.
@@ -17,26 +17,26 @@ enum class SubdivisionScheme {
 
 struct Subdivision {
   SubdivisionScheme scheme = SubdivisionScheme::CatmullClark;
-  int levels = 1;  ///< how many times, 0 or more
+  int levels = 1;  ///< number of refinement steps, 0 or more
 };
 
-/// How many faces the mesh will have. A mesh has room for `MostSubdividedFaces`, which is checked before it
-/// is subdivided.
+/// Computes the number of faces after subdivision, to check it against the limit `MostSubdividedFaces`
+/// before.
 double faces_after(const grf::Mesh& mesh, const Subdivision& subdivision);
 inline constexpr double MostSubdividedFaces = 1e9;
 
-/// The mesh with finer faces, whose vertices approach a smooth surface. A face's children follow each other
-/// and have its surface.
+/// Subdivides a mesh. Its vertices approach the smooth limit surface; a face's children are consecutive and
+/// have its surface.
 ///
-/// Boundaries become cubic B-spline curves, which depend on nothing but themselves, so that two meshes along
-/// one boundary stay together. Edges of more than two faces are treated like boundaries, and vertices where
-/// parts of a surface meet without an edge stay where they are. Vertices at one place stay at one place.
-/// Texture coordinates and colours are subdivided by the same masks where the surface has no seam of them,
-/// and are interpolated linearly along seams. Where vertices have normals, all get new ones, since the
-/// surface is smooth; without normals it stays without. Irradiance is left out: it belongs to other points.
+/// Boundaries become cubic B-spline curves that depend only on the boundary, so that meshes that share one
+/// stay together. Non-manifold edges are treated like boundaries, and non-manifold vertices stay in place.
+/// Vertices at one position stay at one position. Texture coordinates and colours use the same masks where
+/// they have no seam, and are interpolated linearly along seams. If vertices have normals, all get new ones,
+/// since the surface is smooth; without normals it stays without. Irradiance is dropped: it belongs to other
+/// points.
 ///
-/// OpenMesh's subdividers are not used: they know no seams and no edges of three faces, and its Catmull-Clark
-/// has boundaries that are no B-splines.
+/// OpenMesh's subdividers are not used: they support neither seams nor non-manifold edges, and its
+/// Catmull-Clark boundaries are no B-splines.
 grf::Mesh subdivided(const grf::Mesh& mesh, const Subdivision& subdivision);
 
 }  // namespace convert

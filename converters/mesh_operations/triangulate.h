@@ -4,7 +4,7 @@
 
 namespace convert {
 
-/// The mesh with each polygon cut into triangles, which stand in its place and have its surface.
+/// Triangulates each polygon of a mesh in place; triangles have its surface.
 grf::Mesh triangulated(const grf::Mesh& mesh);
 
 }  // namespace convert

@@ -14,7 +14,7 @@ double angle_between(const grf::Vec3d& a, const grf::Vec3d& b) {
   return std::atan2(a.cross(b).length(), a.dot(b));
 }
 
-/// Does something with the inner angle at each corner, which is over pi where a corner points inwards.
+/// Calls a function with the inner angle at each corner, which is over pi at a reflex corner.
 template <class Action>
 void for_each_angle(std::span<const std::uint32_t> face, std::span<const grf::Vec3f> positions,
                     const grf::Vec3d& normal, const Action& action) {
@@ -24,13 +24,13 @@ void for_each_angle(std::span<const std::uint32_t> face, std::span<const grf::Ve
     const grf::Vec3d next = grf::Vec3d(positions[face[(k + 1) % n]]) - here;
     const grf::Vec3d previous = grf::Vec3d(positions[face[(k + n - 1) % n]]) - here;
     const double angle = angle_between(next, previous);
-    // Of a triangle only rounding can say so.
+    // A triangle can only seem reflex by rounding.
     const bool is_reflex = n > 3 && next.cross(previous).dot(normal) < 0;
     action(k, is_reflex ? 2 * std::numbers::pi - angle : angle);
   }
 }
 
-/// An edge of more faces is no part of a surface, and to compare all with all would take too long.
+/// The maximum number of faces per edge that are compared: comparing all pairs would be quadratic.
 constexpr std::size_t MostCompared = 16;
 
 grf::DisjointSets smooth_corners(const grf::Geometry& geometry, std::span<const std::uint32_t> places,
@@ -64,7 +64,7 @@ void weighted_normals(std::span<const std::uint32_t> face, std::span<const grf::
 }
 
 std::optional<grf::Vec3f> unit_normal(const grf::Vec3d& sum) {
-  constexpr double Cancelled = 1e-9;  // what rounding leaves of faces that are back to back
+  constexpr double Cancelled = 1e-9;  // the rounding error for faces that are back to back
   return sum.length() > Cancelled ? std::optional(grf::Vec3f(sum.normalized())) : std::nullopt;
 }
 

@@ -15,13 +15,13 @@
 namespace convert {
 namespace {
 
-/// Vertices that stay where they are, none nearer to another than a distance, in cells of twice that: what is
-/// near to a point is in one of eight cells.
+/// A hash grid of the vertices that stay, none closer to another than a distance, with cells of twice that
+/// size: neighbours of a point are in one of eight cells.
 class Grid {
  public:
   Grid(const grf::Mesh& mesh, double distance) : mesh_(mesh), distance_(distance) {}
 
-  /// The nearest of the vertices that stay, if it is near enough; else this one, which stays from now on.
+  /// Returns the nearest vertex that stays, if it is within the distance; else adds this one.
   std::uint32_t nearest_or_add(std::uint32_t vertex) {
     const grf::Vec3d position(mesh_.geometry->positions[vertex]);
     const grf::Vec3d scaled = position / (2 * distance_);
@@ -43,7 +43,7 @@ class Grid {
   }
 
  private:
-  using Cell = std::array<double, 3>;  // whole numbers, which can be too large for an integer
+  using Cell = std::array<double, 3>;  // integral values, which can overflow an integer
   struct CellHash {
     std::size_t operator()(const Cell& cell) const {
       const std::hash<double> hash;
@@ -51,7 +51,7 @@ class Grid {
     }
   };
 
-  /// Of the eight cells: along each axis the own one, or the one on the side of the half where the point is.
+  /// Returns one of the eight cells: along each axis the own one, or the neighbour nearer to the point.
   static Cell neighbour(const Cell& own, const grf::Vec3d& scaled, unsigned corner) {
     Cell cell = own;
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ class Grid {
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
 };
 
-/// For each vertex, the one to whose place it goes.
+/// Returns, for each vertex, the one whose position it gets.
 std::vector<std::uint32_t> places_after_welding(const grf::Mesh& mesh, double distance) {
   std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
   if (distance <= 0) return places;
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> places_after_welding(const grf::Mesh& mesh, double di
   return places;
 }
 
-/// Leaves out corners at the place of the one before.
+/// Removes corners at the position of the previous one.
 void drop_repeated(std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& places) {
   const auto same_place = [&](std::uint32_t a, std::uint32_t b) { return places[a] == places[b]; };
   corners.erase(std::unique(corners.begin(), corners.end(), same_place), corners.end());

@@ -11,7 +11,7 @@
 namespace convert {
 namespace {
 
-/// The different words of a text that may name definitions.
+/// Returns the distinct words of a text that may name definitions.
 std::set<std::string> identifiers_of(std::string_view text) {
   std::set<std::string> names;
   while (!text.empty()) {
@@ -23,7 +23,7 @@ std::set<std::string> identifiers_of(std::string_view text) {
   return names;
 }
 
-/// The name of the BRDF among the definitions of its terms; no other name is identified so.
+/// The name of the BRDF among the definitions of its terms; no encoded name is equal to it.
 constexpr std::string_view OwnName = "$combine";
 
 }  // namespace
@@ -32,7 +32,7 @@ std::optional<grf::BrdfModel> read_exact_brdf(std::string_view text,
                                               const std::function<bool(const std::string&)>& is_known) {
   grf::Diagnostics unheard;
   if (!text.starts_with("combine ")) return grf::read_brdf(std::string(text), "comment", unheard);
-  // It has a meaning only where its terms are defined.
+  // A `combine` is only valid in the scope of its terms.
   std::string scene = "def ";
   for (const std::string& name : identifiers_of(text)) {
     if (is_known(name)) scene += name + " = brdf diffuse\n";

@@ -9,8 +9,8 @@
 
 namespace convert {
 
-/// The BRDF of a comment `# grf:`, or nothing if it is none. Of a `combine`, each term names a material for
-/// which `is_known` is true, by its identifier.
+/// Parses the BRDF of a comment `# grf:`, or returns nothing if it is invalid. Each term of a `combine` must
+/// name a material, by its identifier, for which `is_known` returns true.
 std::optional<grf::BrdfModel> read_exact_brdf(std::string_view text,
                                               const std::function<bool(const std::string&)>& is_known);
 

@@ -25,7 +25,7 @@ bool is_one_of(std::string_view keyword, std::initializer_list<std::string_view>
                      [keyword](std::string_view candidate) { return same_keyword(keyword, candidate); });
 }
 
-/// What a statement that names an image, or extends MTL, asks for that is not kept.
+/// Returns the loss of an unsupported statement that names an image, or extends MTL.
 std::optional<Loss> loss_of(std::string_view keyword) {
   if (is_one_of(keyword, {"bump", "map_bump", "norm", "map_Kn"})) return Loss::BumpMap;
   if (is_one_of(keyword, {"disp", "decal", "refl"})) return Loss::OtherMap;
@@ -46,7 +46,7 @@ bool refracts(int illumination) {
   return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
 }
 
-/// What `MtlReader` reads, and the mapping makes of it.
+/// The table of conversions by `MtlReader` and the mapping.
 constexpr std::array<MaterialRule, 14> MtlRules = {{
     {"`Ks` = 0 or absent, or `illum` 0 or 1", "`diffuse kd=Kd`; an absent `Kd` is 0.5",
      "Kd 0.5 0.25 0.1; Ks 0.5; illum 1", "diffuse kd=(0.5, 0.25, 0.1)", ""},
@@ -57,7 +57,7 @@ constexpr std::array<MaterialRule, 14> MtlRules = {{
      "Kd 0.8; Ks 0.4 0.1 0.1; Ns 10", "lewis n=10 ks=(0.4, 0.1, 0.1) kd=(0.6, 0.8, 0.8)", ""},
     {"the same with `illum` 3 to 9 (a traced reflection) and `Ns` of 900 or more, or none",
      "`specular ks=Ks`", "Kd 0; Ks 0.5; Ns 1000; illum 3", "specular ks=0.5", ""},
-    {"and a diffuse part is left", "`lewis n=1000000 ks=Ks kd=Kd`, a lobe of a tenth of a degree",
+    {"and a diffuse part is left", "`lewis n=1000000 ks=Ks kd=Kd`, a lobe a tenth of a degree wide",
      "Kd 0.5; Ks 0.5; illum 3", "lewis n=1000000 ks=0.5 kd=0.5", ""},
     {"`Ke` > 0", "`light rgb` on the faces, which keep their BRDF", "Kd 0.5; Ke 3 2 1",
      "diffuse kd=0.5 light rgb (3, 2, 1)", ""},
@@ -74,10 +74,10 @@ constexpr std::array<MaterialRule, 14> MtlRules = {{
     {"`Pr`, `Pm` and other extensions", "lost", "Kd 0.5; Pr 0.3", "diffuse kd=0.5",
      "physically based parameters"},
     {"values out of range", "clamped", "Kd 1.5", "diffuse kd=1", "out of range"},
-    {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept in the comment alone", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
+    {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept only in the comment", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
      ""},
     {"`# grf: BRDF`, `# grf rgb: (R, G, B)`",
-     "that very BRDF and colour, whatever the values say; `# grf: none`: the faces have no BRDF",
+     "exactly that BRDF and colour, whatever the values say; `# grf: none`: the faces have no BRDF",
      "# grf: ward sx=0.1; # grf rgb: (0.5, 1, 1); Kd 0.5", "ward sx=0.1 rgb (0.5, 1, 1)", ""},
 }};
 
@@ -128,11 +128,11 @@ class MtlReader {
   StatementReader reader_;
   grf::Diagnostics& diagnostics_;
   std::vector<MtlMaterial> materials_;
-  std::set<std::string, std::less<>> identifiers_;  // of the materials so far
+  std::set<std::string, std::less<>> identifiers_;  // identifiers of the materials so far
   std::optional<MtlMaterial> current_;
-  bool has_diffuse_ = false;            // the current material says its own
-  std::optional<double> dissolve_;      // of the current material: 1 is opaque
-  std::optional<double> transparency_;  // the same the other way round; `d` has the last word
+  bool has_diffuse_ = false;            // the current material has `Kd`
+  std::optional<double> dissolve_;      // `d` of the current material: 1 is opaque
+  std::optional<double> transparency_;  // `Tr`, 1 - `d`; `d` overrides it
   std::size_t unread_values_ = 0;
   grf::SourceLocation first_unread_;
 };
@@ -150,9 +150,9 @@ void MtlReader::begin(const Statement& statement) {
 void MtlReader::finish() {
   if (!current_) return;
   if (dissolve_.value_or(1 - transparency_.value_or(0)) < 1) add_loss(Loss::Transparency);
-  // An image without a colour beside it is all there is to see.
+  // An image without a colour is not scaled.
   if (current_->phong.diffuse_map && !has_diffuse_) current_->phong.diffuse = grf::Vec3d(1);
-  // What was made from the exact values tells nothing more.
+  // Values derived from the exact BRDF add no information.
   if (current_->exact) current_->phong.source_values.clear();
   identifiers_.insert(grf::to_identifier(current_->phong.name));
   materials_.push_back(std::move(*current_));
@@ -172,8 +172,8 @@ void MtlReader::read(const Statement& statement) {
   } else if (same_keyword(keyword, "Ke")) {
     assign(phong.emission, colour(statement));
   } else if (same_keyword(keyword, "Ns")) {
-    // About the mirror direction: the format's specification means Blinn's half vector, but exporters write
-    // Phong's exponent or a made-up scale of it, and so the number stays what people see in the file.
+    // `Ns` is taken as a Phong exponent: the format's specification means Blinn's half vector, but exporters
+    // write Phong's exponent or an invented scale of it, and so the number in the file is kept.
     assign(phong.exponent, number(statement));
   } else if (same_keyword(keyword, "illum")) {
     const int illumination = static_cast<int>(std::clamp(number(statement).value_or(2), 0.0, 99.0));
@@ -225,7 +225,7 @@ void MtlReader::read_exact_brdf_of(const Statement& comment, std::string_view te
         read_exact_brdf(text, [this](const std::string& name) { return identifiers_.contains(name); });
     if (!exact.brdf) {
       diagnostics_.warning(reader_.location(comment.keyword),
-                           fmt::format("'{}' is no BRDF: the values of MTL beside it are used", text));
+                           fmt::format("'{}' is not a BRDF: the values of MTL beside it are used", text));
       return;
     }
   }
@@ -233,7 +233,7 @@ void MtlReader::read_exact_brdf_of(const Statement& comment, std::string_view te
   current_->exact = exact;
 }
 
-// `(R, G, B)`, as GRF writes it.
+// Parses `(R, G, B)`, as in GRF.
 void MtlReader::read_exact_colour(const Statement& comment, std::string_view text) {
   std::string numbers(text);
   std::replace_if(
@@ -244,13 +244,15 @@ void MtlReader::read_exact_colour(const Statement& comment, std::string_view tex
     if (const auto number = parse_float(word); number && *number >= 0) components.push_back(*number);
   }
   if (components.size() != 3 || !current_->exact) {
-    diagnostics_.warning(reader_.location(comment.keyword), "no colour behind a BRDF: it is left out");
+    diagnostics_.warning(reader_.location(comment.keyword),
+                         "this is not a colour after a BRDF: it is ignored");
     return;
   }
   current_->exact->colour = grf::Colour(components[0], components[1], components[2]);
 }
 
-// One number stands for three. The other two forms, `spectral FILE` and `xyz`, are of no practical use.
+// Parses a colour; one number is repeated. The other two forms, `spectral FILE` and `xyz`, are not used in
+// practice.
 std::optional<grf::Vec3d> MtlReader::colour(const Statement& statement) {
   std::vector<double> components;
   for (const std::string_view word : statement.arguments) {
@@ -263,7 +265,7 @@ std::optional<grf::Vec3d> MtlReader::colour(const Statement& statement) {
   return std::nullopt;
 }
 
-// The last word: `d` may have the option `-halo` before its value.
+// Parses the last word, since `d` may have the option `-halo` before its value.
 std::optional<double> MtlReader::number(const Statement& statement) {
   if (!statement.arguments.empty()) {
     if (const auto value = parse_number(statement.arguments.back())) return value;

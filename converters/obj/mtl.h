@@ -12,27 +12,27 @@
 
 namespace convert {
 
-/// What the comments `# grf: BRDF` and `# grf rgb: (R, G, B)` of a material say, which the writer of MTL puts
-/// there: what its faces have, exactly.
+/// The exact surface attributes in the comments `# grf: BRDF` and `# grf rgb: (R, G, B)` of a material, which
+/// our MTL writer adds.
 struct ExactSurface {
-  std::optional<grf::BrdfModel> brdf;  ///< none where the comment says `none`: the faces have none
+  std::optional<grf::BrdfModel> brdf;  ///< empty if the comment says `none`: the faces have no BRDF
   std::optional<grf::Colour> colour;
 };
 
-/// A material of a library. Its image is named from the library's folder.
+/// A material of a library. Its image is relative to the library's folder.
 struct MtlMaterial {
   PhongMaterial phong;
   UvTransform uv;
   std::optional<ExactSurface> exact;
 };
 
-/// The materials of a library of OBJ files (`.mtl`), in its order; a name may come twice. What is wrong in it
-/// is said in warnings, since the faces are whole without it: values that are none, and a library that cannot
-/// be read, of which `asked_for_at` is the place that names it.
+/// Reads the materials of an MTL library, in order; names may repeat. Invalid values and a library that
+/// cannot be read are only warnings, since the geometry does not depend on it. `asked_for_at` is the location
+/// of the library's name.
 std::vector<MtlMaterial> read_mtl(const std::string& path, const grf::SourceLocation& asked_for_at,
                                   grf::Diagnostics& diagnostics);
 
-/// What becomes of materials that are read.
+/// Returns the table of conversions of materials that are read.
 std::span<const MaterialRule> mtl_rules();
 
 }  // namespace convert

@@ -12,12 +12,12 @@
 namespace convert {
 namespace {
 
-/// An option of texture maps, and the words behind it.
+/// An option of texture maps, and its arguments.
 struct Option {
   std::string_view name;
   std::size_t most_values = 1;
-  bool takes_numbers = false;       ///< fewer than the most if a word behind it is none
-  std::string_view without_effect;  ///< the values with which nothing changes; empty: any do
+  bool takes_numbers = false;       ///< arguments end at the first word that is no number
+  std::string_view without_effect;  ///< the default values, which have no effect; empty: any values
 };
 
 constexpr std::array<Option, 13> Options = {{
@@ -45,7 +45,7 @@ const Option* find_option(std::string_view word) {
 
 using Words = std::span<const std::string_view>;
 
-/// The values behind an option: all that it takes, or as many as are numbers.
+/// Returns the arguments of an option: all that it takes, or those that are numbers.
 Words values_of(const Option& option, Words words) {
   std::size_t count = 0;
   while (count < std::min(option.most_values, words.size()) &&
@@ -67,19 +67,19 @@ bool has_effect(const Option& option, Words values) {
   return false;
 }
 
-// One or two numbers leave the others as they were.
+// One or two numbers leave the other components at their defaults.
 void assign(grf::Vec2d& target, Words values) {
   if (!values.empty()) target.x = *parse_number(values[0]);
   if (values.size() > 1) target.y = *parse_number(values[1]);
 }
 
-/// All from a word on, which may have spaces and a `#`.
+/// Returns everything from a word on, which may have spaces and a `#`.
 std::string text_from(const Statement& statement, std::size_t argument) {
   const std::string text = statement.text();
   const char* begin = statement.arguments[argument].data();
   const auto before = static_cast<std::size_t>(begin - statement.rest.data());
   if (text == statement.rest) return text.substr(before);
-  std::string joined;  // on several lines
+  std::string joined;  // continued over several lines
   for (std::size_t i = argument; i < statement.arguments.size(); ++i) {
     joined.append(joined.empty() ? "" : " ").append(statement.arguments[i]);
   }

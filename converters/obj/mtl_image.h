@@ -8,7 +8,7 @@
 
 namespace convert {
 
-/// Where an image is looked up: at uv * scale + offset.
+/// A transform of texture coordinates: uv * scale + offset.
 struct UvTransform {
   grf::Vec2d scale = grf::Vec2d(1);
   grf::Vec2d offset = grf::Vec2d(0);
@@ -17,14 +17,14 @@ struct UvTransform {
   grf::Vec2f apply(const grf::Vec2f& uv) const { return grf::Vec2f(grf::Vec2d(uv) * scale + offset); }
 };
 
-/// An image as a statement of MTL names it, behind options such as `-s 2 2 1`.
+/// An image in an MTL statement, with options such as `-s 2 2 1`.
 struct MtlImage {
   std::string name;                ///< with `/` between folders, without quotes
-  UvTransform uv;                  ///< of `-s` and `-o`
-  bool has_other_options = false;  ///< that change how it looks
+  UvTransform uv;                  ///< the options `-s` and `-o`
+  bool has_other_options = false;  ///< whether other options change its appearance
 };
 
-/// Nothing if the statement names no image.
+/// Parses a statement; returns nothing if it names no image.
 std::optional<MtlImage> parse_image(const Statement& statement);
 
 }  // namespace convert

@@ -24,10 +24,10 @@ std::string numbers(const grf::Vec3d& v) {
   return fmt::format("{} {} {}", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
 }
 
-/// Names may have spaces inside, but a line holds none at its ends, and no line end.
+/// Returns whether a name can be written: without leading or trailing spaces, and without line ends.
 bool fits_a_line(std::string_view name) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
-  if (name.empty()) return true;  // OBJ files have such a name, too
+  if (name.empty()) return true;  // OBJ files can have an empty name
   return name.front() != ' ' && name.back() != ' ' && std::none_of(name.begin(), name.end(), is_control);
 }
 
@@ -36,7 +36,7 @@ std::string name_of_definition(const grf::Definition& definition) {
   return fits_a_line(name) ? name : definition.name;
 }
 
-/// A BRDF's text as a name without spaces: `ward_sx_0.2_ks_0.4`.
+/// Converts a BRDF's text to a name without spaces: `ward_sx_0.2_ks_0.4`.
 std::string name_of_text(const std::string& text) {
   std::string name;
   for (const char c : text) {
@@ -48,19 +48,20 @@ std::string name_of_text(const std::string& text) {
   return name;
 }
 
-/// Models whose values MTL holds, with the lobe that it means.
+/// Returns whether MTL represents a model exactly.
 bool is_exact_in_mtl(const grf::BrdfModel& brdf) {
   constexpr std::array<std::string_view, 4> Exact = {"diffuse", "specular", "phong", "lewis"};
   return std::any_of(Exact.begin(), Exact.end(),
                      [&brdf](std::string_view keyword) { return grf::same_keyword(brdf.keyword, keyword); });
 }
 
-/// What `MtlWriter::text_of` writes of a surface.
+/// The table of conversions by `MtlWriter::text_of`.
 constexpr std::array<MaterialRule, 6> MtlWriterRules = {{
-    {"only a matte part", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1", ""},
-    {"a highlight of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
+    {"only a diffuse lobe", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1",
+     ""},
+    {"a glossy lobe of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
      "Kd 0.375 0.375 0.375; Ks 0.25 0.25 0.25; Ns 20; illum 2", ""},
-    {"a mirror", "`Ks`, `Ns 1000`, `illum 3`", "brdf coupled R0=0.5 Rm=0.5",
+    {"perfect specular reflection", "`Ks`, `Ns 1000`, `illum 3`", "brdf coupled R0=0.5 Rm=0.5",
      "Kd 0.25 0.25 0.25; Ks 0.5 0.5 0.5; Ns 1000; illum 3", ""},
     {"`rgb` of a face", "a factor of `Kd` and `Ks`", "rgb (0.5, 1, 1) brdf diffuse kd=0.5",
      "Kd 0.25 0.5 0.5; Ks 0 0 0; illum 1", ""},
@@ -78,7 +79,7 @@ int illumination_of(Reflection reflection) {
 
 MtlWriter::MtlWriter(const grf::Scene& scene, const WorldMeshes& meshes) {
   find_definitions(scene);
-  std::vector<Key> keys;  // different ones, in the order of faces
+  std::vector<Key> keys;  // distinct, in the order of faces
   std::set<Key> known;
   for (const WorldMesh& mesh : meshes.meshes()) {
     for (const WorldSurface& surface : mesh.surfaces()) {
@@ -92,7 +93,7 @@ MtlWriter::MtlWriter(const grf::Scene& scene, const WorldMeshes& meshes) {
   add_materials(keys);
 }
 
-/// Whether faces without a material come after others, so that they need the name of one.
+/// Returns whether faces without a material come after others, so that they need a named default material.
 bool MtlWriter::returns_to_plain(const WorldMeshes& meshes) {
   bool has_material = false;
   for (const WorldMesh& mesh : meshes.meshes()) {
@@ -126,12 +127,12 @@ void MtlWriter::find_definitions(const grf::Scene& scene) {
     if (brdf == nullptr) return;
     const NamedBrdf& named =
         definitions_.emplace_back(NamedBrdf{&definition, named_brdfs(*brdf, placement.scope)});
-    parts_of_definitions_.emplace(brdf, parts_of(*brdf, named.terms));  // its terms are there already
+    parts_of_definitions_.emplace(brdf, parts_of(*brdf, named.terms));  // its terms precede it
   };
   grf::visit(scene, visitor);
 }
 
-// In the order of the definitions, since the terms of a sum are to stand before it; then what has no name.
+// Definitions come first, in order, since the terms of a sum must precede it; then unnamed BRDFs.
 void MtlWriter::add_materials(const std::vector<Key>& keys) {
   std::unordered_map<const grf::BrdfModel*, std::vector<const Key*>> keys_of_brdf;
   for (const Key& key : keys) keys_of_brdf[key.brdf].push_back(&key);
@@ -180,7 +181,7 @@ std::string MtlWriter::text() const {
   return text;
 }
 
-/// The BRDF with the identifiers of materials for its terms; nothing if one of them means nothing.
+/// Returns the BRDF with identifiers of materials as its terms; nothing if one of them is undefined.
 std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const Key& key) const {
   grf::BrdfModel named = *key.brdf;
   for (std::size_t i = 0; i < named.terms.size(); ++i) {
@@ -197,7 +198,7 @@ BrdfParts MtlWriter::parts_of(const grf::BrdfModel& brdf,
   std::vector<WeightedParts> parts;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const auto known = parts_of_definitions_.find(terms[i]);
-    if (known == parts_of_definitions_.end()) continue;  // the name means nothing
+    if (known == parts_of_definitions_.end()) continue;  // the name is undefined
     parts.push_back({static_cast<double>(brdf.terms[i].weight), known->second});
   }
   return sum_of_parts(parts);

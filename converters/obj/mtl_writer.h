@@ -16,39 +16,39 @@
 
 namespace convert {
 
-/// The materials of an OBJ file that is written: one for each BRDF of a scene, by the name of its definition
-/// or by what it says, and more where faces with it differ in colour, image or emission. Each has the exact
-/// BRDF in a comment, which `read_mtl` takes back.
+/// The materials of a written OBJ file: one per BRDF of a scene, named by its definition or its text, and
+/// further ones if faces with it differ in colour, image or emission. Each has the exact BRDF in a comment,
+/// which `read_mtl` restores.
 class MtlWriter {
  public:
-  /// The scene is flat, so that each definition stands at one place. Pointers into the scene and the meshes
-  /// are kept: both outlive this.
+  /// Collects the materials of a flat scene, in which each definition occurs once. Pointers into the scene
+  /// and the meshes are kept: both must outlive this.
   MtlWriter(const grf::Scene& scene, const WorldMeshes& meshes);
 
   bool empty() const { return materials_.empty(); }
 
-  /// The name of the material that faces with a surface have; null where they have none.
+  /// Returns the name of the material of faces with a surface; null if they have none.
   const std::string* name_of(const WorldSurface& surface, bool is_light) const;
-  /// The name that stands for none behind faces that have a material.
+  /// Returns the name of the default material, for faces without a material after faces with one.
   const std::string* name_of_none() const;
 
-  /// The library.
+  /// Returns the text of the library.
   std::string text() const;
 
-  /// How many faces have a BRDF that the values of MTL only come near.
+  /// Returns the number of faces with a BRDF that MTL's values only approximate.
   std::size_t approximated_faces() const { return approximated_faces_; }
 
  private:
-  /// What makes a material another one. Pointers are into the scene.
+  /// The key by which materials are distinct. Pointers are into the scene.
   struct Key {
     const grf::BrdfModel* brdf = nullptr;
-    std::vector<const grf::BrdfModel*> terms;  ///< of a `combine`: what it names
-    bool is_black = false;                     ///< where there is no BRDF: a light's
+    std::vector<const grf::BrdfModel*> terms;  ///< resolved terms of a `combine`
+    bool is_black = false;                     ///< for lights, which have no BRDF
     std::optional<std::string> image;
     std::vector<float> colour;    ///< empty if there is none
-    std::vector<float> emission;  ///< the same
+    std::vector<float> emission;  ///< empty if there is none
 
-    /// True of faces that need no material.
+    /// Returns true for faces that need no material.
     bool is_plain() const { return *this == Key(); }
     bool operator==(const Key&) const = default;
     auto operator<=>(const Key&) const = default;
@@ -81,7 +81,7 @@ class MtlWriter {
   std::size_t approximated_faces_ = 0;
 };
 
-/// What becomes of surfaces that are written.
+/// Returns the table of conversions of surfaces that are written.
 std::span<const MaterialRule> mtl_writer_rules();
 
 }  // namespace convert

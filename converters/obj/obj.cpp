@@ -22,8 +22,8 @@
 namespace convert {
 namespace {
 
-// Elements come behind vertices, so that none is first. NFF files begin with the same letters: a `v` without
-// numbers, an `s` with four.
+// Faces follow vertices, so that no file begins with them. NFF files begin with the same letters: a `v`
+// without numbers, an `s` with four.
 bool sniff_obj(std::string_view first_bytes) {
   constexpr std::array<std::string_view, 7> FirstKeywords = {"vt", "vn", "vp", "o", "g", "mtllib", "usemtl"};
   StatementReader reader(std::make_shared<const std::string>(to_utf8(first_bytes)), nullptr);
@@ -65,8 +65,8 @@ class ObjReader {
   SmoothingGroups smoothing_groups_;
   Losses losses_;
   std::vector<grf::Block> meshes_;
-  std::vector<std::uint32_t> vertices_;          // of the face being read
-  std::vector<std::uint32_t> vertex_of_corner_;  // in the mesh being built
+  std::vector<std::uint32_t> vertices_;          // vertices of the current face
+  std::vector<std::uint32_t> vertex_of_corner_;  // vertex index in the current mesh
   std::vector<std::uint32_t> corners_with_vertex_;
 };
 
@@ -75,7 +75,7 @@ std::optional<grf::Scene> ObjReader::run(ObjText text) {
   const std::size_t faces = text_.face_count();
   if (faces == 0) {
     report();
-    diagnostics_.error(location_, "the file has no faces, and nothing else can be kept");
+    diagnostics_.error(location_, "the file has no faces, and only faces can be imported");
     return std::nullopt;
   }
   if (!text_.smoothing.empty()) smooth();
@@ -133,7 +133,7 @@ void ObjReader::add_mesh(MeshBuilder& builder) {
   meshes_.push_back(std::move(block));
 }
 
-// Most corners stand for the same vertex each time.
+// Most corners give the same vertex each time.
 std::uint32_t ObjReader::vertex(std::uint32_t corner, const UvTransform& uv, std::uint32_t group,
                                 MeshBuilder& builder) {
   const ObjCorner& indices = text_.corners[corner];
@@ -197,7 +197,7 @@ std::optional<Import> read_obj(const std::string& path, const ReadOptions& optio
   if (!text) return std::nullopt;
   ObjReader reader(path, *source, options, diagnostics);
   reader.read_libraries(*text);
-  source->text.reset();  // the meshes need the memory
+  source->text.reset();  // frees memory for the meshes
   auto scene = reader.run(std::move(*text));
   if (!scene) return std::nullopt;
   return Import{std::move(*scene), {}};

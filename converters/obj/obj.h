@@ -4,7 +4,7 @@
 
 namespace convert {
 
-/// Wavefront OBJ with its MTL material libraries.
+/// The format Wavefront OBJ, with its MTL material libraries.
 Format obj_format();
 
 }  // namespace convert

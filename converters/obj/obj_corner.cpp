@@ -9,7 +9,7 @@
 namespace convert {
 namespace {
 
-/// Takes an index from the front of the text: digits that do not begin with 0, with or without a minus sign.
+/// Parses an index at the front of the text: digits that do not begin with 0, with an optional minus sign.
 bool take_index(std::string_view& text, long long& index) {
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, index);

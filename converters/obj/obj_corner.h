@@ -6,18 +6,18 @@
 
 namespace convert {
 
-/// A corner as a face writes it: an index counts from 1, or, negative, back from the last element; it is 0
-/// where it is left out.
+/// A corner as written in a face: indices count from 1, or, if negative, back from the last element; 0 means
+/// omitted.
 struct WrittenCorner {
   long long vertex = 0;
   long long texture_coordinate = 0;
   long long normal = 0;
 };
 
-/// `v`, `v/t`, `v//n` or `v/t/n`; the parts behind the vertex may be left empty.
+/// Parses a corner `v`, `v/t`, `v//n` or `v/t/n`; the fields after the vertex may be empty.
 std::optional<WrittenCorner> parse_corner(std::string_view word);
 
-/// A corner whose elements are known: indices from 0, of which the last two may be left out.
+/// A corner with resolved indices, from 0; texture coordinates and normal may be missing.
 struct ObjCorner {
   static constexpr std::uint32_t None = 0xFFFFFFFF;
 

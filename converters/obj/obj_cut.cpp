@@ -46,7 +46,7 @@ const CutDetector::Usage* CutDetector::usage_of(std::string_view keyword) const 
 std::string CutDetector::why_cut(const Statement& statement) const {
   const std::string_view keyword = statement.keyword;
   const bool known = std::find(Keywords.begin(), Keywords.end(), keyword) != Keywords.end();
-  if (!known && usage_of(keyword) == nullptr) return fmt::format("'{}' is no keyword", keyword);
+  if (!known && usage_of(keyword) == nullptr) return fmt::format("'{}' is not a keyword", keyword);
   if (statement.rest.ends_with('\\')) return "the line that continues it is missing";
   if (has_numbers(keyword)) return why_numbers_cut(statement);
   if (keyword == "f" || keyword == "l" || keyword == "p") return why_corners_cut(statement);
@@ -58,11 +58,11 @@ std::string CutDetector::why_numbers_cut(const Statement& statement) const {
   const std::size_t count = statement.arguments.size();
   const Usage* usage = usage_of(statement.keyword);
   const std::size_t least = statement.keyword == "vt" ? 2 : 3;
-  // Others may have none at all, which is an error of theirs.
+  // Statements without any numbers are a different error.
   const std::size_t expected = usage == nullptr ? least : std::max<std::size_t>(usage->fewest_arguments, 1);
   if (count < expected) return fmt::format("it has {} of {} numbers", count, expected);
   const std::string_view last = statement.arguments.back();
-  if (!parse_number(last) || last.ends_with('.')) return fmt::format("the number '{}' is not whole", last);
+  if (!parse_number(last) || last.ends_with('.')) return fmt::format("the number '{}' is incomplete", last);
   const bool uniform = usage != nullptr && usage->fewest_decimals == usage->most_decimals;
   if (uniform && decimals_of(last) < usage->most_decimals) {
     return fmt::format("the number '{}' has fewer than the {} decimals of all others", last,
@@ -82,7 +82,7 @@ std::string CutDetector::why_corners_cut(const Statement& statement) const {
     separators = std::max(separators, usage->fewest_separators);
   }
   if (last.ends_with('/') || last.ends_with('-') || separators_of(last) < separators) {
-    return fmt::format("its last corner '{}' is not whole", last);
+    return fmt::format("its last corner '{}' is incomplete", last);
   }
   return "";
 }

@@ -10,18 +10,18 @@
 
 namespace convert {
 
-/// Tells from the statements of an OBJ file whether the last one, which has no line end, is whole. A
-/// statement that was cut inside its last number may still look like one; then nobody can tell.
+/// Detects from the statements of an OBJ file whether the last one, which has no line end, is truncated. A
+/// statement truncated inside its last number may still look complete, which cannot be detected.
 class CutDetector {
  public:
-  /// Takes note of a statement that is whole.
+  /// Records a complete statement.
   void add(const Statement& statement);
 
-  /// What shows that the statement was cut off, or an empty string if nothing does.
+  /// Returns the evidence that the statement was truncated, or an empty string.
   std::string why_cut(const Statement& statement) const;
 
  private:
-  /// What the statements with one keyword have in common.
+  /// Statistics of the statements with one keyword.
   struct Usage {
     std::size_t fewest_arguments = std::numeric_limits<std::size_t>::max();
     std::size_t fewest_separators = std::numeric_limits<std::size_t>::max();  ///< `/` in a corner of a face

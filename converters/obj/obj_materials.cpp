@@ -19,7 +19,7 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, error);
 }
 
-/// A file that another one names, as the OBJ file has to name it.
+/// Converts a file name relative to another file to one relative to the OBJ file.
 std::string named_from(const std::string& obj_path, const std::string& naming_file, const std::string& name) {
   namespace fs = std::filesystem;
   const fs::path named(name);
@@ -44,7 +44,7 @@ void ObjMaterials::read_file(const std::string& name, const grf::SourceLocation&
   std::string path = grf::path_beside(obj_path_, name);
   const std::string usual_path = std::filesystem::path(obj_path_).replace_extension(".mtl").string();
   if (!exists(path) && exists(usual_path)) {
-    // Models are renamed more often than the names inside them.
+    // Files are often renamed without the references to them.
     diagnostics_.warning(location,
                          fmt::format("there is no '{}': '{}' is read in its place", path, usual_path));
     path = usual_path;
@@ -53,7 +53,7 @@ void ObjMaterials::read_file(const std::string& name, const grf::SourceLocation&
   for (MtlMaterial& material : read_mtl(path, location, diagnostics_)) add(std::move(material), path);
 }
 
-// The first definition of a name holds.
+// The first definition of a name is used.
 void ObjMaterials::add(MtlMaterial material, const std::string& library_path) {
   const std::string name = material.phong.name;
   if (!by_name_.emplace(name, entries_.size()).second) {
@@ -82,7 +82,7 @@ void ObjMaterials::add(MtlMaterial material, const std::string& library_path) {
   entries_.push_back(std::move(entry));
 }
 
-// Models are moved more often than the images beside them are put into the folders that they name.
+// Models are often moved together with their images, but without the folders that they name.
 std::string ObjMaterials::image_named_from_obj(const std::string& name, const std::string& library_path) {
   const std::string beside = std::filesystem::path(name).filename().string();
   for (const std::string& candidate : {name, beside}) {
@@ -119,7 +119,7 @@ void ObjMaterials::report(const grf::SourceLocation& location) const {
     const std::string message = fmt::format("{} of materials that no library defines ({}): BRDF {}",
                                             counted(faces_of_unknown_, "face is", "faces are"),
                                             listed(unknown_), grf::to_text(brdf_));
-    // Where the file names no library, nothing is missing: its materials are names alone.
+    // If the file names no library, nothing is missing: its materials are only names.
     if (names_library_) {
       diagnostics_.warning(location, message);
     } else {
@@ -127,8 +127,9 @@ void ObjMaterials::report(const grf::SourceLocation& location) const {
     }
   }
   if (!defined_again_.empty()) {
-    diagnostics_.warning(location, fmt::format("materials are defined again ({}): the first definition holds",
-                                               listed(defined_again_)));
+    diagnostics_.warning(location,
+                         fmt::format("materials are defined again ({}): the first definition is used",
+                                     listed(defined_again_)));
   }
   if (!clamped_.empty()) {
     diagnostics_.warning(location, fmt::format("values of materials are out of range, and were clamped ({})",

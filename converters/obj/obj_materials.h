@@ -18,32 +18,32 @@
 
 namespace convert {
 
-/// What faces with a material have.
+/// The surface of faces with a material.
 struct ObjSurface {
   grf::Surface surface;
-  UvTransform uv;  ///< for their texture coordinates
+  UvTransform uv;  ///< transform of their texture coordinates
 };
 
-/// The materials of an OBJ file: those of its libraries, and those that only its faces name.
+/// The materials of an OBJ file: those of its libraries, and undefined ones that only its faces name.
 class ObjMaterials {
  public:
-  /// `brdf` is for materials of which nothing but the name is known.
+  /// `brdf` is for undefined materials.
   ObjMaterials(std::string obj_path, grf::BrdfModel brdf, grf::Diagnostics& diagnostics)
       : obj_path_(std::move(obj_path)), brdf_(std::move(brdf)), diagnostics_(diagnostics) {}
 
-  /// Reads what a `mtllib` statement names: one file, or several with spaces between.
+  /// Reads the libraries of a `mtllib` statement: one file, or several separated by spaces.
   void read(const LibraryName& library);
 
-  /// True if a library defines the name.
+  /// Returns whether a library defines the name.
   bool has(std::string_view name) const { return by_name_.contains(name); }
 
-  /// The surface of so many faces with the material, whose losses are counted.
+  /// Returns the surface of a material for a number of faces, and counts their losses.
   ObjSurface surface(const std::string& name, std::size_t faces, Losses& losses);
 
-  /// Warns of what is wrong with the materials, a line a kind. To be called when all faces are known.
+  /// Reports problems of the materials, one line per kind. Must be called after all faces.
   void report(const grf::SourceLocation& location) const;
 
-  /// A definition for each material, whether or not a face has it.
+  /// Returns a definition per material, used or not.
   std::vector<grf::Definition> definitions() const;
 
  private:
@@ -62,7 +62,7 @@ class ObjMaterials {
   std::string obj_path_;
   grf::BrdfModel brdf_;
   grf::Diagnostics& diagnostics_;
-  std::set<std::string> paths_;  // of libraries that were read: exporters name one again for each object
+  std::set<std::string> paths_;  // libraries read so far: exporters repeat the name for each object
   std::vector<Entry> entries_;
   std::map<std::string, std::size_t, std::less<>> by_name_;
   std::vector<std::string> clamped_;

@@ -16,13 +16,13 @@
 namespace convert {
 namespace {
 
-/// The elements of one kind (vertices, say), and the highest index that a face has of them. Faces may stand
-/// before what they refer to, so that it is compared with the number of elements at the end.
+/// The elements of one kind (vertices, say), and the highest index in a face. Faces may precede the elements
+/// that they refer to, so that it is compared with the number of elements at the end.
 struct Elements {
   std::string_view name;
   long long count = 0;
   long long highest_index = 0;
-  std::string_view highest_word;  ///< in the statement being checked
+  std::string_view highest_word;  ///< the word of the highest index in the current statement
   grf::SourceLocation highest_at;
 };
 
@@ -75,11 +75,11 @@ class ObjParser {
   Elements normals_{"normal", 0, 0, {}, {}};
   std::array<float, 6> numbers_ = {};
   IndexTable corners_;
-  std::vector<std::uint32_t> face_;                              // indices of corners
+  std::vector<std::uint32_t> face_;                              // corner indices of the current face
   std::map<std::string, std::uint32_t, std::less<>> materials_;  // by name
   std::uint32_t material_ = 0;
   bool mesh_has_faces_ = false;
-  std::uint32_t group_ = 0;  // of smoothing; 0 is none
+  std::uint32_t group_ = 0;  // smoothing group; 0 is none
 };
 
 std::optional<ObjText> ObjParser::run() {
@@ -98,8 +98,7 @@ std::optional<ObjText> ObjParser::run() {
   }
   if (failed()) return std::nullopt;
   if (reader_.ends_inside_line()) {
-    diagnostics_.warning(reader_.whole_file(),
-                         "the file does not end with a line end: it may have been cut off");
+    diagnostics_.warning(reader_.whole_file(), "the file does not end with a line end: it may be truncated");
   }
   text_.loose_vertices = count_loose_vertices();
   return std::move(text_);
@@ -118,7 +117,7 @@ void ObjParser::read(const Statement& statement) {
   } else {
     read_other(statement);
   }
-  // Nothing else asks what the statements have in common.
+  // The statistics are only needed to detect truncation.
   if (may_be_cut_) cut_detector_.add(statement);
 }
 
@@ -146,7 +145,7 @@ void ObjParser::read_cut(const Statement& statement) {
   if (why.empty()) {
     read(statement);
   } else {
-    fail(statement.keyword, "the file was cut off inside this statement: " + why);
+    fail(statement.keyword, "the file is truncated in this statement: " + why);
   }
 }
 
@@ -189,7 +188,7 @@ void ObjParser::read_vertex(const Statement& statement) {
   text_.positions.push_back(position);
 }
 
-/// The position of a vertex that has a weight, by which it is divided.
+/// Returns the position of a vertex with a weight (homogeneous coordinates), divided by it.
 std::optional<grf::Vec3f> ObjParser::weighted(const Statement& statement) {
   std::array<double, 4> numbers = {};
   for (std::size_t i = 0; i < 4; ++i) numbers[i] = parse_number(statement.arguments[i]).value_or(0);
@@ -215,7 +214,7 @@ void ObjParser::read_normal(const Statement& statement) {
   if (!numbers.empty()) text_.normals.emplace_back(numbers[0], numbers[1], numbers[2]);
 }
 
-// A number, or a word of those that exporters write in its place.
+// Parses the number of a smoothing group, or a word that exporters write instead.
 void ObjParser::read_smoothing_group(const Statement& statement) {
   const std::string_view word = statement.rest;
   std::uint32_t number = 0;
@@ -224,7 +223,7 @@ void ObjParser::read_smoothing_group(const Statement& statement) {
   group_ = is_number ? number : word.empty() || word == "off" ? 0 : 1;
 }
 
-// Groups and objects without faces leave no trace, so that they take no memory.
+// Groups and objects without faces are not stored, to save memory.
 void ObjParser::begin_mesh(const Statement& statement) {
   if (mesh_has_faces_) text_.meshes.emplace_back();
   text_.meshes.back() = statement.text();
@@ -270,7 +269,7 @@ bool ObjParser::read_corners(const Statement& statement) {
     if (!resolved) return false;
     add_corner(*resolved);
   }
-  // Once a face, not once a corner: to find a column costs the length of the line.
+  // Locations are found once per face, not per corner: to find a column costs the length of the line.
   for (Elements* elements : all_elements) {
     if (elements->highest_word.empty()) continue;
     elements->highest_at = reader_.location(elements->highest_word);
@@ -287,8 +286,8 @@ std::optional<ObjCorner> ObjParser::resolve(std::string_view word, const Written
   return exist ? std::optional(resolved) : std::nullopt;
 }
 
-// Negative indices count back from the last element so far. One that is too high for any file is kept as the
-// highest alone, which ends in an error.
+// Negative indices count back from the last element so far. An index too high for any file is only recorded
+// as the highest, which is an error in the end.
 bool ObjParser::resolve(std::string_view word, long long written, Elements& elements, std::uint32_t& index) {
   if (written == 0) return true;
   if (written < -elements.count) {
@@ -296,7 +295,8 @@ bool ObjParser::resolve(std::string_view word, long long written, Elements& elem
                                   elements.name, written, elements.count));
   }
   if (written > elements.highest_index) {
-    // A location takes time, and the first faces of a file each have the highest index so far.
+    // Only the word is stored: a location takes time, and the first faces of a file each have a new highest
+    // index.
     if (written > elements.count) elements.highest_word = word;
     elements.highest_index = written;
   }

@@ -40,12 +40,12 @@ std::uint64_t hash_of(const Numbers<N>& numbers) {
   return hash;
 }
 
-/// Elements of one kind in the order in which they are written, each different one once in a mesh. Numbers
-/// are compared bit for bit, so that the sign of a zero is kept.
+/// Deduplicates elements of one kind per mesh, in the order of writing. Numbers are compared bit for bit, so
+/// that the sign of a zero is kept.
 template <std::size_t N>
 class ElementList {
  public:
-  /// Forgets those of the mesh before, which keep their numbers.
+  /// Starts a new mesh; elements of previous meshes keep their indices.
   void begin_mesh() {
     before_ += elements_.size();
     elements_.clear();
@@ -59,7 +59,7 @@ class ElementList {
     if (index == next) elements_.push_back(element);
     return index;
   }
-  /// As a face names it.
+  /// Returns the index as written in a face.
   std::uint64_t number(std::uint32_t index) const { return before_ + index + 1; }
   const std::vector<Numbers<N>>& elements() const { return elements_; }
 
@@ -71,7 +71,7 @@ class ElementList {
   std::uint64_t before_ = 0;
 };
 
-/// A statement with a name. A backslash at the end of a line would join the next one to it.
+/// Formats a statement with a name. A backslash at the end of a line would join the next one to it.
 std::string on_a_line(std::string_view keyword, std::string_view name) {
   std::string line = name.empty() ? std::string(keyword) : fmt::format("{} {}", keyword, name);
   std::replace_if(
@@ -81,7 +81,7 @@ std::string on_a_line(std::string_view keyword, std::string_view name) {
 
 Numbers<3> numbers_of(const grf::Vec3f& v) { return {v.x, v.y, v.z}; }
 
-/// Text that goes to a file in large parts.
+/// A buffered writer of text to a file.
 class Output {
  public:
   explicit Output(const grf::FileWriter& write) : write_(write) {}
@@ -105,7 +105,7 @@ class Output {
     constexpr std::size_t LargePart = 1U << 20U;
     if (text_.size() > LargePart) finish();
   }
-  /// False if any of it could not be written.
+  /// Flushes the buffer; returns false if any text could not be written.
   bool finish() {
     is_written_ = is_written_ && write_(text_);
     text_.clear();
@@ -148,7 +148,7 @@ class ObjWriter {
   Losses& losses_;
   bool has_colours_ = false;
   bool is_first_mesh_ = true;
-  const std::string* material_ = nullptr;  // of the faces so far
+  const std::string* material_ = nullptr;  // current material
   ElementList<6> positions_;
   ElementList<2> uvs_;
   ElementList<3> normals_;
@@ -176,7 +176,7 @@ void ObjWriter::write_mesh(const WorldMesh& mesh, Output& output) {
   }
 }
 
-// What stands before any `o` is a mesh without a name.
+// Elements before any `o` are a mesh without a name.
 void ObjWriter::write_name(const std::string& name, Output& output) {
   if (!is_first_mesh_ || !name.empty()) output.line(on_a_line("o", name));
   is_first_mesh_ = false;
@@ -205,8 +205,8 @@ void ObjWriter::write_vertices(const WorldMesh& placed, Output& output) {
   for (const Numbers<3>& vn : normals_.elements()) output.line("vn", vn);
 }
 
-// Where one vertex of the file has a colour, all get one: Assimp, for one, takes the colours for those of the
-// first vertices. A colour that is missing is 1 in GRF.
+// If any vertex of the file has a colour, all get one: Assimp, for example, assigns the colours to the first
+// vertices. A missing colour is 1 in GRF.
 Numbers<6> ObjWriter::position_and_colour(const WorldMesh& placed, std::size_t vertex) const {
   const grf::Vec3f position = placed.position(vertex);
   if (!has_colours_) return {position.x, position.y, position.z, 0, 0, 0};
@@ -216,8 +216,8 @@ Numbers<6> ObjWriter::position_and_colour(const WorldMesh& placed, std::size_t v
   return {position.x, position.y, position.z, colour.x, colour.y, colour.z};
 }
 
-// All corners of a face have a normal, or none has: in GRF too, a face is flat where one corner lacks it. A
-// texture coordinate that is missing is (0, 0).
+// All corners of a face have a normal, or none has: in GRF too, a face is flat-shaded if a corner lacks one.
+// A missing texture coordinate is (0, 0).
 void ObjWriter::write_face(const WorldMesh& placed, std::size_t index, Output& output) {
   const std::span<const std::uint32_t> face = placed.face(index);
   const auto has_normal = [this](std::uint32_t vertex) { return normal_of_vertex_[vertex] != None; };
@@ -243,7 +243,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   const WorldMeshes meshes(flat);
   const grf::SourceLocation location = grf::whole_file(path);
   if (!meshes.is_finite()) {
-    diagnostics.error(location, "a transform moves a vertex so far that no float holds it");
+    diagnostics.error(location, "a transform moves a vertex out of the range of a float");
     return false;
   }
   const MtlWriter materials(flat, meshes);
@@ -261,7 +261,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   losses.report(location, diagnostics);
   if (materials.approximated_faces() > 0) {
     diagnostics.note(location,
-                     fmt::format("{} a BRDF that MTL only comes near: comments have the exact one",
+                     fmt::format("{} a BRDF that MTL only approximates: comments have the exact one",
                                  counted(materials.approximated_faces(), "face has", "faces have")));
   }
   return true;

@@ -7,8 +7,8 @@
 
 namespace convert {
 
-/// Replaces the OBJ file, and the library of its materials beside it (the same name with `.mtl`) if there are
-/// any; or leaves both as they were and says why. What is lost is said in one warning a kind.
+/// Writes an OBJ file, and its material library beside it (the same name with `.mtl`) if there are materials;
+/// or leaves both unchanged and reports why. Losses are reported in one warning per kind.
 bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace convert

@@ -15,10 +15,10 @@
 namespace convert {
 namespace {
 
-/// What a character may be; one look into a table a character, since texts are long.
+/// Character classes, as flags of a lookup table, since texts are long.
 enum CharacterKind : std::uint8_t {
   LineEnd = 1,
-  Space = 2,  // line ends too: those that are left inside a statement stand behind a backslash
+  Space = 2,  // also line ends: those inside a statement follow a backslash
   Backslash = 4,
 };
 
@@ -35,7 +35,7 @@ bool is_any(char c, unsigned kinds) { return (CharacterKinds[static_cast<std::ui
 bool is_line_end(char c) { return is_any(c, LineEnd); }
 bool is_space(char c) { return is_any(c, Space); }
 
-/// True at a backslash that joins the next line to this one.
+/// Returns whether there is a backslash that joins the next line to this one.
 bool joins_lines(const char* position, const char* end) {
   return *position == '\\' && position + 1 != end && is_line_end(position[1]);
 }
@@ -46,7 +46,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes the next word from the front of the text; empty at its end.
+/// Takes the next word at the front of the text; empty at its end.
 std::string_view take_word(std::string_view& text) {
   const char* position = text.data();
   const char* end = position + text.size();
@@ -60,7 +60,7 @@ std::string_view take_word(std::string_view& text) {
   return {begin, static_cast<std::size_t>(position - begin)};
 }
 
-// A number may have a plus sign here, but not to from_chars.
+// Numbers may have a plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   return word;
@@ -84,7 +84,7 @@ StatementReader::StatementReader(std::shared_ptr<const std::string> text,
 
 bool StatementReader::next(Statement& statement) {
   while (position_ != end_) {
-    // Where the last statement began is where the count of lines stands.
+    // The line count is that of the start of the last statement.
     line_ += static_cast<std::uint32_t>(std::count(line_begin_, position_, '\n'));
     line_begin_ = position_;
     std::string_view line = next_line();
@@ -108,7 +108,7 @@ bool StatementReader::next(Statement& statement) {
   return false;
 }
 
-// The characters up to the next line end that no backslash takes away, which is passed over.
+// Takes the text up to the next line end that is not escaped by a backslash, and skips that line end.
 std::string_view StatementReader::next_line() {
   const char* begin = position_;
   while (position_ != end_ && !is_line_end(*position_)) {
@@ -142,7 +142,7 @@ std::optional<float> parse_float(std::string_view word) {
   const char* end = digits.data() + digits.size();
   const auto result = std::from_chars(digits.data(), end, number);
   if (result.ec == std::errc() && result.ptr == end && std::isfinite(number)) return number;
-  // Numbers too small for a float are sound, and are out of its range all the same.
+  // Underflow is valid, although it is reported as out of range.
   const std::optional<double> wide = parse_number(word);
   return wide ? std::optional(static_cast<float>(*wide)) : std::nullopt;
 }

@@ -17,7 +17,7 @@
 namespace convert {
 namespace {
 
-/// What the first word says of each vertex: `STCN4nOFF`, where all but `OFF` may be missing.
+/// The attributes per vertex by the first word: `STCN4nOFF`, in which all but `OFF` is optional.
 struct Header {
   bool has_uv = false;
   bool has_colour = false;
@@ -26,7 +26,7 @@ struct Header {
   bool has_dimensions = false;
 
   std::size_t coordinates() const { return is_homogeneous ? 4 : 3; }
-  /// How many numbers a vertex has besides its colour, which may have three or four.
+  /// Returns the count of numbers per vertex without its colour, which may have three or four.
   std::size_t numbers() const { return coordinates() + (has_normal ? 3 : 0) + (has_uv ? 2 : 0); }
 };
 
@@ -67,7 +67,7 @@ class OffReader {
     if (!read_header() || !read_vertices() || !read_faces()) return {};
     warn_of_rest();
     if (faces_.empty()) {
-      fail(reader_.whole_file(), "the file has no faces, and nothing else can be kept");
+      fail(reader_.whole_file(), "the file has no faces, and only faces can be imported");
       return {};
     }
     return scene();
@@ -83,7 +83,7 @@ class OffReader {
   void warn_of_rest();
   grf::Scene scene();
 
-  /// The words of the next line that has any.
+  /// Reads the words of the next non-empty line.
   bool next_line();
   bool read_counts();
   bool read_numbers(std::size_t from);
@@ -98,8 +98,8 @@ class OffReader {
   grf::Diagnostics& diagnostics_;
   Losses losses_;
   Header header_;
-  std::vector<std::string_view> words_;  // of a line
-  std::vector<double> numbers_;          // of a line
+  std::vector<std::string_view> words_;  // words of the current line
+  std::vector<double> numbers_;          // numbers of the current line
   std::size_t vertex_count_ = 0;
   std::size_t face_count_ = 0;
   std::vector<Corner> vertices_;
@@ -171,7 +171,7 @@ bool OffReader::read_vertices() {
   while (vertices_.size() < vertex_count_) {
     if (!next_line()) {
       return fail(reader_.whole_file(),
-                  fmt::format("the file ends behind {} of {} vertices", vertices_.size(), vertex_count_));
+                  fmt::format("the file ends after {} of {} vertices", vertices_.size(), vertex_count_));
     }
     if (!read_vertex()) return false;
   }
@@ -193,7 +193,7 @@ bool OffReader::read_vertex() {
   if (!(position.length() < std::numeric_limits<float>::max())) {
     return fail(reader_.location(words_.front()), "the vertex is too far away for a float");
   }
-  corner.position = grf::Vec3f(position + grf::Vec3d(0));  // -0 is 0, and at the same place
+  corner.position = grf::Vec3f(position + grf::Vec3d(0));  // normalises -0 to 0
   std::size_t next = header_.coordinates();
   if (header_.has_normal) {
     corner.normal = grf::Vec3f(grf::Vec3d(numbers_[next], numbers_[next + 1], numbers_[next + 2]));
@@ -217,7 +217,7 @@ grf::Colour OffReader::colour_at(std::size_t first) const {
 bool OffReader::read_faces() {
   for (std::size_t i = 0; i < face_count_; ++i) {
     if (!next_line()) {
-      return fail(reader_.whole_file(), fmt::format("the file ends behind {} of {} faces", i, face_count_));
+      return fail(reader_.whole_file(), fmt::format("the file ends after {} of {} faces", i, face_count_));
     }
     if (!read_face()) return false;
   }
@@ -263,13 +263,13 @@ void OffReader::warn_of_rest() {
   std::size_t lines = 0;
   while (next_line()) ++lines;
   if (lines > 0) {
-    diagnostics_.warning(reader_.whole_file(), fmt::format("{} not read behind the last face",
+    diagnostics_.warning(reader_.whole_file(), fmt::format("{} not read after the last face",
                                                            counted(lines, "line is", "lines are")));
   }
   losses_.report(reader_.whole_file(), diagnostics_);
 }
 
-// Colours are up to 1 or up to 255, which only the colours themselves tell.
+// The range of colours is 1 or 255, which only the values themselves tell.
 grf::Scene OffReader::scene() {
   const float scale = largest_colour_ > 1 ? 1 / 255.0F : 1;
   for (Corner& corner : vertices_) {

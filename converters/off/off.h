@@ -4,9 +4,9 @@
 
 namespace convert {
 
-/// Object File Format of Geomview, in text (Geomview manual, section 4.2.5). Read without Assimp, which
-/// leaves out faces of ten corners or more, takes an index that is out of range for another one and a comment
-/// for a vertex, and loses the colours of faces.
+/// The format OFF, Geomview's Object File Format, in text (Geomview manual, section 4.2.5). It is read
+/// without Assimp, which drops faces of ten corners or more, replaces an index out of range by another one,
+/// reads a comment as a vertex, and loses the colours of faces.
 Format off_format();
 
 }  // namespace convert

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view Lost =
     "names of meshes, BRDFs but for their names, sampling schemes, emission, lights, irradiance, transforms "
-    "and instances (the faces stand where they put them)";
+    "and instances (applied)";
 
 bool sniff_nothing(std::string_view) { return false; }
 

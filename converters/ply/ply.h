@@ -4,10 +4,10 @@
 
 namespace convert {
 
-/// PLY, read in all of its encodings, and written binary.
+/// The format PLY, read in all of its encodings, and written as binary.
 Format ply_format();
 
-/// PLY written as text. It is read as `ply`.
+/// The format PLY written as text. It is read as `ply`.
 Format ply_ascii_format();
 
 }  // namespace convert

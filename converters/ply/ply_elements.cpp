@@ -17,7 +17,7 @@ namespace {
 
 using Slot = PlySlot;
 
-/// Whether a number stands between two strips: -1, as it is, and as it is where lists are unsigned.
+/// Returns whether a number separates two strips: -1, also as an unsigned value.
 bool ends_strip(double value) { return value == -1 || value == std::numeric_limits<std::uint32_t>::max(); }
 
 class ElementReader {
@@ -54,7 +54,7 @@ class ElementReader {
   PlyMesh& mesh_;
   double vertex_count_ = 0;
   bool reads_strips_ = false;
-  // Of the vertex or face that is being read.
+  // The values of the current vertex or face.
   PlySlotValues slots_ = {};
   std::vector<double> corner_list_;
   std::vector<double> uv_list_;
@@ -62,8 +62,7 @@ class ElementReader {
   std::vector<grf::Vec2f> uvs_;
 };
 
-// Faces may stand before the vertices that they need: then they are passed over, and read when those are
-// there.
+// Faces may precede their vertices: then they are skipped, and read in a second pass.
 bool ElementReader::run() {
   const PlyElement* vertices = header_.find("vertex");
   vertex_count_ = static_cast<double>(vertices->count);
@@ -91,7 +90,7 @@ bool ElementReader::read(const PlyElement& element) {
 }
 
 bool ElementReader::skip(const PlyElement& element) {
-  if (element.properties.empty()) return true;  // any number of them is nothing
+  if (element.properties.empty()) return true;  // without properties any number of elements is empty
   for (std::uint64_t i = 0; i < element.count; ++i) {
     values_.begin(element, i);
     if (!values_.skip_element()) return false;
@@ -160,7 +159,7 @@ bool ElementReader::read_list(const PlyProperty& property, std::vector<double>& 
 bool ElementReader::read_number(const PlyProperty& property, Slot slot) {
   double& value = slots_[static_cast<std::size_t>(slot)];
   if (!values_.next(property.type, value)) return false;
-  // A position that no float holds makes all that follows from it wrong; other values can be done without.
+  // A position out of the range of a float is an error; other values are optional.
   const bool is_position = slot == Slot::X || slot == Slot::Y || slot == Slot::Z;
   if (!is_position || std::abs(value) <= std::numeric_limits<float>::max()) return true;
   return values_.fail(
@@ -214,8 +213,8 @@ bool ElementReader::take_uvs(PlyFace& face) {
   return true;
 }
 
-// Each vertex but the first two of a strip makes a triangle with the two before it, and every other one is
-// turned round so that all have one front. Triangles with a vertex twice lead from one part to the next.
+// Triangle strips: each vertex but the first two makes a triangle with the two before it, with alternating
+// winding. Degenerate triangles connect parts of a strip.
 bool ElementReader::add_strip() {
   std::array<std::uint32_t, 3> corners = {};
   std::size_t length = 0;

@@ -19,7 +19,7 @@ struct TypeNames {
   std::size_t size = 0;
 };
 
-/// In the order of `PlyType`.
+/// The names and sizes of types, in the order of `PlyType`.
 constexpr std::array<TypeNames, 8> Types = {{{"char", "int8", 1},
                                              {"uchar", "uint8", 1},
                                              {"short", "int16", 2},
@@ -38,7 +38,7 @@ std::optional<PlyType> type_of(std::string_view word) {
 
 constexpr std::string_view Blanks = " \t\r";
 
-/// The text is that of one line, without its end.
+/// Splits a line, without its line end, into words.
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   for (;;) {
@@ -56,7 +56,7 @@ std::string_view rest_behind(std::string_view line, std::string_view word) {
   return line.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-/// Lines end by a carriage return alone in files of old Macintoshes.
+/// Finds the end of a line; in files of old Macintoshes lines end in only a carriage return.
 char line_end_of(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n");
   const bool is_return =
@@ -69,7 +69,7 @@ std::ptrdiff_t count_characters(std::string_view text) {
                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
 }
 
-/// More than anybody has a use for, and few enough to be looked up one after the other.
+/// The maximum number of elements and properties, few enough for linear searches.
 constexpr std::size_t MostElements = 1000;
 
 class HeaderReader {
@@ -98,8 +98,8 @@ class HeaderReader {
   void fail(std::string_view part, const std::string& message) {
     diagnostics_.error(place_of(part), message);
   }
-  // Of a part of the line that was read last: to count lines from the beginning would cost too much where
-  // each of many has a warning.
+  // Returns the location of a part of the last line; counting lines from the beginning of the file would be
+  // quadratic if many lines have a warning.
   grf::SourceLocation place_of(std::string_view part) const {
     const auto column =
         1 + count_characters(line_.substr(0, static_cast<std::size_t>(part.data() - line_.data())));
@@ -162,7 +162,7 @@ void HeaderReader::read_line() {
   }
 }
 
-// A return may end this line alone, and then values stand behind it.
+// This line may end in only a carriage return, followed by the values.
 void HeaderReader::read_end() {
   constexpr std::string_view Word = "end_header";
   const std::string_view behind = line_.substr(line_.find(Word) + Word.size());
@@ -215,7 +215,7 @@ void HeaderReader::read_property() {
   property.name = words_.back();
   for (std::size_t i = is_list ? 2 : 1; i + 1 < words_.size(); ++i) {
     const auto type = type_of(words_[i]);
-    if (!type) return fail(words_[i], fmt::format("'{}' is no type of PLY", words_[i]));
+    if (!type) return fail(words_[i], fmt::format("'{}' is not a type of PLY", words_[i]));
     if (is_list && i == 2) {
       if (is_float(*type)) return fail(words_[i], "a list is counted by an integer");
       property.count_type = type;
@@ -226,15 +226,15 @@ void HeaderReader::read_property() {
   header_.elements.back().properties.push_back(std::move(property));
 }
 
-// Exporters put lines without a keyword where a comment belongs. A misspelt keyword would shift all that
-// stands behind it.
+// Lines without a keyword are skipped, since exporters write comments that way. A misspelt keyword is an
+// error, since it would shift all values after it.
 void HeaderReader::pass_over() {
   if (words_.empty() || words_.front() == "obj_info") return;
   const std::string suggestion = grf::did_you_mean(
       words_.front(), {"comment", "element", "end_header", "format", "obj_info", "property"});
-  const std::string message = fmt::format("found '{}', expected a word of PLY headers", words_.front());
+  const std::string message = fmt::format("found '{}', expected a keyword of PLY headers", words_.front());
   if (!suggestion.empty()) return fail(words_.front(), fmt::format("{}: {}", message, suggestion));
-  diagnostics_.warning(place_of(words_.front()), message + ": the line is passed over");
+  diagnostics_.warning(place_of(words_.front()), message + ": the line is skipped");
 }
 
 void HeaderReader::check_names(const PlyElement& element) {
@@ -249,14 +249,14 @@ void HeaderReader::check_names(const PlyElement& element) {
 
 void HeaderReader::check_room() {
   const std::uint64_t room = text_.size() - header_.size;
-  // The last value of a text needs no line end.
+  // The last value in a text needs no line end.
   std::uint64_t left = room + (header_.encoding == PlyEncoding::Ascii ? 1 : 0);
   for (const PlyElement& element : header_.elements) {
     const std::uint64_t size = element.fewest_bytes(header_.encoding);
     if (size > 0 && element.count > left / size) {
       diagnostics_.error(
           element.location,
-          fmt::format("the file is too short for {} elements '{}': it has {} bytes behind its header",
+          fmt::format("the file is too short for {} elements '{}': it has {} bytes after its header",
                       element.count, element.name, room));
       return;
     }

@@ -24,7 +24,7 @@ constexpr std::array ColourNames = {SlotName{"red", PlySlot::Red},
                                     SlotName{"diffuse_blue", PlySlot::Blue},
                                     SlotName{"diffuse_alpha", PlySlot::Alpha}};
 
-// The names of uv are those of Blender (s, t), MeshLab (texture_u, texture_v) and others.
+// Names of texture coordinates are those of Blender (s, t), MeshLab (texture_u, texture_v) and others.
 constexpr std::array VertexNames = {
     SlotName{"x", PlySlot::X},         SlotName{"y", PlySlot::Y},         SlotName{"z", PlySlot::Z},
     SlotName{"nx", PlySlot::NormalX},  SlotName{"ny", PlySlot::NormalY},  SlotName{"nz", PlySlot::NormalZ},
@@ -41,7 +41,7 @@ std::optional<PlySlot> find(std::span<const SlotName> names, std::string_view na
   return known == names.end() ? std::nullopt : std::optional(known->slot);
 }
 
-/// A component without the others means nothing, and is as good as one that is not known.
+/// Ignores components of a vector that lacks other components, as if they were unknown.
 void drop_incomplete(PlyLayout& layout) {
   const auto drop = [&layout](std::initializer_list<PlySlot> slots) {
     for (const PlySlot slot : slots) {

@@ -1,4 +1,4 @@
-// What the properties of vertices and faces mean.
+// The interpretation of the properties of vertices and faces.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace convert {
 
-/// What one number of a vertex or a face says.
+/// The meaning of a scalar property of a vertex or a face.
 enum class PlySlot {
   X,
   Y,
@@ -26,21 +26,21 @@ enum class PlySlot {
   Alpha,
   U,
   V,
-  Material,  ///< of a face: a number under which a comment has a name
-  Texture,   ///< of a face: among the files that comments name
+  Material,  ///< of a face: the number of a material that a comment names
+  Texture,   ///< of a face: the index of a file that a comment names
   Count
 };
 
-/// What a list of a face says.
+/// The meaning of a list property of a face.
 enum class PlyList { Corners, CornerUvs };
 
-/// The properties of an element, seen as what they mean.
+/// The layout of an element: the meaning of its properties.
 struct PlyLayout {
   struct Meaning {
     std::optional<PlySlot> slot;
     std::optional<PlyList> list;
   };
-  std::vector<Meaning> meanings;  ///< of each property; those that are not read have none
+  std::vector<Meaning> meanings;  ///< by property; ignored ones have none
 
   /// The property of each slot, or null.
   std::array<const PlyProperty*, static_cast<std::size_t>(PlySlot::Count)> properties = {};
@@ -54,7 +54,8 @@ struct PlyLayout {
   bool has(PlySlot slot) const { return of(slot) != nullptr; }
 };
 
-/// The element outlives what is given. Where two properties mean one thing, the first one holds.
+/// Finds the layout of an element, which must outlive it. Of two properties with one meaning, the first
+/// counts.
 PlyLayout vertex_layout(const PlyElement& element);
 PlyLayout face_layout(const PlyElement& element);
 
@@ -63,11 +64,11 @@ using PlySlotValues = std::array<double, static_cast<std::size_t>(PlySlot::Count
 
 inline double at(const PlySlotValues& values, PlySlot slot) { return values[static_cast<std::size_t>(slot)]; }
 
-/// The value that stands for a component of 1: 255 in bytes, and in integers of 32 bits, which exporters use
-/// for the same range. Floats are as they are.
+/// Returns the value of a full colour component, 1: 255 in bytes, and in 32-bit integers, which exporters use
+/// for the same range; floats are not scaled.
 double full_component(PlyType type);
 
-/// A component of a colour from the value of a property.
+/// Converts the value of a property to a colour component.
 inline float to_component(double value, PlyType type) {
   return static_cast<float>(value / full_component(type));
 }

@@ -27,7 +27,7 @@ bool is_finite(const auto& v) {
   return true;
 }
 
-/// What stands behind a first word, if that is the word.
+/// Returns the text after the first word, if that is the given word.
 std::optional<std::string_view> behind(std::string_view text, std::string_view word) {
   if (!text.starts_with(word) || text.substr(word.size(), 1) != " ") return std::nullopt;
   text.remove_prefix(word.size());
@@ -42,7 +42,7 @@ PlyMesh::PlyMesh(const PlyHeader& header, const ReadOptions& options)
   read_comments(header);
 }
 
-// `comment material 0 NAME` is this project's own; `comment TextureFile NAME` is MeshLab's.
+// The comments are `comment material 0 NAME`, of this project, and `comment TextureFile NAME`, of MeshLab.
 void PlyMesh::read_comments(const PlyHeader& header) {
   for (const std::string& comment : header.comments) {
     if (const auto file = behind(comment, "TextureFile"); file && !file->empty()) {
@@ -110,7 +110,7 @@ void PlyMesh::add_face(std::span<const std::uint32_t> corners, const PlyFace& fa
   mesh_.add_face(corners_, surface);
 }
 
-// The first uv of a vertex is its own; each other one gets a copy of it, behind the vertices of the file.
+// The first uv of a vertex is stored in place; other uvs get a copy of the vertex, after those of the file.
 std::uint32_t PlyMesh::corner_with_uv(std::uint32_t vertex, const grf::Vec2f& uv) {
   if (!is_finite(uv)) {
     losses_.add(Loss::BadTextureCoordinates);
@@ -134,7 +134,7 @@ std::uint32_t PlyMesh::corner_with_uv(std::uint32_t vertex, const grf::Vec2f& uv
 }
 
 std::size_t PlyMesh::UvHash::operator()(const std::array<std::uint32_t, 3>& key) const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a on words
+  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a over words
   for (const std::uint32_t word : key) hash = (hash ^ word) * 0x100000001b3ULL;
   return hash ^ (hash >> 32U);
 }
@@ -219,10 +219,9 @@ void PlyMesh::report(const grf::SourceLocation& location, grf::Diagnostics& diag
   for (const grf::Definition& material : materials_.definitions()) {
     names.push_back(grf::from_identifier(material.name));
   }
-  diagnostics.note(
-      location,
-      fmt::format("{} of materials of which the file has the names alone ({}): BRDF {}",
-                  counted(faces_with_material_, "face is", "faces are"), listed(names), grf::to_text(brdf_)));
+  diagnostics.note(location, fmt::format("{} of materials of which the file has only the names ({}): BRDF {}",
+                                         counted(faces_with_material_, "face is", "faces are"), listed(names),
+                                         grf::to_text(brdf_)));
 }
 
 std::string material_name(const std::string& comment) {

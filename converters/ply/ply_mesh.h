@@ -1,4 +1,4 @@
-// The mesh of a PLY file while its vertices and faces come in.
+// The mesh of a PLY file under construction.
 #pragma once
 
 #include <array>
@@ -20,20 +20,20 @@
 
 namespace convert {
 
-/// What a face says beside its corners.
+/// The attributes of a face.
 struct PlyFace {
   std::optional<grf::Colour> colour;
   std::int64_t material = -1;           ///< below 0: none
-  std::optional<std::int64_t> texture;  ///< below 0: none; absent: the first one that a comment names, if any
-  std::span<const grf::Vec2f> uvs;      ///< of each corner, or empty
+  std::optional<std::int64_t> texture;  ///< below 0: none; absent: the first one in the comments, if any
+  std::span<const grf::Vec2f> uvs;      ///< one per corner, or empty
 };
 
-/// Vertices keep the order of the file and are shared as there; those that no face uses stay.
+/// A mesh builder that keeps the vertices of the file in order and shared, including unused ones.
 class PlyMesh {
  public:
-  /// Takes the names of materials and textures from the comments. The header outlives this.
+  /// Takes the names of materials and textures from the comments. The header must outlive this.
   PlyMesh(const PlyHeader& header, const ReadOptions& options);
-  PlyMesh(const PlyMesh&) = delete;  // surfaces know where the materials are
+  PlyMesh(const PlyMesh&) = delete;  // surfaces_ refers to the materials
   PlyMesh& operator=(const PlyMesh&) = delete;
 
   void reserve(std::size_t vertices, std::size_t faces);
@@ -43,12 +43,12 @@ class PlyMesh {
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
   void set_position(std::uint32_t vertex, const grf::Vec3f& position) { mesh_.positions[vertex] = position; }
-  /// A normal of no length is none: so are those of vertices that have none where others have one.
+  /// Sets a normal, unless it is zero, as the writer marks vertices without one.
   void set_normal(std::uint32_t vertex, const grf::Vec3f& normal);
   void set_colour(std::uint32_t vertex, const grf::Colour& colour);
   void set_uv(std::uint32_t vertex, const grf::Vec2f& uv);
 
-  /// Corners are vertices that there are. A face of fewer than three is counted and left out.
+  /// Adds a face of existing vertices. A face of fewer than three corners is counted and skipped.
   void add_face(std::span<const std::uint32_t> corners, const PlyFace& face);
 
   std::size_t vertex_count() const { return mesh_.positions.size(); }
@@ -58,7 +58,7 @@ class PlyMesh {
   void add(Loss loss, std::size_t count = 1) { losses_.add(loss, count); }
   void add_rounded_position() { ++rounded_positions_; }
 
-  /// The scene, after a word on all that it has not. The object is of no use afterwards.
+  /// Reports losses and moves out the scene. The object must not be used afterwards.
   grf::Scene take(const grf::SourceLocation& location, grf::Diagnostics& diagnostics);
 
  private:
@@ -80,13 +80,13 @@ class PlyMesh {
   DefinitionNames names_;
   Materials materials_;
   Losses losses_;
-  std::map<std::int64_t, std::string> material_names_;      // that comments give
-  std::map<std::int64_t, std::size_t> material_of_number_;  // among `materials_`
+  std::map<std::int64_t, std::string> material_names_;      // from comments
+  std::map<std::int64_t, std::size_t> material_of_number_;  // index into `materials_`
   std::vector<std::string> textures_;
   std::map<SurfaceKey, std::uint32_t> surfaces_;
   std::optional<SurfaceKey> last_key_;
   std::uint32_t last_surface_ = 0;
-  // Vertices that had to be copied since faces have different uvs at them: by vertex and the bits of uv.
+  // Vertices duplicated for faces with different uvs, by vertex and the bits of uv.
   std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, UvHash> copies_;
   std::vector<std::uint32_t> corners_;
   std::vector<std::size_t> faces_of_surface_;
@@ -97,8 +97,8 @@ class PlyMesh {
   bool has_uvs_ = false;
 };
 
-/// The name of a material in a comment `comment material 0 NAME`: itself, if it reads back from there, or
-/// else as an identifier, which `material_name` turns back.
+/// Returns the name of a material for a comment `comment material 0 NAME`: unchanged if it reads back, or
+/// else as an identifier, which `material_name` decodes.
 std::string material_comment(const std::string& name);
 std::string material_name(const std::string& comment);
 

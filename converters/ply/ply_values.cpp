@@ -47,7 +47,7 @@ bool fits(PlyType type, double value) {
   }
 }
 
-/// The number that is all of a word. What is nearer to 0 than any other number of the type is 0.
+/// Parses a whole word as a number. Underflow gives 0.
 template <class T>
 bool parse_number(std::string_view word, double& value) {
   T number = 0;
@@ -81,7 +81,7 @@ bool PlyValues::skip_element() {
 bool PlyValues::skip(const PlyProperty& property) {
   std::size_t count = 1;
   if (property.count_type && !next_count(property, count)) return false;
-  if (encoding_ != PlyEncoding::Ascii && property.count_type) {  // for which there is room
+  if (encoding_ != PlyEncoding::Ascii && property.count_type) {  // its size was checked
     position_ += count * size_of(property.type);
     return true;
   }
@@ -110,7 +110,7 @@ bool PlyValues::fail(const std::string& message) {
   return false;
 }
 
-bool PlyValues::fail_at_end() { return fail("the file ends here: it was cut off, or its header is wrong"); }
+bool PlyValues::fail_at_end() { return fail("the file ends here: it is truncated, or its header is wrong"); }
 
 bool PlyValues::next_of_bytes(PlyType type, double& value) {
   const std::size_t size = size_of(type);
@@ -161,7 +161,7 @@ bool PlyValues::next_of_text(PlyType type, double& value) {
          fail(fmt::format("found '{}', expected a number of the type {}", word, name_of(type)));
 }
 
-// Text of a float is rounded once, from the decimals to the float. Some exporters write integers as 3.0.
+// Text of a float is correctly rounded to float. Some exporters write integers as 3.0.
 bool PlyValues::parse(std::string_view word, PlyType type, double& value) {
   if (word.starts_with('+') && word.substr(1, 1) != "-") word.remove_prefix(1);
   if (type == PlyType::Float32) return parse_number<float>(word, value);

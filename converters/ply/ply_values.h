@@ -1,4 +1,4 @@
-// The values in the body of a PLY file, one after the other, in each of the three encodings.
+// A reader of the values in the body of a PLY file, in each of the three encodings.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace convert {
 
 class PlyValues {
  public:
-  /// At the beginning of the body. All that is given outlives this.
+  /// Starts at the beginning of the body. The arguments must outlive this.
   PlyValues(const PlySource& source, const PlyHeader& header, grf::Diagnostics& diagnostics)
       : source_(source),
         text_(*source.bytes),
@@ -21,33 +21,33 @@ class PlyValues {
         position_(header.size),
         diagnostics_(diagnostics) {}
 
-  /// Says what is read next, for messages.
+  /// Sets the element that is read next, for messages.
   void begin(const PlyElement& element, std::uint64_t index) {
     element_ = &element;
     index_ = index;
   }
 
-  /// Reads the next value, which may be infinite or no number if the type is one of floats. A double has room
-  /// for each of the types. False after an error, which is said.
+  /// Reads the next value of any type as a double; floats may be infinite or NaN. Returns false after an
+  /// error.
   bool next(PlyType type, double& value) {
     value_begin_ = position_;
     return encoding_ == PlyEncoding::Ascii ? next_of_text(type, value) : next_of_bytes(type, value);
   }
 
-  /// The number of values in a list that comes next, for each of which the file has room.
+  /// Reads the number of values of a list, which is checked to fit the size of the file.
   bool next_count(const PlyProperty& list, std::size_t& count);
 
-  /// Passes over the properties of the element that was begun.
+  /// Skips the properties of the current element.
   bool skip_element();
   bool skip(const PlyProperty& property);
 
-  /// Says what is wrong with the value that was read last. False, so that the caller may return it.
+  /// Reports an error of the last value, and returns false.
   bool fail(const std::string& message);
 
   std::size_t position() const { return position_; }
   void go_to(std::size_t position) { position_ = position; }
 
-  /// How many bytes are left; white space, in a text, does not count.
+  /// Returns the number of bytes left, without white space in a text.
   std::size_t bytes_left();
 
  private:

@@ -60,7 +60,8 @@ std::optional<grf::Scene> PlyReader::run() {
   std::size_t end = 0;
   if (!read_ply_elements(source_, header_, mesh, end, diagnostics_)) return std::nullopt;
   if (mesh.face_count() == 0) {
-    fail(source_.whole_file(), "no face of the file has three corners or more, and nothing else can be kept");
+    fail(source_.whole_file(),
+         "no face of the file has three corners or more, and only faces can be imported");
     return std::nullopt;
   }
   if (!check_rest(end)) return std::nullopt;
@@ -69,7 +70,7 @@ std::optional<grf::Scene> PlyReader::run() {
   return mesh.take(source_.whole_file(), diagnostics_);
 }
 
-// A face that the file has room for, but not for three corners of it, needs none in memory.
+// Reserves memory only for faces whose three corners fit in the rest of the file.
 void PlyReader::reserve_memory(PlyMesh& mesh) const {
   const PlyElement* faces = header_.find("face");
   std::uint64_t triangles = 0;
@@ -90,7 +91,7 @@ bool PlyReader::check_elements() {
                   [](const PlyElement& element) { return is_face_element(element) && element.count > 0; });
   if (!has_faces) {
     return fail(source_.whole_file(),
-                fmt::format("the file is a cloud of {}: it has no faces, and nothing else can be kept",
+                fmt::format("the file is a cloud of {}: it has no faces, and only faces can be imported",
                             counted(vertices->count, "point", "points")));
   }
   for (const PlyElement& element : header_.elements) {
@@ -114,7 +115,7 @@ bool PlyReader::check_vertices(const PlyElement& vertices) {
   return fail(vertices.location, "there are more vertices than a mesh can have");
 }
 
-// The first of them that a name belongs to are read; the names of others are said.
+// Of several elements with one name the first is read; unknown properties are reported.
 void PlyReader::warn_of_unread() {
   std::vector<std::string> names;
   for (const PlyElement& element : header_.elements) {
@@ -145,18 +146,18 @@ void PlyReader::add_elements_left_out(PlyMesh& mesh) {
   }
 }
 
-// A file has as many bytes as its header says, but for a line end that a program may add: where there are
-// more, values were taken from wrong places.
+// Trailing bytes other than a line end, which a program may add, show that the header is wrong and values
+// were misread.
 bool PlyReader::check_rest(std::size_t end) {
   const std::string_view rest = std::string_view(*source_.bytes).substr(end);
   if (is_padding(rest)) return true;
   return fail(source_.whole_file(),
-              fmt::format("{} behind the last element: the header has a wrong count or property, or the file "
+              fmt::format("{} the last element: the header has a wrong count or property, or the file "
                           "was damaged",
-                          counted(rest.size(), "byte stands", "bytes stand")));
+                          counted(rest.size(), "byte follows", "bytes follow")));
 }
 
-/// Whether the elements of a binary file end where the file does.
+/// Returns whether the elements of a binary file end at the end of the file.
 bool fill_file(const PlySource& source, const PlyHeader& header) {
   grf::Diagnostics ignored_diagnostics;
   PlyValues values(source, header, ignored_diagnostics);
@@ -169,8 +170,8 @@ bool fill_file(const PlySource& source, const PlyHeader& header) {
   return values.bytes_left() == 0;
 }
 
-// Where a return and a line feed stand behind the header's last word, both end the header, or the line feed
-// is a part of the first value: then the file has a byte too few, or too many.
+// After the header's last word, a carriage return and a line feed are ambiguous: both end the header, or the
+// line feed is the first byte of the values. The wrong choice leaves a byte too few, or too many.
 void find_body(const PlySource& source, PlyHeader& header) {
   const std::string_view bytes = *source.bytes;
   const std::string_view behind = bytes.substr(header.size - 1);

@@ -7,8 +7,7 @@
 
 namespace convert {
 
-/// Reads a PLY file, as text or binary. Nothing is returned after an error, which says where the file is
-/// broken.
+/// Reads a PLY file, as text or binary. Returns nothing after an error, which has the location in the file.
 std::optional<Import> read_ply(const std::string& path, const ReadOptions& options,
                                grf::Diagnostics& diagnostics);
 

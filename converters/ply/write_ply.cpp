@@ -23,7 +23,7 @@
 namespace convert {
 namespace {
 
-/// The body of a file, value by value.
+/// A writer of the body of a file, value by value.
 class PlyOutput {
  public:
   PlyOutput(bool is_text, const grf::FileWriter& write) : is_text_(is_text), write_(write) {}
@@ -42,7 +42,7 @@ class PlyOutput {
     put_bytes(value, 1);
   }
 
-  /// Behind each element. False if the file could not be written.
+  /// Ends an element; returns false if the file could not be written.
   bool end_element() {
     if (is_text_) buffer_.back() = '\n';
     return buffer_.size() < LargestBuffer || flush();
@@ -75,7 +75,7 @@ bool are_bytes(const grf::Colour& colour) {
   return is_byte(colour.x) && is_byte(colour.y) && is_byte(colour.z);
 }
 
-/// How colours are written, if any has one.
+/// The format of colours, if there are any.
 struct Colours {
   bool exist = false;
   bool are_bytes = true;
@@ -118,7 +118,7 @@ class PlyWriter {
   bool has_uvs_ = false;
   Colours vertex_colours_;
   Colours face_colours_;
-  std::map<std::string, std::int32_t> textures_;  // numbered in the order of their names
+  std::map<std::string, std::int32_t> textures_;  // numbers in the order of names
   std::uint64_t textured_faces_ = 0;
   bool all_have_texture_ = false;
 };
@@ -238,10 +238,10 @@ bool PlyWriter::write(const std::string& path, grf::Diagnostics& diagnostics) co
     diagnostics.error(grf::whole_file(path), fmt::format("cannot write the file: {}", why));
     return false;
   };
-  if (faces_ == 0) return fail("the scene has no faces that are no lights");
-  if (!world_.is_finite()) return fail("a transform moves a vertex so far that no float holds it");
+  if (faces_ == 0) return fail("the scene has no faces other than lights");
+  if (!world_.is_finite()) return fail("a transform moves a vertex out of the range of a float");
   if (vertices_ > std::numeric_limits<std::int32_t>::max())
-    return fail("PLY has no numbers for so many vertices");
+    return fail("there are too many vertices for PLY");
   const bool is_written = grf::replace_file(
       path,
       [this](const grf::FileWriter& write) {
@@ -266,7 +266,7 @@ void PlyWriter::report(const std::string& path, grf::Diagnostics& diagnostics) c
   textures.report_written(grf::whole_file(path), "a PLY file without texture coordinates", diagnostics);
 }
 
-// Flat, since included files name textures from their own folders.
+// The scene is flattened, since included files name textures relative to their own folders.
 bool write_flat(const grf::Scene& scene, bool is_text, const std::string& path,
                 grf::Diagnostics& diagnostics) {
   return PlyWriter(scene, is_text).write(path, diagnostics);

@@ -17,7 +17,8 @@
 namespace convert {
 namespace {
 
-/// Of free text before the count of triangles. It must not begin with `solid`, as text files do.
+/// The size of the header, free text before the triangle count. It must not begin with `solid`, as text files
+/// do.
 constexpr std::size_t HeaderSize = 80;
 constexpr std::string_view HeaderText = "binary STL";
 
@@ -28,11 +29,11 @@ void append(std::string& bytes, const grf::Vec3f& v) {
   for (int i = 0; i < 3; ++i) append(bytes, std::bit_cast<std::uint32_t>(v[i]));
 }
 
-/// A record of 50 bytes: normal, three corners, and two bytes without a meaning.
+/// Appends a record of 50 bytes: normal, three corners, and two unused bytes.
 void append_triangle(std::string& bytes, const grf::Vec3f& a, const grf::Vec3f& b, const grf::Vec3f& c) {
   const grf::Vec3d origin(a);
   const grf::Vec3d area = (grf::Vec3d(b) - origin).cross(grf::Vec3d(c) - origin);
-  append(bytes, grf::Vec3f(area.normalized()));  // 0 without an area
+  append(bytes, grf::Vec3f(area.normalized()));  // 0 if degenerate
   for (const grf::Vec3f& corner : {a, b, c}) append(bytes, corner);
   bytes.append(2, '\0');
 }
@@ -83,10 +84,10 @@ bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostic
     diagnostics.error(grf::whole_file(path), fmt::format("cannot write the file: {}", why));
     return false;
   };
-  if (triangles == 0) return fail("the scene has no faces that are no lights");
-  if (!world.is_finite()) return fail("a transform moves a vertex so far that no float holds it");
+  if (triangles == 0) return fail("the scene has no faces other than lights");
+  if (!world.is_finite()) return fail("a transform moves a vertex out of the range of a float");
   if (triangles > std::numeric_limits<std::uint32_t>::max())
-    return fail("STL cannot count so many triangles");
+    return fail("there are too many triangles for STL");
   const auto fill = [&](const grf::FileWriter& write) { return write_all(world, triangles, write); };
   if (!grf::replace_file(path, fill, diagnostics)) return false;
   Losses losses;

@@ -7,9 +7,9 @@
 
 namespace convert {
 
-/// Replaces the file by the whole scene as binary STL: triangles that stand in the world, each with the
-/// normal of its area. Polygons are cut as for rendering. What STL cannot keep is said, one warning a kind;
-/// after an error the file is as it was.
+/// Writes the whole scene as binary STL: world-space triangles with their geometric normals. Polygons are
+/// triangulated as for rendering. Losses are reported in one warning per kind; after an error the file is
+/// unchanged.
 bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace convert

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 bool is_control_character(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7F'; }
 
-/// True of `http:` and the like. One letter before a colon is a drive of Windows'.
+/// Returns whether a URL has a scheme such as `http:`. A single letter before a colon is a Windows drive.
 bool has_scheme(std::string_view address) {
   const std::size_t colon = address.find(':');
   if (colon == std::string_view::npos || colon < 2) return false;
@@ -22,7 +22,7 @@ bool has_scheme(std::string_view address) {
                      [](char c) { return grf::is_word_character(c) || c == '+' || c == '-' || c == '.'; });
 }
 
-/// The name of the file, or an empty text if the address is of no file.
+/// Returns the file name of a URL, or an empty text if it is not a local file.
 std::string file_name(std::string_view address) {
   constexpr std::string_view FileScheme = "file:";
   if (grf::same_keyword(address.substr(0, FileScheme.size()), FileScheme)) {

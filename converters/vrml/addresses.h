@@ -6,13 +6,13 @@
 
 namespace convert::vrml {
 
-/// The first of the addresses that is of a file which is there, or else the first of one that could be: files
-/// are named from the folder, and that from the folder of `main_path`. Nothing if all lie elsewhere, as
-/// `http:` does. The name that comes back is from the folder of `main_path`.
+/// Returns the first URL of an existing local file, or else the first URL of a possible local file. Files are
+/// relative to the folder, which is relative to the folder of `main_path`. Nothing if all are remote, such as
+/// `http:`. The name returned is relative to the folder of `main_path`.
 std::optional<std::string> local_file(const std::vector<std::string>& addresses, const std::string& folder,
                                       const std::string& main_path);
 
-/// The folder of a file, of which `name` says where it is.
+/// Returns the folder part of a file name.
 std::string folder_of(const std::string& name);
 
 }  // namespace convert::vrml

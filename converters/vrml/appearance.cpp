@@ -14,7 +14,7 @@ namespace {
 using grf::Vec2d;
 using grf::Vec3d;
 
-/// The numbers of one material of the list of a field of VRML 1.0, or an empty list if that is not written.
+/// Returns the numbers of one material in a list field of VRML 1.0; empty if the field is missing.
 std::span<const double> values_at(const NodeReader& material, std::string_view field, std::size_t size,
                                   std::size_t index) {
   const auto numbers = material.numbers(field, size);
@@ -22,13 +22,13 @@ std::span<const double> values_at(const NodeReader& material, std::string_view f
   return numbers.subspan(std::min(index, numbers.size() / size - 1) * size, size);
 }
 
-/// What `MaterialReader` and the readers of shapes read, and the mapping makes of it.
+/// The table of conversions by `MaterialReader`, the readers of shapes and the mapping.
 constexpr std::array<MaterialRule, 13> Rules = {{
     {"`specularColor` = 0, as by default", "`diffuse kd=diffuseColor`, by default 0.8",
      "material Material {}", "diffuse kd=0.8", ""},
     {"`specularColor` > 0",
      "`lewis n=32*shininess ks=specularColor kd=diffuseColor`, since 128 times shininess is the exponent of "
-     "a half vector",
+     "the half vector",
      "material Material { specularColor 0.1 0.1 0.1 shininess 0.5 }", "lewis n=16 ks=0.1 kd=0.8", ""},
     {"`emissiveColor` > 0", "`light rgb` on the faces, which keep their BRDF",
      "material Material { emissiveColor 1 0.5 0 }", "diffuse kd=0.8 light rgb (1, 0.5, 0)", ""},
@@ -36,8 +36,7 @@ constexpr std::array<MaterialRule, 13> Rules = {{
      "colours of vertices or faces, and `kd` = 1; in GRF they tint the highlight too",
      "material Material {}; color Color { color [ 1 0 0, 0 1 0 ] } colorPerVertex FALSE",
      "diffuse kd=1 rgb (1, 0, 0)", ""},
-    {"`ImageTexture`",
-     "`texture`, and `kd` = 1, since an image takes the place of `diffuseColor` and of colours",
+    {"`ImageTexture`", "`texture`, and `kd` = 1, since an image replaces `diffuseColor` and colours",
      "material Material {} texture ImageTexture { url \"wood.png\" }", "diffuse kd=1 texture \"wood.png\"",
      ""},
     {"`Texture2` of VRML 1.0", "`texture`, and `kd` = `diffuseColor`",
@@ -47,14 +46,14 @@ constexpr std::array<MaterialRule, 13> Rules = {{
     {"`transparency` > 0", "lost", "material Material { transparency 0.5 }", "diffuse kd=0.8",
      "transparency"},
     {"`PixelTexture`, `MovieTexture`, `image` of `Texture2`", "lost",
-     "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was passed over"},
-    {"`ambientIntensity`, `ambientColor`", "kept in the comment alone",
+     "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was skipped"},
+    {"`ambientIntensity`, `ambientColor`", "kept only in the comment",
      "material Material { ambientIntensity 0.5 }", "diffuse kd=0.8", ""},
-    {"several values in a `Material` of VRML 1.0, bound to faces, that differ in `diffuseColor` alone and "
+    {"several values in a `Material` of VRML 1.0, bound to faces, that differ only in `diffuseColor` and "
      "have no highlight",
      "colours of faces", "Material { diffuseColor [ 1 0 0, 0 1 0 ] } MaterialBinding { value PER_FACE }",
      "diffuse kd=1 rgb (1, 0, 0)", ""},
-    {"others bound to faces", "one definition a value, `name_0` and so on",
+    {"others bound to faces", "one definition per value, `name_0` and so on",
      "Material { diffuseColor [ 1 0 0, 0 1 0 ] shininess [ 0.5, 1 ] specularColor 0.1 0.1 0.1 } "
      "MaterialBinding { value PER_FACE }",
      "lewis n=16 ks=0.1 kd=(0.9, 0, 0)", ""},
@@ -63,7 +62,7 @@ constexpr std::array<MaterialRule, 13> Rules = {{
      "diffuse kd=1", ""},
 }};
 
-/// Reads one material of a Material node, and takes down what it says.
+/// Reads one material of a Material node, and records its original values.
 class MaterialReader {
  public:
   MaterialReader(const Look& look, Report& report)
@@ -78,15 +77,14 @@ class MaterialReader {
     material_.name = own_name.empty() ? "material" : own_name;
     if (count > 1) material_.name += fmt::format("_{}", look_.index);
     const Vec3d diffuse = colour("diffuseColor", Vec3d(0.8));
-    // The lighting model of VRML97 (ISO/IEC 14772-1, 4.14.2): an image, or a colour of vertices or faces, is
-    // the diffuse reflectance itself. In VRML 1.0, images multiply it, as they do in Inventor, whence it
-    // comes.
+    // The lighting model of VRML97 (ISO/IEC 14772-1, 4.14.2): an image, or a colour of vertices or faces,
+    // replaces the diffuse reflectance. In VRML 1.0, images multiply it, as in Open Inventor.
     const bool image_replaces = look_.texture && node.source->version() == Version::Vrml97;
     material_.diffuse = look_.has_colours || image_replaces ? Vec3d(1) : diffuse;
     material_.specular = colour("specularColor", Vec3d(0));
     material_.emission = colour("emissiveColor", Vec3d(0));
-    // The lighting equations (4.14.4) raise the cosine of the half vector to 128 shininess; the lobe of
-    // `lewis` is about the mirror direction.
+    // The lighting equations (4.14.4) have the Blinn-Phong exponent 128 shininess; that of `lewis` is a Phong
+    // exponent.
     constexpr double HalfVectorExponent = 128;
     material_.exponent = about_mirror(number("shininess", 0.2) * HalfVectorExponent);
     if (number("transparency", 0) > 0) material_.losses.push_back(Loss::Transparency);
@@ -203,7 +201,7 @@ void transform_uvs(std::vector<grf::Vec2f>& uvs, const Node& transform, Report& 
   };
   for (grf::Vec2f& uv : uvs) {
     const Vec2d given(uv);
-    // The order of VRML97 (6.50) is the reverse of that of VRML 1.0.
+    // The order of transforms in VRML97 (6.50) is the reverse of that in VRML 1.0.
     const Vec2d moved = is_vrml97 ? turned(given + translation + center) * scale - center
                                   : turned((given - center) * scale) + center + translation;
     uv = grf::Vec2f(moved);

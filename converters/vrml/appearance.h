@@ -14,22 +14,22 @@
 
 namespace convert::vrml {
 
-/// What decides the surface of faces.
+/// The inputs that determine the surface of faces.
 struct Look {
   const Node* material = nullptr;  ///< Material; null: none
-  std::size_t index = 0;           ///< which of the materials that a Material of VRML 1.0 holds
-  std::string_view name;           ///< of a material that has none of its own
+  std::size_t index = 0;           ///< index of the material within a VRML 1.0 Material
+  std::string_view name;           ///< name for a material without one
   std::optional<std::string> texture;
-  /// True where colours of vertices or faces take the place of the diffuse one.
+  /// Whether colours of vertices or faces replace the diffuse colour.
   bool has_colours = false;
 };
 
-/// The materials of a file and of those it inlines: a definition for each that is used.
+/// The materials of a file and of those it inlines: a definition per used material.
 class Appearances {
  public:
   Appearances(DefinitionNames& names, Report& report) : materials_(names), report_(report) {}
 
-  /// The surface of so many faces.
+  /// Returns the surface for a number of faces, and counts their losses.
   grf::Surface surface(const Look& look, std::size_t faces);
 
   const Materials& materials() const { return materials_; }
@@ -42,24 +42,24 @@ class Appearances {
   Report& report_;
 };
 
-/// How many materials a Material of VRML 1.0 holds: as many as its longest list has values.
+/// Returns the number of materials in a VRML 1.0 Material: the length of its longest list.
 std::size_t material_count(const Node& material, Report& report);
 
-/// The values of a list of colours for each of the materials; the last one holds for all behind it.
+/// Returns the diffuse colour per material; the last value of a shorter list is repeated.
 std::vector<grf::Colour> diffuse_colours(const Node& material, Report& report);
 
-/// True if the materials have but one value of all but the diffuse colour, and no highlight.
+/// Returns whether materials only differ in the diffuse colour, and have no specular highlight.
 bool differs_in_diffuse_colour_alone(const Node& material, Report& report);
 
-/// Moves texture coordinates as a TextureTransform or a Texture2Transform says.
+/// Applies a TextureTransform or a Texture2Transform to texture coordinates.
 void transform_uvs(std::vector<grf::Vec2f>& uvs, const Node& transform, Report& report);
 
-/// The image of an ImageTexture or a Texture2, named from the folder of `main_path`. Nothing, and a line of
-/// the report, if it is none that can be kept; nothing alone if there is no texture.
+/// Returns the image of an ImageTexture or a Texture2, relative to the folder of `main_path`. Returns nothing
+/// if there is no texture, or it is not supported, which is reported.
 std::optional<std::string> texture_of(const Node* texture, const std::string& folder,
                                       const std::string& main_path, Report& report);
 
-/// What becomes of materials that are read.
+/// Returns the table of conversions of materials that are read.
 std::span<const MaterialRule> material_rules();
 
 }  // namespace convert::vrml

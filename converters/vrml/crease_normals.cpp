@@ -17,7 +17,7 @@ void add_crease_normals(Polygons& polygons, double crease_angle) {
   geometry.corners = polygons.corners;
   geometry.face_offsets.insert(geometry.face_offsets.end(), polygons.face_ends.begin(),
                                polygons.face_ends.end());
-  // Two faces are never more than half a turn apart, and fold onto each other there.
+  // The angle between two faces is at most pi, where they fold onto each other.
   const double least_crease = crease_angle >= std::numbers::pi ? 4 : crease_angle;
   CreasedNormals creased = creased_normals(geometry, {}, std::nextafter(least_crease, 0));
   std::vector<std::uint32_t> sizes(geometry.corners.size());

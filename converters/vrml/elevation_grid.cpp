@@ -57,7 +57,7 @@ class GridReader {
     return true;
   }
 
-  /// Whether there are as many values as vertices, or faces: there may be more.
+  /// Returns whether there are at least as many values as vertices, or faces.
   bool has_enough(std::string_view field, std::size_t values, bool per_vertex) {
     const std::size_t expected = per_vertex ? polygons_.positions.size() : polygons_.face_count();
     if (values >= expected) return true;

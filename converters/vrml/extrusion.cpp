@@ -12,12 +12,12 @@ using grf::Matrix44d;
 using grf::Vec2d;
 using grf::Vec3d;
 
-/// Where the cross-section's x, its normal and its z point at a point of the spine.
+/// The local frame of a cross-section at a point of the spine: x, normal and z.
 struct Frame {
   Vec3d x, y, z;
 };
 
-/// The planes of cross-sections along a spine (ISO/IEC 14772-1, 6.18.3).
+/// The frames of cross-sections along a spine (ISO/IEC 14772-1, 6.18.3).
 class Spine {
  public:
   explicit Spine(std::vector<Vec3d> points) : points_(std::move(points)) {}
@@ -52,7 +52,7 @@ class Spine {
     return directions;
   }
 
-  /// The axis about which the spine bends at a point; zero where it is straight, or ends.
+  /// Returns the axis about which the spine bends at a point; zero if it is straight, or ends.
   Vec3d bend(std::size_t i) const {
     const bool is_end = i == 0 || i == last();
     if (is_end && !is_closed()) return Vec3d(0);
@@ -63,7 +63,7 @@ class Spine {
     return axis.length() > Straight ? axis.normalized() : Vec3d(0);
   }
 
-  /// A zero takes the value before it, or else the first that is none. False if all are zero.
+  /// Replaces zero vectors by the previous value, or else by the first non-zero one. False if all are zero.
   static bool fill_gaps(std::vector<Vec3d>& values) {
     const auto first =
         std::find_if(values.begin(), values.end(), [](const Vec3d& v) { return v != Vec3d(0); });
@@ -76,7 +76,7 @@ class Spine {
     return true;
   }
 
-  // Along a straight spine, the plane of x and z is turned the shortest way to where its normal is to point.
+  // Along a straight spine, the frame is rotated by the smallest angle to align its normal with the spine.
   static std::vector<Frame> straight_frames(const std::vector<Vec3d>& ys) {
     const Vec3d& y = ys.front();
     Vec3d axis = Vec3d(0, 1, 0).cross(y);
@@ -90,7 +90,7 @@ class Spine {
   std::vector<Vec3d> points_;
 };
 
-/// How far along a line each of its points is, from 0 to 1.
+/// Computes the arc length of each point of a polyline, normalised to 0..1.
 template <class Point>
 std::vector<double> fractions(const std::vector<Point>& points) {
   std::vector<double> fractions = {0};
@@ -134,7 +134,7 @@ class ExtrusionReader {
     orientations_ = read_points("orientation", 4, {0, 0, 1, 0});
   }
 
-  /// Groups of so many numbers.
+  /// Reads a list of vectors.
   std::vector<std::span<const double>> read_points(std::string_view field, std::size_t size,
                                                    std::initializer_list<double> fallback) {
     std::span<const double> numbers = reader_.numbers(field, size);
@@ -144,7 +144,7 @@ class ExtrusionReader {
     return points;
   }
 
-  /// The value of a point of the spine: the last one holds for all points behind it too.
+  /// Returns the value at a point of the spine; the last value is repeated.
   static std::span<const double> at(const std::vector<std::span<const double>>& values, std::size_t i) {
     return values.empty() ? std::span<const double>() : values[std::min(i, values.size() - 1)];
   }
@@ -165,7 +165,7 @@ class ExtrusionReader {
     is_closed_ = std::equal(ring, polygons_.positions.end(), polygons_.positions.begin());
   }
 
-  // Where a line ends in its first point, there is one vertex.
+  // The first and last point of a closed line are one vertex.
   std::uint32_t vertex(std::size_t i, std::size_t k) const {
     if (is_closed_ && i + 1 == spine_.size()) i = 0;
     if (section_.front() == section_.back() && k + 1 == section_.size()) k = 0;

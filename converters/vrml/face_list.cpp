@@ -60,7 +60,7 @@ FaceList::BoundIndex FaceList::bound_index(Binding binding, std::span<const doub
       if (indices.empty()) return {static_cast<double>(corners_[i]), places_[i]};
       return {places_[i] < indices.size() ? indices[places_[i]] : EndOfFace, places_[i]};
     case Binding::CornersInOrder:
-      return in_order(places_[i] - number);  // one -1 stands behind each face before
+      return in_order(places_[i] - number);  // a -1 ends each previous face
     case Binding::IndexedFaces:
       if (indices.empty()) return in_order(number);
       return {number < indices.size() ? indices[number] : EndOfFace, number};

@@ -1,4 +1,4 @@
-// What the geometry of both versions is made of.
+// Readers of geometry nodes that both versions share.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 
 namespace convert::vrml {
 
-/// The vectors of a field of a Coordinate, Coordinate3 or Normal node.
+/// Reads the vectors of a field of a Coordinate, Coordinate3 or Normal node.
 std::vector<grf::Vec3f> read_vectors(const Node& node, std::string_view field, Report& report);
 
-/// The points of a TextureCoordinate or TextureCoordinate2 node.
+/// Reads the texture coordinates of a TextureCoordinate or TextureCoordinate2 node.
 std::vector<grf::Vec2f> read_uvs(const Node& node, Report& report);
 
-/// The size of a solid, which is greater than 0: what is not is an error.
+/// Reads a size of a solid; a value that is not above 0 is an error.
 double read_size(const Node& node, std::string_view field, double fallback, Report& report);
 
-/// Counts a curved solid that became flat polygons.
+/// Counts a curved solid that was tessellated.
 void note_tessellation(Report& report);
 
-/// The values that have these indices.
+/// Returns the values at indices.
 template <class T>
 std::vector<T> picked(const std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
   std::vector<T> result;
@@ -32,7 +32,7 @@ std::vector<T> picked(const std::vector<T>& values, const std::vector<std::uint3
   return result;
 }
 
-/// One value for each corner out of one for each face.
+/// Expands values per face to values per corner.
 template <class T>
 std::vector<T> spread_over_corners(const std::vector<T>& of_faces, const Polygons& polygons) {
   std::vector<T> result;

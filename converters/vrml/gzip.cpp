@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view Magic = "\x1F\x8B";
 
-/// A stream of zlib's that gives back its memory.
+/// An RAII wrapper of a zlib stream.
 class Stream {
  public:
   explicit Stream(std::string_view bytes) : bytes_(bytes) {
@@ -22,7 +22,7 @@ class Stream {
   Stream& operator=(const Stream&) = delete;
   ~Stream() { inflateEnd(&stream_); }
 
-  /// Appends the next part to the text, and returns zlib's code.
+  /// Appends the next decompressed part to the text, and returns zlib's code.
   int next(std::string& text) {
     feed();
     std::array<char, std::size_t{1} << 16U> part;
@@ -33,15 +33,14 @@ class Stream {
     return code;
   }
 
-  /// Goes on to another file behind the end of this one (RFC 1952, section 2.2); false if there is none.
+  /// Continues with the next member of the file (RFC 1952, section 2.2); returns false if there is none.
   bool next_member() {
     feed();
     const std::string_view rest(reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in);
     return is_gzip(rest) && inflateReset(&stream_) == Z_OK;
   }
 
-  /// Of bytes that were not read, those from the first on that is not zero, with which archives are filled
-  /// up.
+  /// Returns the number of unread bytes after zero padding, which archives have.
   std::size_t rest() const {
     const std::string_view fed(reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in);
     const std::size_t zeros = std::min(fed.find_first_not_of('\0'), fed.size());
@@ -49,7 +48,7 @@ class Stream {
   }
 
  private:
-  // In parts, since zlib counts in 32 bits.
+  // The input is passed in chunks, since zlib has 32-bit sizes.
   void feed() {
     if (stream_.avail_in > 0) return;
     constexpr std::size_t LargestPart = std::size_t{1} << 30U;

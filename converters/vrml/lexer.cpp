@@ -14,7 +14,7 @@ namespace convert::vrml {
 namespace {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-// Control characters are nothing that anybody wrote; commas separate as space does.
+// Control characters and commas separate tokens like white space.
 bool is_separator(char c) { return static_cast<unsigned char>(c) <= ' ' || c == ',' || c == '\x7F'; }
 
 bool begins_number(std::string_view word) {
@@ -23,7 +23,7 @@ bool begins_number(std::string_view word) {
   return !word.empty() && grf::is_digit(word.front());
 }
 
-/// The integer after `0x`, of 32 bits (ISO/IEC 14772-1, 5.5: SFInt32).
+/// Parses the 32-bit integer after `0x` (ISO/IEC 14772-1, 5.5: SFInt32).
 bool parse_hexadecimal(std::string_view digits, double& number) {
   std::uint32_t value = 0;
   const char* end = digits.data() + digits.size();
@@ -32,7 +32,7 @@ bool parse_hexadecimal(std::string_view digits, double& number) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
-/// What is wrong with the word as a number; empty if it is one.
+/// Parses a word as a number; returns an error message, or an empty string.
 std::string_view parse_number(std::string_view word, double& number) {
   constexpr std::string_view NoNumber = "is not a number";
   constexpr std::string_view TooLarge = "is too large for a float";
@@ -140,7 +140,7 @@ Token Lexer::scan_word() {
   while (position_ != end_ && !ends_word(*position_)) ++position_;
   token.text = {first, static_cast<std::size_t>(position_ - first)};
   if (!begins_number(token.text)) return token;
-  // Some libraries print what is not finite as `-1.#IND` and `1.#INF`: no comment begins there.
+  // Some libraries print NaN and infinity as `-1.#IND` and `1.#INF`: no comment begins there.
   const std::string_view rest(position_, static_cast<std::size_t>(end_ - position_));
   const bool is_not_finite =
       token.text.ends_with('.') &&

@@ -10,26 +10,26 @@ namespace convert::vrml {
 
 enum class TokenKind { EndOfFile, Word, Number, String, Punctuation, Invalid };
 
-/// A piece of the text. Views are into the source: nothing is allocated for a token.
+/// A token. Views are into the source: nothing is allocated per token.
 struct Token {
   TokenKind kind = TokenKind::EndOfFile;
-  std::string_view text;  ///< a string's without its quotes, and with its backslashes
-  double number = 0;      ///< its magnitude is not over that of a float
+  std::string_view text;  ///< without the quotes of a string, but with its backslashes
+  double number = 0;      ///< within the range of a float
   std::size_t offset = 0;
-  std::string_view problem = {};  ///< of what is invalid
+  std::string_view problem = {};  ///< of an invalid token
 
   bool is(char punctuation) const { return kind == TokenKind::Punctuation && text.front() == punctuation; }
   bool is_word(std::string_view word) const { return kind == TokenKind::Word && text == word; }
 };
 
-/// What a message says of a token: what is wrong with it, or that it was found.
+/// Describes a token for messages: its problem, or that it was found.
 std::string description(const Token& token);
 
-/// A string without the backslashes that keep quotes and backslashes inside it.
+/// Removes the escapes (backslashes) of a string.
 std::string unescaped(std::string_view text);
 
-/// Cuts VRML text into tokens, one token ahead. White space, commas and comments separate them. Words are
-/// taken as widely as they can be told: exporters write names that have dots, apostrophes and the like.
+/// Tokenizes VRML text with one token of lookahead. White space, commas and comments separate tokens. Words
+/// may have any unambiguous characters: exporters write names with dots, apostrophes and the like.
 class Lexer {
  public:
   explicit Lexer(const Source& source, std::size_t offset = 0);
@@ -49,7 +49,7 @@ class Lexer {
   const char* begin_;
   const char* position_;
   const char* end_;
-  bool has_bit_masks_;  // VRML 1.0 alone writes (A | B)
+  bool has_bit_masks_;  // only VRML 1.0 has (A | B)
   Token ahead_;
 };
 

@@ -50,7 +50,7 @@ grf::Vec3d NodeReader::triple(std::string_view name, const grf::Vec3d& fallback)
 }
 
 bool NodeReader::flag(std::string_view name, bool fallback) const {
-  // VRML 1.0 has 0 and 1 as well.
+  // VRML 1.0 also has 0 and 1 as booleans.
   const Field* field = find(name);
   if (field != nullptr && std::holds_alternative<std::vector<double>>(field->value)) {
     return number(name, fallback ? 1 : 0) != 0;
@@ -78,7 +78,7 @@ std::span<const double> NodeReader::numbers(std::string_view name, std::size_t g
   const auto* numbers = value<std::vector<double>>(name, "a list of numbers");
   if (numbers == nullptr) return {};
   if (numbers->size() % group_size == 0) return *numbers;
-  error_at(name, fmt::format("the field '{}' has {} numbers, which are no groups of {}", name,
+  error_at(name, fmt::format("the field '{}' has {} numbers, which is not a multiple of {}", name,
                              numbers->size(), group_size));
   return {};
 }

@@ -1,5 +1,5 @@
-// A VRML file as a tree of nodes with fields. Values are kept as they were written: which fields a node has,
-// and of which type, is the business of whoever looks at them (NodeReader).
+// The scene graph of a VRML file: nodes with fields. Values are kept as written; NodeReader validates the
+// names and types of fields.
 #pragma once
 
 #include <cstddef>
@@ -20,76 +20,75 @@ namespace convert::vrml {
 
 struct Node;
 
-/// As they stand between the quotes.
+/// Strings, as written between the quotes.
 struct Strings {
   std::vector<std::string_view> texts;
 };
-/// TRUE, FALSE, and in VRML 1.0 enumerations and strings without quotes.
+/// Words: TRUE, FALSE, and in VRML 1.0 enumerations and unquoted strings.
 struct Words {
   std::vector<std::string_view> words;
 };
 
-/// NULL and an empty list are nothing.
+/// The value of a field; NULL and an empty list are std::monostate.
 using Value = std::variant<std::monostate, std::vector<double>, Strings, Words, std::vector<const Node*>>;
 
 struct Field {
   std::string_view name;
   Value value;
-  std::size_t offset = 0;        ///< of the name
-  std::size_t value_offset = 0;  ///< of the value's first token
+  std::size_t offset = 0;        ///< byte offset of the name
+  std::size_t value_offset = 0;  ///< byte offset of the value's first token
 };
 
 struct Node {
   std::string_view type;
-  std::string_view name;  ///< by DEF; may be empty
+  std::string_view name;  ///< name from DEF; may be empty
   std::vector<Field> fields;
-  std::vector<const Node*> children;  ///< in VRML 1.0, where they stand between the fields
+  std::vector<const Node*> children;  ///< children between the fields, in VRML 1.0
   const Source* source = nullptr;
   std::size_t offset = 0;
-  /// False of what is no node of the standard, such as an instance of a prototype. It has no fields.
+  /// Whether the standard defines the node's type: false for an instance of a prototype, which has no fields.
   bool is_known = true;
 
   grf::SourceLocation location() const { return source->location(offset); }
 };
 
-/// A whole file. USE has become the node that it means, so that nodes may stand in several places, but none
-/// inside itself.
+/// The nodes of a whole file, as a directed acyclic graph: USE is replaced by a pointer to its node.
 struct Document {
   std::shared_ptr<const Source> source;
-  std::deque<Node> nodes;  ///< each comes before those inside it
+  std::deque<Node> nodes;  ///< parents before their children
   std::vector<const Node*> roots;
   std::size_t routes = 0;
-  std::vector<std::string_view> prototypes;  ///< names, in their order
+  std::vector<std::string_view> prototypes;  ///< names, in order
 };
 
-/// Looks at the fields of a node. What a field lacks is an error that names its place, and gives the default.
-/// A field that is written twice counts as it is written last.
+/// Reads typed fields of a node. An invalid field is an error at its location, and returns the default. Of a
+/// repeated field the last one counts.
 class NodeReader {
  public:
   NodeReader(const Node& node, grf::Diagnostics& diagnostics) : node_(node), diagnostics_(diagnostics) {}
 
-  /// Null if the field is not written.
+  /// Finds a field; null if the file does not have it.
   const Field* find(std::string_view name) const;
 
   double number(std::string_view name, double fallback) const;
   grf::Vec2d pair(std::string_view name, const grf::Vec2d& fallback) const;
   grf::Vec3d triple(std::string_view name, const grf::Vec3d& fallback) const;
   bool flag(std::string_view name, bool fallback) const;
-  /// A whole number whose magnitude is not over 2^31.
+  /// Reads an integer of a magnitude up to 2^31.
   int integer(std::string_view name, int fallback) const;
-  /// Any number of numbers, in groups of so many.
+  /// Reads a list of numbers whose length is a multiple of the group size.
   std::span<const double> numbers(std::string_view name, std::size_t group_size = 1) const;
-  /// So many numbers, or none if the field is not written.
+  /// Reads that many numbers, or none if the file does not have the field.
   std::span<const double> exactly(std::string_view name, std::size_t count) const;
   std::vector<std::string> strings(std::string_view name) const;
   std::span<const std::string_view> words(std::string_view name) const;
-  /// Null if there is none.
+  /// Reads a node; null if there is none.
   const Node* node(std::string_view name) const;
   std::span<const Node* const> nodes(std::string_view name) const;
 
-  /// Says what is wrong with a number of a field's list, at its place.
+  /// Reports an error of a number in a field's list, at its location.
   void error_at_number(std::string_view name, std::size_t index, std::string_view message) const;
-  /// Says what is wrong with a field, or with the node if the field is not written.
+  /// Reports an error of a field, or of the node if the file does not have the field.
   void error_at(std::string_view name, std::string_view message) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace convert::vrml {
 namespace {
 
-// ISO/IEC 14772-1, chapter 6, without Script.
+// The node types of VRML97 (ISO/IEC 14772-1, chapter 6), without Script.
 constexpr std::array<std::string_view, 53> Vrml97Types = {
     "Anchor",
     "Appearance",
@@ -64,7 +64,7 @@ constexpr std::array<std::string_view, 53> Vrml97Types = {
     "WorldInfo",
 };
 
-// The specification of VRML 1.0 of 26 May 1995, section "Nodes".
+// The node types of VRML 1.0 (specification of 26 May 1995, section "Nodes").
 constexpr std::array<std::string_view, 36> Vrml1Types = {
     "AsciiText",
     "Cone",
@@ -118,17 +118,17 @@ bool is_standard_type(std::string_view type, Version version) {
 
 std::string_view why_passed_over(std::string_view type, Version version) {
   if (type == "Script" || type.ends_with("Sensor") || type.ends_with("Interpolator")) {
-    return "GRF scenes stand still";
+    return "GRF scenes are static";
   }
   if (!is_standard_type(type, version)) return "the standard has no node of that name";
-  if (is_one_of(type, {"IndexedLineSet", "PointSet", "Text", "AsciiText"})) return "GRF has faces alone";
+  if (is_one_of(type, {"IndexedLineSet", "PointSet", "Text", "AsciiText"})) return "GRF has only faces";
   if (is_one_of(type, {"Sound", "AudioClip"})) return "GRF has no sound";
   if (is_one_of(type, {"Background", "Fog"})) return "GRF has none";
   if (is_one_of(type, {"MovieTexture", "PixelTexture"})) return "textures are images in files of their own";
   if (is_one_of(type, {"NavigationInfo", "WorldInfo", "Info", "FontStyle"})) {
-    return "it makes nothing that is seen";
+    return "it has no geometry";
   }
-  return "it has no place there";
+  return "it is not allowed there";
 }
 
 bool is_light(std::string_view type) {

@@ -6,14 +6,14 @@
 
 namespace convert::vrml {
 
-/// Whether the version's standard has a node of that name whose fields are written as those of all others:
-/// its body can be parsed without knowledge of prototypes. (A Script has declarations in it.)
+/// Returns whether the version's standard has a node type of that name with the regular syntax of fields: its
+/// body can be parsed without knowledge of prototypes. (A Script has declarations in it.)
 bool is_standard_type(std::string_view type, Version version);
 
-/// Why a node of this type is passed over where shapes are looked for.
+/// Returns the reason why a node of this type is skipped in a search for shapes.
 std::string_view why_passed_over(std::string_view type, Version version);
 
-/// Nodes that stand for lights, or for viewers.
+// These return whether a node is a light, or a viewpoint.
 bool is_light(std::string_view type);
 bool is_camera(std::string_view type);
 

@@ -12,10 +12,10 @@
 namespace convert::vrml {
 namespace {
 
-/// Nodes and fields of one file. They take many times the memory of their text if that is made for it.
+/// The maximum number of nodes and fields per file, which a malicious text can make many times its size.
 constexpr std::size_t MostItems = 8'000'000;
 
-// Whatever returns a bool or a node returns false or null after the first error.
+// The recursive-descent parser; functions return false or null after the first error.
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, grf::Diagnostics& diagnostics)
@@ -73,7 +73,7 @@ class Parser {
   grf::Diagnostics& diagnostics_;
   std::unique_ptr<Document> document_;
   std::map<std::string_view, const Node*> by_name_;
-  std::vector<std::string_view> open_names_;  // of the nodes around the current one
+  std::vector<std::string_view> open_names_;  // names of the ancestors of the current node
   unsigned depth_ = 0;
   std::size_t items_ = 0;
 };
@@ -85,7 +85,7 @@ bool Parser::count_item(const Token& token) {
   return false;
 }
 
-/// What may stand among nodes: one of them, or a statement.
+/// Parses a node or a statement.
 bool Parser::parse_item(std::vector<const Node*>& nodes) {
   const Token& token = lexer_.peek();
   if (!is_vrml1()) {
@@ -117,7 +117,7 @@ const Node* Parser::parse_node() {
 
 const Node* Parser::parse_node(std::string_view name, const Token& type) {
   if (!lexer_.peek().is('{')) {
-    fail(lexer_.peek(), fmt::format("'{{' behind the node type '{}'", type.text));
+    fail(lexer_.peek(), fmt::format("'{{' after the node type '{}'", type.text));
     return nullptr;
   }
   if (depth_ == DeepestNode) {
@@ -146,14 +146,14 @@ const Node* Parser::use_node() {
   const Token token = lexer_.peek();
   std::string_view name;
   if (!take_name(name)) return nullptr;
-  // The name means the last node that has it, which is whole already.
+  // The name refers to the last node that has it, which must be complete.
   if (const auto found = by_name_.find(name); found != by_name_.end()) return found->second;
   const bool is_open = std::find(open_names_.begin(), open_names_.end(), name) != open_names_.end();
   fail(token, std::string(name), is_open ? "is used inside itself" : "is used, but not defined before");
   return nullptr;
 }
 
-// Names that begin with a digit are against the standard, and written all the same.
+// Names that begin with a digit violate the standard, but exporters write them.
 bool Parser::take_name(std::string_view& name) {
   const Token& token = lexer_.peek();
   const bool is_string = token.text.starts_with('"');
@@ -240,7 +240,7 @@ bool Parser::parse_list(Value& value) {
   return expect(']');
 }
 
-/// A list of words, or of nodes: the former in VRML 1.0, and where they are booleans.
+/// Parses a list of words (in VRML 1.0, or booleans), or of nodes.
 bool Parser::parse_words(Value& value) {
   const Token& first = lexer_.peek();
   if (is_vrml1() || first.is_word("TRUE") || first.is_word("FALSE")) {
@@ -275,7 +275,7 @@ void Parser::take_strings(Strings& strings) {
   while (lexer_.peek().kind == TokenKind::String) strings.texts.push_back(lexer_.next().text);
 }
 
-/// ROUTE node.event TO node.event
+/// Parses `ROUTE node.event TO node.event`.
 bool Parser::skip_route() {
   lexer_.next();
   ++document_->routes;
@@ -285,7 +285,7 @@ bool Parser::skip_route() {
   return skip_dotted_name();
 }
 
-// One word to the lexer, if no space stands around the dot.
+// Parses `node.event`, which is one token unless there is space around the dot.
 bool Parser::skip_dotted_name() {
   std::string_view name;
   if (!take_name(name)) return false;
@@ -295,8 +295,8 @@ bool Parser::skip_dotted_name() {
   return true;
 }
 
-/// PROTO name [ interface ] { body }, or EXTERNPROTO name [ interface ] addresses. What is defined inside is
-/// not known outside.
+/// Parses `PROTO name [ interface ] { body }`, or `EXTERNPROTO name [ interface ] URLs`. Definitions inside
+/// are not visible outside.
 bool Parser::skip_prototype(bool is_external) {
   lexer_.next();
   std::string_view name;
@@ -311,8 +311,8 @@ bool Parser::skip_prototype(bool is_external) {
   return true;
 }
 
-/// Passes over what stands in brackets. Names that are defined there stand for the node `inside` which they
-/// are, if there is one: they may be used later.
+/// Skips a bracketed part. Names defined there become the node `inside`, if there is one: they may be used
+/// later.
 bool Parser::skip_brackets(char opening, const Node* inside) {
   std::vector<char> closing;
   if (!lexer_.peek().is(opening)) return fail(lexer_.peek(), fmt::format("'{}'", opening));

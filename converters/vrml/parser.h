@@ -6,10 +6,10 @@
 
 namespace convert::vrml {
 
-/// No file that is meant to be seen nests nodes so deep.
+/// The maximum nesting depth of nodes; deeper files are no real scenes.
 inline constexpr unsigned DeepestNode = 500;
 
-/// The nodes of a file, or null after an error, which is the first.
+/// Parses the nodes of a file; returns null after the first error.
 std::unique_ptr<const Document> parse(std::shared_ptr<const Source> source, grf::Diagnostics& diagnostics);
 
 }  // namespace convert::vrml

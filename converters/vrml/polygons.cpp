@@ -18,7 +18,7 @@ void reverse_behind_first(std::vector<T>& values, std::size_t begin, std::size_t
 
 Corner corner_of(const Polygons& polygons, std::size_t i) {
   Corner corner;
-  // -0 is 0: it tells nothing, and would keep corners apart that are at one place.
+  // Normalises -0 to 0, so that equal corners share a vertex.
   corner.position = polygons.positions[polygons.corners[i]] + grf::Vec3f(0);
   if (!polygons.normals.empty() && polygons.normals[i] != grf::Vec3f(0)) {
     corner.normal = polygons.normals[i] + grf::Vec3f(0);

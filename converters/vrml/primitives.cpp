@@ -10,15 +10,15 @@ namespace {
 
 constexpr unsigned SphereRows = SidesOfRound / 2;
 
-/// The direction in which a part of a whole turn looks: from the back (-z) counter-clockwise, seen from
-/// above. Textures wrap this way.
+/// Returns the direction at a fraction of a whole turn: from the back (-z) counter-clockwise, seen from
+/// above, in which textures wrap.
 grf::Vec3d direction(double turn) {
   const double angle = 2 * std::numbers::pi * turn;
   return {-std::sin(angle), 0, -std::cos(angle)};
 }
 double turn_of(unsigned side) { return static_cast<double>(side) / SidesOfRound; }
 
-/// Fills polygons corner by corner.
+/// A builder of polygons, corner by corner.
 class Solid {
  public:
   std::uint32_t add_position(const grf::Vec3d& position) {
@@ -35,7 +35,7 @@ class Solid {
     polygons_.face_materials.push_back(part);
   }
 
-  /// A ring of positions; the first of them.
+  /// Adds a ring of positions, and returns the first index.
   std::uint32_t add_ring(double radius, double y) {
     const auto first = static_cast<std::uint32_t>(polygons_.positions.size());
     for (unsigned i = 0; i < SidesOfRound; ++i) {
@@ -44,7 +44,7 @@ class Solid {
     return first;
   }
 
-  /// The polygon inside a ring, which looks up or down. Its texture is a circle out of the image.
+  /// Adds the cap inside a ring, which faces up or down. Its texture is a disc of the image.
   void add_disc(std::uint32_t ring, bool looks_up, std::uint32_t part) {
     for (unsigned i = 0; i < SidesOfRound; ++i) {
       const unsigned side = looks_up ? i : SidesOfRound - 1 - i;
@@ -64,7 +64,8 @@ class Solid {
 }  // namespace
 
 Polygons make_box(const grf::Vec3d& size) {
-  // Corners 0 to 7: bit 0 is x, bit 1 is y, bit 2 is z. Each face from its lower left, seen from outside.
+  // Corners are 0 to 7: bit 0 is x, bit 1 is y, bit 2 is z. Each face starts at its lower left, seen from
+  // outside.
   constexpr std::array<std::array<std::uint32_t, 4>, 6> Faces = {
       {{4, 5, 7, 6}, {1, 0, 2, 3}, {0, 4, 6, 2}, {5, 1, 3, 7}, {6, 7, 3, 2}, {0, 1, 5, 4}}};
   const std::array<grf::Vec2d, 4> uvs = {grf::Vec2d(0, 0), {1, 0}, {1, 1}, {0, 1}};
@@ -95,7 +96,7 @@ Polygons make_sphere(double radius) {
     row.first = is_pole ? sphere.add_position({0, row.y * radius, 0})
                         : sphere.add_ring(row.radius * radius, row.y * radius);
   }
-  // At a pole, where all directions meet, the texture is taken in the middle of the triangle.
+  // At a pole, where u is undefined, that of the middle of the triangle is used.
   const auto add_corner = [&](unsigned j, unsigned side, double turn) {
     const Row& row = rows[j];
     side %= SidesOfRound;

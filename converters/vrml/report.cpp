@@ -8,7 +8,7 @@
 namespace convert::vrml {
 namespace {
 
-/// A few bytes of text make an extrusion or a sphere of any number of faces.
+/// The maximum number of generated faces: a few bytes of text can make any number.
 constexpr std::size_t MostGeneratedFaces = 5'000'000;
 
 }  // namespace
@@ -16,7 +16,7 @@ constexpr std::size_t MostGeneratedFaces = 5'000'000;
 void Report::pass_over(const Node& node) {
   if (is_light(node.type)) return losses_.add(Loss::LightSource);
   if (is_camera(node.type)) return losses_.add(Loss::Camera);
-  add(fmt::format("{} node was passed over", node.type), fmt::format("{} nodes were passed over", node.type),
+  add(fmt::format("{} node was skipped", node.type), fmt::format("{} nodes were skipped", node.type),
       why_passed_over(node.type, node.source->version()));
 }
 

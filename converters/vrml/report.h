@@ -11,7 +11,7 @@
 
 namespace convert::vrml {
 
-/// What is said of a file while it is read: errors at once, and at the end what a scene cannot hold of it.
+/// The diagnostics of a file that is read: errors at once, and losses at the end.
 class Report {
  public:
   explicit Report(grf::Diagnostics& diagnostics)
@@ -21,20 +21,20 @@ class Report {
   Losses& losses() { return losses_; }
   bool failed() const { return diagnostics_.error_count() > errors_before_; }
 
-  /// A node that stands where it makes no faces.
+  /// Counts a skipped node that makes no faces.
   void pass_over(const Node& node);
 
-  /// So many of what no `Loss` stands for: "`count` `one`" or "`count` `many`", and why.
+  /// Adds a loss that is no `Loss`, with its reason: "`count` `one`: `why`" or "`count` `many`: `why`".
   void add(std::string_view one, std::string_view many, std::string_view why, std::size_t count = 1);
 
-  /// The node in a field, if it is of the type. A node of no known type is passed over; one of another type
-  /// is an error.
+  /// Returns the node in a field, if it is of the type. A node of an unknown type is skipped; one of another
+  /// type is an error.
   const Node* node_of(const Node& node, std::string_view field, std::string_view type);
 
-  /// Counts faces that a node stands for without listing them; false after the error that they are too many.
+  /// Counts generated faces of a node; returns false after an error if they are too many.
   bool count_generated(const Node& node, std::size_t faces);
 
-  /// Says what was lost, in one warning a kind.
+  /// Reports losses, in one warning per kind.
   void finish(const grf::SourceLocation& location) const;
 
  private:
@@ -47,7 +47,7 @@ class Report {
   grf::Diagnostics& diagnostics_;
   std::size_t errors_before_;
   Losses losses_;
-  std::map<std::string, Line, std::less<>> lines_;  // by their text for a count of one
+  std::map<std::string, Line, std::less<>> lines_;  // by the text for a count of one
   std::size_t generated_faces_ = 0;
 };
 

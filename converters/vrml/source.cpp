@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view Vrml1Header = "#VRML V1.0 ascii";
 constexpr std::string_view Vrml97Header = "#VRML V2.0 utf8";
 
-/// Of a compressed file: a few hundred bytes can stand for as many megabytes.
+/// The maximum decompressed size, against zip bombs.
 constexpr std::size_t LargestInflated = std::size_t{256} << 20U;
 
 std::optional<Version> version_of(std::string_view text) {
@@ -30,11 +30,11 @@ std::optional<Version> version_of(std::string_view text) {
 std::string_view what_is_wrong(Inflated::State state) {
   switch (state) {
     case Inflated::State::CutOff:
-      return "the compressed file was cut off";
+      return "the compressed file is truncated";
     case Inflated::State::Damaged:
       return "the compressed file is damaged";
     case Inflated::State::TooLarge:
-      return "the compressed file stands for more than 256 MB: unpack it first";
+      return "the compressed file unpacks to more than 256 MB: unpack it first";
     case Inflated::State::Whole:
       break;
   }
@@ -102,8 +102,8 @@ std::shared_ptr<const Source> make_source(std::string_view bytes, const std::str
     Inflated result = inflate_gzip(bytes, LargestInflated);
     if (result.state != Inflated::State::Whole) return fail(what_is_wrong(result.state));
     if (result.rest > 0) {
-      return fail(fmt::format("{} behind the end of the compressed file",
-                              counted(result.rest, "byte stands", "bytes stand")));
+      return fail(fmt::format("{} the end of the compressed file",
+                              counted(result.rest, "byte follows", "bytes follow")));
     }
     inflated = std::move(result.text);
     bytes = inflated;
@@ -112,7 +112,7 @@ std::shared_ptr<const Source> make_source(std::string_view bytes, const std::str
   const auto version = version_of(*text);
   if (!version) {
     return fail(
-        fmt::format("this is no VRML: expected '{}' or '{}' in the first line", Vrml97Header, Vrml1Header));
+        fmt::format("this is not VRML: expected '{}' or '{}' in the first line", Vrml97Header, Vrml1Header));
   }
   if (text->find('\0') != std::string::npos) return fail("there are zero bytes in the file, which is text");
   auto file = std::make_shared<grf::SourceFile>(grf::SourceFile{path, asked_for_at, text});

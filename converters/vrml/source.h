@@ -11,7 +11,7 @@
 
 namespace convert::vrml {
 
-/// VRML 1.0 of 1995, and VRML97 (ISO/IEC 14772-1:1997), which calls itself 2.0.
+/// The versions VRML 1.0 (1995), and VRML97 (ISO/IEC 14772-1:1997), also called 2.0.
 enum class Version { Vrml1, Vrml97 };
 
 /// The text of a VRML file as UTF-8.
@@ -24,10 +24,10 @@ class Source {
   const std::string& path() const { return file_->path; }
   Version version() const { return version_; }
 
-  /// The place of a byte of the text. The cost does not depend on the length of lines.
+  /// Returns the location of a byte of the text, in a time independent of the length of lines.
   grf::SourceLocation location(std::size_t offset) const;
   grf::SourceLocation whole_file() const { return {file_, 0, 0}; }
-  /// The same for what outlives the text: lines of a compressed file can then no longer be shown.
+  /// Returns a location that may outlive the text: lines of a compressed file can then no longer be shown.
   grf::SourceLocation lasting_location(std::size_t offset) const {
     return is_compressed_ ? whole_file() : location(offset);
   }
@@ -44,18 +44,18 @@ class Source {
   std::shared_ptr<const grf::SourceFile> file_;
   Version version_;
   bool is_compressed_;
-  std::vector<Place> checkpoints_;  // of every so many bytes of the text
+  std::vector<Place> checkpoints_;  // line and column at regular intervals of the text
 };
 
-/// True if a file that begins with these bytes is VRML, be it compressed or not.
+/// Returns whether a file that begins with these bytes is VRML, compressed or not.
 bool sniff(std::string_view first_bytes);
 
-/// A file, which may be compressed by gzip. Null after an error: a file that cannot be read, or is no VRML.
-/// `asked_for_at` is the place of another file that names it.
+/// Reads a file, which may be compressed by gzip. Null after an error: a file that cannot be read, or is not
+/// VRML. `asked_for_at` is the location of its name in another file.
 std::shared_ptr<const Source> read_source(const std::string& path, const grf::SourceLocation& asked_for_at,
                                           grf::Diagnostics& diagnostics);
 
-/// The same of bytes that are in memory already.
+/// Makes a source of bytes in memory.
 std::shared_ptr<const Source> make_source(std::string_view bytes, const std::string& path,
                                           const grf::SourceLocation& asked_for_at,
                                           grf::Diagnostics& diagnostics);

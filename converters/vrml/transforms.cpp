@@ -20,7 +20,7 @@ Matrix44d matrix_of_transform(const NodeReader& node, std::string_view scale_fie
   const Matrix44d scale_axes = rotation_of(node.exactly("scaleOrientation", 4));
   const Matrix44d rotation = rotation_of(node.exactly("rotation", 4));
   const Matrix44d scale = Matrix44d().setScale(node.triple(scale_field, Vec3d(1)));
-  // Row vectors: what acts first stands first.
+  // Row vectors: the first factor is applied first.
   return moved(-center) * scale_axes.transposed() * scale * scale_axes * rotation *
          moved(center + translation);
 }

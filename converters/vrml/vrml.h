@@ -4,10 +4,10 @@
 
 namespace convert {
 
-/// VRML 1.0 and VRML97, also compressed by gzip.
+/// The format VRML, 1.0 and 97, also compressed by gzip.
 Format vrml_format();
 
-/// What bytes hold that are in memory, as though they stood in a file of that path.
+/// Reads bytes in memory as if they were a file of that path.
 std::optional<Import> read_vrml_bytes(std::string_view bytes, const std::string& path,
                                       grf::Diagnostics& diagnostics);
 

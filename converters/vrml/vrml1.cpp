@@ -1,4 +1,4 @@
-// VRML 1.0: nodes act one after the other on a state, which a Separator keeps from what follows it.
+// The reader of VRML 1.0: nodes modify a traversal state in order, which a Separator saves and restores.
 
 #include "converters/vrml/transforms.h"
 #include "converters/vrml/vrml1_shapes.h"
@@ -11,7 +11,7 @@ using grf::Matrix44d;
 
 constexpr int AllChildren = -3;
 
-/// Where a property node of a type stands in the state, or null.
+/// Returns the member of the state for a type of property node, or null.
 const Node** slot_of(std::string_view type, Vrml1State& state) {
   if (type == "Coordinate3") return &state.coordinates;
   if (type == "Material") return &state.material;
@@ -48,7 +48,7 @@ class Vrml1Reader {
   Report& report_;
   const OpenDocument& document_;
   Vrml1State state_;
-  Matrix44d matrix_;  // to where the innermost separator stands
+  Matrix44d matrix_;  // transform relative to the innermost Separator
 };
 
 Blocks Vrml1Reader::read(const Node& node, Place place) {
@@ -69,7 +69,7 @@ Blocks Vrml1Reader::read(const Node& node, Place place) {
   return {};
 }
 
-/// What a grouping node holds, or nothing if it is none.
+/// Returns the children of a grouping node, or nothing for other nodes.
 std::optional<Blocks> Vrml1Reader::read_group(const Node& node, const Place& place) {
   if (node.type == "Separator") return read_separated(node, node.children, place);
   if (node.type == "Group") return read_all(node.children, place);
@@ -124,7 +124,7 @@ Blocks Vrml1Reader::read_shape(const Node& node, const Place& place) {
   return world_.under(matrix_, std::move(blocks), node);
 }
 
-/// What a node does to the shapes behind it, or nothing if it is no transform.
+/// Returns the matrix of a transform node, which applies to the following shapes; nothing for other nodes.
 std::optional<Matrix44d> Vrml1Reader::transform_of(const Node& node) {
   const NodeReader fields = reader(node);
   if (node.type == "Translation") {
@@ -138,7 +138,7 @@ std::optional<Matrix44d> Vrml1Reader::transform_of(const Node& node) {
   const auto numbers = fields.exactly("matrix", 16);
   for (std::size_t i = 0; i < numbers.size(); ++i) matrix[static_cast<int>(i / 4)][i % 4] = numbers[i];
   if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || matrix[3][3] != 1) {
-    fields.error_at("matrix", "the last column of the matrix is 0 0 0 1: GRF has affine transforms alone");
+    fields.error_at("matrix", "the last column of the matrix is 0 0 0 1: GRF has only affine transforms");
   }
   return matrix;
 }

@@ -13,10 +13,10 @@
 namespace convert::vrml {
 namespace {
 
-/// More than any list has: materials are taken in turn, over and over.
+/// A count larger than any list: materials are repeated cyclically.
 constexpr std::size_t AnyNumber = std::size_t{1} << 31U;
 
-/// How the values of a MaterialBinding or NormalBinding belong to faces; nothing: one for all.
+/// Returns how values are bound by a MaterialBinding or NormalBinding; nothing: one value for all.
 struct ReadBinding {
   std::optional<Binding> binding;
   bool is_default = true;
@@ -33,7 +33,7 @@ ReadBinding binding_of(const Node* node, Report& report) {
   if (word == "PER_PART_INDEXED" || word == "PER_FACE_INDEXED") return {Binding::IndexedFaces, false};
   if (word == "PER_VERTEX") return {Binding::CornersInOrder, false};
   if (word == "PER_VERTEX_INDEXED") return {Binding::IndexedCorners, false};
-  reader.error_at("value", fmt::format("'{}' is no binding", word));
+  reader.error_at("value", fmt::format("'{}' is not a binding", word));
   return {};
 }
 
@@ -141,7 +141,7 @@ void ShapeReader::read_faces() {
   if (polygons.normals.empty()) add_crease_normals(polygons, crease_angle);
 }
 
-// Where the state has too few normals for the shape, they are of other shapes: it gets normals of its own.
+// If the state has too few normals for the shape, they belong to other shapes: normals are computed.
 void ShapeReader::read_normals(const FaceList& faces) {
   if (state_.normals == nullptr) return;
   const auto normals = read_vectors(*state_.normals, "vector", report_);
@@ -184,7 +184,7 @@ void ShapeReader::read_materials(const FaceList& faces) {
   look_by_faces(std::move(*bound));
 }
 
-/// Each face has one of the materials, of which the first follows the last.
+/// Binds materials to faces, cyclically.
 void ShapeReader::look_by_faces(std::vector<std::uint32_t> materials) {
   if (state_.material == nullptr) return look_the_same();
   const std::size_t count = material_count(*state_.material, report_);
@@ -207,15 +207,14 @@ void ShapeReader::look_by_faces(std::vector<std::uint32_t> materials) {
   if (parts_.surfaces.empty()) look_the_same();
 }
 
-/// Each corner has the diffuse colour of one of the materials.
+/// Binds diffuse colours of materials to corners.
 void ShapeReader::look_by_corners(std::vector<std::uint32_t> materials) {
   const auto colours = diffuse_colours(*state_.material, report_);
   for (std::uint32_t& material : materials) material %= static_cast<std::uint32_t>(colours.size());
   parts_.polygons.colours = picked(colours, materials);
   if (!differs_in_diffuse_colour_alone(*state_.material, report_)) {
     report_.add("face has one material", "faces have one material",
-                "of those of their corners, the diffuse colours alone are kept",
-                parts_.polygons.face_count());
+                "only the diffuse colours of those of their corners are kept", parts_.polygons.face_count());
   }
   look_.has_colours = true;
   look_the_same();

@@ -9,7 +9,7 @@
 
 namespace convert::vrml {
 
-/// The property nodes that hold for the shapes behind them; null: none came before.
+/// The traversal state of VRML 1.0: the property nodes that apply to the following shapes; null: none so far.
 struct Vrml1State {
   const Node* coordinates = nullptr;
   const Node* normals = nullptr;
@@ -22,13 +22,13 @@ struct Vrml1State {
   const Node* shape_hints = nullptr;
 };
 
-/// True of the shapes of VRML 1.0 that have faces.
+/// Returns whether a node type is a VRML 1.0 shape with faces.
 bool is_shape1(std::string_view type);
 
-/// The nodes that make the mesh of a shape: itself and those of the state that it looks at.
+/// Returns the nodes that determine the mesh of a shape: itself and the property nodes that it uses.
 std::vector<const Node*> parts_of_shape1(const Node& shape, const Vrml1State& state);
 
-/// The faces of a shape and what they look like. Nothing after an error.
+/// Reads the faces of a shape and their surfaces; returns nothing after an error.
 std::optional<ShapeParts> read_shape1(const Node& shape, const Vrml1State& state,
                                       const OpenDocument& document, World& world);
 

@@ -1,4 +1,4 @@
-// VRML97: a tree of grouping nodes with shapes as its leaves.
+// The reader of VRML97: a scene graph of grouping nodes with shapes as its leaves.
 
 #include "converters/vrml/transforms.h"
 #include "converters/vrml/vrml97_geometry.h"
@@ -51,10 +51,10 @@ Blocks Vrml97Reader::read(const Node& node, Place place) {
     return read_children(node, place);
   }
   if (node.type == "Billboard") {
-    report_.add("Billboard stands still", "Billboards stand still", "in VRML it turns to the viewer");
+    report_.add("Billboard is static", "Billboards are static", "in VRML it faces the viewer");
     return read_children(node, place);
   }
-  // Of a Collision, the proxy is not seen.
+  // The proxy of a Collision is invisible.
   if (node.type == "Collision") return read_children(node, place);
   report_.pass_over(node);
   return {};
@@ -104,7 +104,7 @@ std::optional<ShapeParts> Vrml97Reader::shape_parts(const Node& geometry, const 
   if (texture_transform != nullptr) transform_uvs(polygons->uvs, *texture_transform, report_);
   look.has_colours = !polygons->colours.empty() || !polygons->face_colours.empty();
   if (look.texture && look.has_colours) {
-    report_.add("face lost its colours", "faces lost their colours", "its texture takes their place",
+    report_.add("face lost its colours", "faces lost their colours", "its texture replaces them",
                 polygons->face_count());
     polygons->colours.clear();
     polygons->face_colours.clear();
@@ -112,8 +112,8 @@ std::optional<ShapeParts> Vrml97Reader::shape_parts(const Node& geometry, const 
   }
   const grf::Surface surface = world_.appearances().surface(look, polygons->face_count());
   if (surface.emission && !reader(geometry).flag("solid", true)) {
-    report_.add("face shines from its front alone", "faces shine from their fronts alone",
-                "light in GRF has one side", polygons->face_count());
+    report_.add("face emits only from its front", "faces emit only from their fronts",
+                "emission in GRF is one-sided", polygons->face_count());
   }
   return ShapeParts{std::move(*polygons), {surface}};
 }

@@ -12,7 +12,7 @@
 namespace convert::vrml {
 namespace {
 
-/// Binds what an IndexedFaceSet has beside its coordinates.
+/// Binds the normals, colours and texture coordinates of an IndexedFaceSet.
 class FaceSetReader {
  public:
   FaceSetReader(const Node& node, Report& report)
@@ -30,7 +30,7 @@ class FaceSetReader {
     read_normals(*faces);
     read_face_colours(*faces);
     read_texture_coordinates(*faces);
-    // Normals that are given look where they look; those that are made look to the front.
+    // Normals in the file are not changed; computed ones point to the front.
     if (!reader_.flag("ccw", true)) polygons_.reverse_faces();
     if (!has_normals_) add_crease_normals(polygons_, reader_.number("creaseAngle", 0));
     if (is_textured && polygons_.uvs.empty()) add_default_uvs(polygons_);
@@ -116,7 +116,7 @@ std::optional<Polygons> polygons_of97(const Node& geometry, bool is_textured, Re
   const bool is_grid = geometry.type == "ElevationGrid";
   if (!is_grid && geometry.type != "Extrusion") return read_solid(geometry, is_textured, report);
   auto polygons = is_grid ? read_elevation_grid(geometry, report) : read_extrusion(geometry, report);
-  // Those of a file are kept in any case.
+  // Texture coordinates of the file are kept in any case.
   const bool made_here = NodeReader(geometry, report.diagnostics()).node("texCoord") == nullptr;
   if (polygons && made_here && !is_textured) polygons->uvs.clear();
   return polygons;

@@ -14,7 +14,7 @@
 namespace convert::vrml {
 namespace {
 
-/// Far more than any file has that is meant to be seen.
+/// The maximum number of visited nodes, far more than any real file has.
 constexpr std::size_t MostMetNodes = 1'000'000;
 constexpr std::size_t DeepestInline = 64;
 
@@ -32,7 +32,7 @@ bool all_finite(const Polygons& polygons) {
          std::all_of(polygons.uvs.begin(), polygons.uvs.end(), finite);
 }
 
-/// True if floats hold the steps of the transform.
+/// Returns whether the steps of a transform are in the range of floats.
 bool is_finite(const grf::Matrix44d& matrix) {
   constexpr double Largest = std::numeric_limits<float>::max();
   for (int i = 0; i < 4; ++i) {
@@ -45,12 +45,12 @@ bool is_finite(const grf::Matrix44d& matrix) {
                      [](const grf::TransformStep& step) { return is_finite(step.value); });
 }
 
-/// True if the transform makes nothing of a length in some direction, or next to nothing.
+/// Returns whether a transform is singular, or nearly so.
 bool is_singular(const grf::Matrix44d& matrix) {
   double lengths = 1;
   for (int i = 0; i < 3; ++i) lengths *= grf::Vec3d(matrix[i][0], matrix[i][1], matrix[i][2]).length();
   constexpr double Flat = 1e-12;
-  constexpr double Smallest = 1e-100;  // of three factors that floats hold
+  constexpr double Smallest = 1e-100;  // below a product of three floats
   return !(std::abs(matrix.determinant()) > std::max(Flat * lengths, Smallest));
 }
 
@@ -75,7 +75,7 @@ std::optional<grf::Scene> World::read(std::shared_ptr<const Source> source) {
   appearances_.materials().report(location, report_.diagnostics());
   report_.finish(location);
   if (blocks.empty()) {
-    report_.diagnostics().error(location, "the file has no faces, and nothing else can be kept");
+    report_.diagnostics().error(location, "the file has no faces, and only faces can be imported");
     return std::nullopt;
   }
   std::vector<grf::Definition> definitions = appearances_.materials().definitions();
@@ -93,11 +93,10 @@ const OpenDocument* World::open(std::shared_ptr<const Source> source, const std:
   if (!is_new) return &open;
   open = {parse(std::move(source), report_.diagnostics()), folder, canonical};
   if (open.document == nullptr) return nullptr;
-  report_.add("ROUTE was passed over", "ROUTEs were passed over", "GRF scenes stand still",
-              open.document->routes);
+  report_.add("ROUTE was skipped", "ROUTEs were skipped", "GRF scenes are static", open.document->routes);
   for (const std::string_view prototype : open.document->prototypes) {
-    report_.add(fmt::format("prototype '{}' was passed over", prototype),
-                fmt::format("prototypes '{}' were passed over", prototype), "prototypes are not carried out");
+    report_.add(fmt::format("prototype '{}' was skipped", prototype),
+                fmt::format("prototypes '{}' were skipped", prototype), "prototypes are not supported");
   }
   return &open;
 }
@@ -173,7 +172,7 @@ std::vector<grf::Block> World::inlined(const Node& node, const std::vector<std::
 
 const OpenDocument* World::inlined_document(const Node& node, const std::vector<std::string>& addresses,
                                             const std::string& folder) {
-  // What is missing is no error: a browser that cannot reach an address shows the rest all the same.
+  // A missing file is a warning: a browser that cannot reach a URL shows the rest, too.
   const auto name = local_file(addresses, folder, path_);
   if (!name) {
     report_.diagnostics().warning(node.location(), "what is inlined here is no file: left out");
@@ -222,7 +221,7 @@ std::vector<grf::Definition> World::definitions_of_shared_meshes() {
   return definitions;
 }
 
-// The tree is no deeper than that of the nodes.
+// The scene is nested no deeper than the nodes.
 void World::replace_shared_meshes(std::vector<grf::Block>& blocks) const {
   for (grf::Block& block : blocks) {
     if (auto* transform = std::get_if<grf::Transform>(&block.content)) {

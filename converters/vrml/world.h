@@ -21,22 +21,22 @@
 
 namespace convert::vrml {
 
-/// A document, and where its file lies.
+/// A parsed document with the location of its file.
 struct OpenDocument {
   std::unique_ptr<const Document> document;
-  std::string folder;     ///< from that of the first file
-  std::string canonical;  ///< the one spelling of its path
+  std::string folder;     ///< relative to the folder of the first file
+  std::string canonical;  ///< canonical path
 };
 
-/// Where in the tree of nodes a reader is.
+/// The position of a traversal in the scene graph.
 struct Place {
   unsigned depth = 0;
-  std::string_view name;  ///< the nearest that DEF gave, of the node itself or of one around it
+  std::string_view name;  ///< the nearest DEF name, of the node itself or of an ancestor
 };
 
 using Blocks = std::vector<grf::Block>;
 
-/// The blocks of all nodes in their order, as the reader of either version has them.
+/// Reads the blocks of all nodes in order, by the reader of either version.
 template <class Reader>
 Blocks read_each(Reader& reader, std::span<const Node* const> nodes, const Place& place) {
   Blocks blocks;
@@ -51,39 +51,39 @@ Blocks read_each(Reader& reader, std::span<const Node* const> nodes, const Place
   return blocks;
 }
 
-/// A mesh in the making: the faces of a shape and what they look like.
+/// The faces of a shape and their surfaces, from which a mesh is made.
 struct ShapeParts {
   Polygons polygons;
   std::vector<grf::Surface> surfaces;
 };
 
-/// What the readers of both versions share while a file, and what it inlines, becomes a scene.
+/// The state that the readers of both versions share while they convert a file, and the files it inlines.
 class World {
  public:
   World(std::string path, grf::Diagnostics& diagnostics);
 
-  /// The scene that the file stands for, or nothing after an error.
+  /// Converts the file to a scene; returns nothing after an error.
   std::optional<grf::Scene> read(std::shared_ptr<const Source> source);
 
   Report& report() { return report_; }
   Appearances& appearances() { return appearances_; }
   const std::string& path() const { return path_; }
 
-  /// To be asked at each node that is met: false after an error, such as too deep a tree, or too many nodes
-  /// (since USE doubles what it names, a short file can stand for any number).
+  /// Must be called at each visited node: returns false after an error, such as a tree that is too deep or
+  /// has too many nodes (since USE duplicates, a short file can expand to any number).
   bool enter(const Node& node, const Place& place);
 
-  /// The mesh that a list of nodes makes, as a block. It is built once, however often it is placed. Empty if
-  /// it has no faces, or after an error.
+  /// Returns the mesh of a list of nodes as a block. It is built once and instanced. Empty if it has no
+  /// faces, or after an error.
   std::vector<grf::Block> mesh(const std::vector<const Node*>& made_of, const Node& shape,
                                std::string_view name,
                                const std::function<std::optional<ShapeParts>()>& build);
 
-  /// The blocks under a transform; nothing of them if it has no inverse.
+  /// Puts blocks under a transform; drops them if it is singular.
   std::vector<grf::Block> under(const grf::Matrix44d& to_parent, std::vector<grf::Block> blocks,
                                 const Node& node);
 
-  /// What another file holds, which a node names by addresses.
+  /// Reads another file that a node names by URLs.
   std::vector<grf::Block> inlined(const Node& node, const std::vector<std::string>& addresses,
                                   const std::string& folder, const Place& place);
 
@@ -107,7 +107,7 @@ class World {
   DefinitionNames names_;
   Appearances appearances_;
   std::map<std::string, OpenDocument> documents_;       // by canonical path
-  std::map<const Node*, const OpenDocument*> inlined_;  // by the node that names it; null: left out
+  std::map<const Node*, const OpenDocument*> inlined_;  // by the Inline node; null: skipped
   std::vector<std::string> open_files_;                 // canonical paths, outermost first
   std::map<std::vector<const Node*>, SharedMesh> meshes_;
   std::vector<SharedMesh*> meshes_in_order_;
@@ -115,7 +115,7 @@ class World {
   std::size_t met_nodes_ = 0;
 };
 
-/// What a document of each version holds.
+// These read a document of each version.
 std::vector<grf::Block> read_vrml97(World& world, const OpenDocument& document, const Place& place);
 std::vector<grf::Block> read_vrml1(World& world, const OpenDocument& document, const Place& place);
 

@@ -184,7 +184,7 @@ TEST(GrfconvertLimits, EndWhatTakesTooLong) {
   const std::string output = folder.path("out.grf");
   const test::Outcome outcome = grfconvert({Bunny, "-o", output, "--max-time", "0.01"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err, Bunny + ": error: not done within the limit of 0.01 s\n");
+  EXPECT_EQ(outcome.err, Bunny + ": error: exceeded the time limit of 0.01 s\n");
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_THAT(folder.names(), IsEmpty());
   EXPECT_EQ(grfconvert({"info", Bunny, "--max-time", "0.01"}).exit_code, 1);

@@ -108,7 +108,7 @@ TEST(GrfconvertCheck, GoesOnAfterABadFile) {
   const test::Outcome outcome = grfconvert({"check", Malformed, sound});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("malformed.obj:28:3: error: "));
-  EXPECT_EQ(outcome.out, sound + ": sound, with warnings\n");
+  EXPECT_EQ(outcome.out, sound + ": valid, with warnings\n");
   EXPECT_EQ(grfconvert({"check", sound}).exit_code, 0);
 }
 
@@ -128,7 +128,7 @@ TEST(GrfconvertCheck, PrintsWarningsAndStillCallsTheFileSound) {
   const std::string path = folder.add("a.grf", "def a = brdf ward\nbegin\nend\n");
   const test::Outcome outcome = grfconvert({"check", path});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out, path + ": sound, with warnings\n");
+  EXPECT_EQ(outcome.out, path + ": valid, with warnings\n");
   EXPECT_EQ(outcome.err,
             path + ":1:5: warning: the BRDF 'a' is defined and never used\n  def a = brdf ward\n      ^\n");
   const test::Outcome quiet = grfconvert({"check", "--quiet", path});
@@ -146,7 +146,7 @@ TEST(GrfconvertCheck, WarnsOfBrdfsThatReflectMoreThanTheyReceive) {
       folder.add("a.grf", mesh("minnaert k=0.8 kd=1") + mesh("diffuse kd=1") + mesh("phong n=100 ks=1 kd=1"));
   const test::Outcome outcome = grfconvert({"check", path});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out, path + ": sound, with warnings\n");
+  EXPECT_EQ(outcome.out, path + ": valid, with warnings\n");
   EXPECT_THAT(outcome.err, HasSubstr(":1:17: warning: 'minnaert' reflects up to 1.81 times the light it "
                                      "receives (at 85 degrees)\n"));
   EXPECT_THAT(outcome.err, Not(HasSubstr("'diffuse'")));
@@ -160,7 +160,7 @@ TEST(GrfconvertCheck, SaysNothingOfWhatIsRight) {
   const test::Outcome outcome = grfconvert({"check", path});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err, IsEmpty());
-  EXPECT_EQ(outcome.out, path + ": sound\n");
+  EXPECT_EQ(outcome.out, path + ": valid\n");
 }
 
 TEST(GrfconvertTidy, WritesFilesInTheOneStyleOnce) {

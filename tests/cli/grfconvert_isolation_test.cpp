@@ -38,10 +38,8 @@ class GrfconvertIsolation : public testing::Test {
   std::string good_ = folder_.add("in/good.obj", Triangle);
 
   std::string crash_error() const { return crashing_ + ": error: the conversion crashed ("; }
-  std::string time_error() const { return endless_ + ": error: not done within the limit of 0.5 s\n"; }
-  std::string memory_error() const {
-    return greedy_ + ": error: more memory is needed than the limit of 4 GB\n";
-  }
+  std::string time_error() const { return endless_ + ": error: exceeded the time limit of 0.5 s\n"; }
+  std::string memory_error() const { return greedy_ + ": error: exceeded the memory limit of 4 GB\n"; }
 
   /// Runs the commands convert, info and check on a file, with further options.
   void expect_error_of_all_commands(const std::string& path, const std::string& error,

@@ -93,7 +93,7 @@ TEST(GrfconvertMessages, SayThatNoFloatHoldsAVertex) {
   for (const char* name : {"a.obj", "a.ply", "a.stl"}) {
     const test::Outcome outcome = grfconvert({scene, "-o", folder.path(name)});
     EXPECT_EQ(outcome.exit_code, 1) << name;
-    EXPECT_THAT(outcome.err, HasSubstr("a transform moves a vertex so far that no float holds it\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("a transform moves a vertex out of the range of a float\n"));
   }
   EXPECT_THAT(folder.names(), ElementsAre("a.grf"));
 }

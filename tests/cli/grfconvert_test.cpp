@@ -83,13 +83,13 @@ TEST(Grfconvert, BadInputWritesNothing) {
   const std::string bad_brdf = folder.add("bad.grf", "def a = brdf ward sx=100\nbegin end\n");
   for (const auto& [input, message] : std::vector<std::pair<std::string, std::string>>{
            {Malformed, ":28:3: error: found '0', expected a corner"},
-           {cut, ":5:1: error: the file was cut off inside this statement"},
+           {cut, ":5:1: error: the file is truncated in this statement"},
            {bad_brdf, ":1:19: error: 'sx' of 'ward': 100 is out of range"},
            {folder.path("missing.obj"), ": error: cannot read the file: No such file or directory\n"},
            {folder.path(), ": error: cannot read the file: it is a directory"},
            {folder.add("empty.obj", ""), ": error: the file is empty"},
            {folder.add("what.dat", "nothing known"),
-            ": error: neither content nor name are those of a known format"},
+            ": error: the format is unknown, by content and by name"},
        }) {
     const test::Outcome outcome = grfconvert({input, "-o", folder.path("out.grf")});
     EXPECT_EQ(outcome.exit_code, 1) << input;
@@ -137,10 +137,10 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
   const std::string input = folder.add("t.obj", Triangle);
   const std::string output = folder.path("out.grf");
   for (const auto& [arguments, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-           {{}, "the file to read is missing"},
-           {{input}, "the file to write is missing"},
-           {{"-o", output}, "the file to read is missing"},
-           {{input, "-o", folder.path("out.xyz")}, "does not say its format: give it by --to (grf"},
+           {{}, "no input file is given"},
+           {{input}, "no output file is given"},
+           {{"-o", output}, "no input file is given"},
+           {{input, "-o", folder.path("out.xyz")}, "is unknown: give it by --to (grf"},
            {{input, "-o", output, "--from", "xyz"}, "xyz not in {grf,obj,"},
            {{input, "-o", output, "--to", "xyz"}, "xyz not in {grf,obj,"},
            {{input, "-o", output, "--brdf", "wrad sx=1"},
@@ -148,8 +148,8 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
            {{input, "-o", output, "--brdf", "ward sx="}, "--brdf:1:9: error: "},
            {{input, "-o", output, "--unknown"}, "--unknown"},
            {{input, input, "-o", folder.path()}, "would both be written to '" + folder.path("t.grf") + "'"},
-           {{input, folder.path("b.obj"), "-o", output}, "several files are to be written, and '" + output},
-           {{input, folder.path("b.obj"), "-o", input}, "several files are to be written, and '" + input},
+           {{input, folder.path("b.obj"), "-o", output}, "several files need an output folder, and '" + output},
+           {{input, folder.path("b.obj"), "-o", input}, "several files need an output folder, and '" + input},
            {{input, "-o", folder.path("made/"), "--to", "3ds"},
             "3ds not in {grf,obj,ply,ply-ascii,gltf,glb,stl}"},
            {{input, "-o", output, "--weld", "-1"},
@@ -265,7 +265,7 @@ TEST(Grfconvert2008, WritesNoExtensions) {
   const test::Outcome outcome = grfconvert({scene, "-o", output, "--grf2008"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err,
-              HasSubstr(scene + ":1:1: warning: a mesh light of the grammar of 2008 has the radiance 1"));
+              HasSubstr(scene + ":1:1: warning: mesh lights have the radiance 1 in the grammar of 2008"));
   EXPECT_THAT(test::bytes_of(output), StartsWith("// lamp\nmesh light begin\n"));
 }
 

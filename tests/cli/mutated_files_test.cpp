@@ -160,10 +160,10 @@ void keep(const std::string& path) {
 }
 
 void add_failure(const std::string& path, const std::string& error, Fates& fates) {
-  std::vector<std::string>* harmful = error.starts_with("the conversion crashed")  ? &fates.crashed
-                                      : error.starts_with("not done after")        ? &fates.late
-                                      : error.starts_with("more memory is needed") ? &fates.hungry
-                                                                                   : nullptr;
+  std::vector<std::string>* harmful = error.starts_with("the conversion crashed")      ? &fates.crashed
+                                      : error.starts_with("exceeded the time limit")   ? &fates.late
+                                      : error.starts_with("exceeded the memory limit") ? &fates.hungry
+                                                                                       : nullptr;
   if (harmful == nullptr) {
     ++fates.refused;
   } else {

@@ -189,7 +189,7 @@ TEST_F(FilesThatFail, LeaveNothingHalfWritten) {
   EXPECT_EQ(run(work), ExitCode::BadInput);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "dies: error: the conversion crashed (Killed)\n"
-            "hangs: error: not done within the limit of 2 s\n");
+            "hangs: error: exceeded the time limit of 2 s\n");
   EXPECT_THAT(folder_.names(), ElementsAre("good"));
   EXPECT_EQ(test::bytes_of(folder_.path("good")), "half and half");
   ASSERT_EQ(results_.size(), 3U);

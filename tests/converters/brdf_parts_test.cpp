@@ -85,7 +85,7 @@ TEST(BrdfParts, AreAsWideAsTheLobe) {
   }
 }
 
-/// The parts of the last of the definitions, which is a BRDF called `sum`.
+/// Returns the lobes of the last definition, a BRDF called `sum`.
 BrdfParts parts_of_sum(const std::string& definitions) {
   grf::Diagnostics diagnostics;
   const auto scene =
@@ -134,8 +134,8 @@ TEST(BrdfParts, OfAnUnknownModelAreMatteGrey) {
   EXPECT_EQ(parts_of("measured \"a.binary\"").glossy, grf::Vec3d(0));
 }
 
-/// What the parts say is what the models do with light from the normal, but for what is lost between wide
-/// facets and in grooves.
+/// The lobes match the albedo of the models at normal incidence, except for masking-shadowing losses of wide
+/// lobes and grooves.
 TEST(BrdfParts, ReflectTogetherWhatTheModelDoes) {
   std::vector<std::string> texts = {"schlick Sr=0.01",
                                     "schlick Sr=0.01 Ly=true Dr=0.01",

@@ -40,7 +40,7 @@ TEST(EmbeddedFiles, TakeAFreeNameBesideADifferentFile) {
   EXPECT_THAT(written->names, ElementsAre(Pair("wood.png", "wood_3.png")));
   EXPECT_EQ(test::bytes_of(folder.path("wood.png")), "another");
   EXPECT_EQ(test::bytes_of(folder.path("wood_3.png")), "wood");
-  EXPECT_THAT(diagnostics.to_text(), HasSubstr("wood_3.png: note: 'wood.png' goes by this name"));
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("wood_3.png: note: 'wood.png' is written under this name"));
 }
 
 TEST(EmbeddedFiles, AreNotWrittenAgain) {

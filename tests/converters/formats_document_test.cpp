@@ -52,7 +52,7 @@ TEST(FormatsDocument, SaysWhatBecomesOfMaterials) {
 }
 
 TEST(FormatsDocument, SaysWhatThePartsOfBrdfsAre) {
-  std::string table = "| BRDF | matte part m | highlight g | its exponent h |\n|---|---|---|---|\n";
+  std::string table = "| BRDF | diffuse lobe m | glossy lobe g | exponent h of g |\n|---|---|---|---|\n";
   for (const BrdfRule& rule : brdf_rules()) {
     table +=
         fmt::format("| {} | {} | {} | {} |\n", code(rule.keyword), rule.matte, rule.glossy, rule.exponent);

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 const std::string Radiance =
-    "warning: a mesh light of the grammar of 2008 has the radiance 1: another one is lost\n";
+    "warning: mesh lights have the radiance 1 in the grammar of 2008: another one is lost\n";
 const std::string LostBrdf = "warning: faces that emit lose their BRDF: they become a mesh light\n";
 
 std::string cut_into(int parts) {
@@ -201,9 +201,9 @@ TEST(Grf2008, HasNoThreeNumbersForAParameter) {
 TEST(Grf2008, HasNoWordsAsValues) {
   expect_same(triangle("brdf ward pdf adaptive mode=reject nQT=90"),
               triangle("brdf ward pdf adaptive nQT=90"),
-              "warning: 'mode' has a word as value, which the grammar of 2008 has not: it is lost\n");
+              "warning: 'mode' has a word as value, which the grammar of 2008 lacks: it is lost\n");
   EXPECT_EQ(converted(triangle("brdf ward kind=rough")).said,
-            "error: 'kind' has a word as value, which the grammar of 2008 has not\n");
+            "error: 'kind' has a word as value, which the grammar of 2008 lacks\n");
 }
 
 TEST(Grf2008, HasNoParametersBehindAFileOfData) {
@@ -221,7 +221,7 @@ class Grf2008Files : public testing::Test {
     return scene ? converted(*scene, path) : Converted();
   }
   static std::string as_one(const std::string& name) {
-    return "warning: '" + name + "' has what the grammar of 2008 lacks: all files are written as one\n";
+    return "warning: '" + name + "' needs what the grammar of 2008 lacks: all files are written as one\n";
   }
 
   test::TemporaryFolder folder;

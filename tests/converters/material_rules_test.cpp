@@ -1,4 +1,4 @@
-// Each row of the tables of materials has an example: it goes in, and what the row says comes out.
+// Tests of the material tables: the example of each row is converted to the result in the row.
 #include <algorithm>
 #include <array>
 #include <map>

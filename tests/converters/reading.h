@@ -1,4 +1,4 @@
-// What the tests of readers have in common: files made of text, and a look at the scenes that they give.
+// Helpers of the tests of readers: files made of text, and access to the scenes that they give.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace convert {
 
-/// A scene, or none, and what was said of it.
+/// The result of reading a file: a scene, or none, and its diagnostics.
 struct Reading {
   std::optional<grf::Scene> scene;
   std::vector<EmbeddedFile> files;
@@ -24,7 +24,7 @@ struct Reading {
 
 Reading read_path(const std::string& path, const ReadOptions& options = {});
 
-/// Reads a file of this name and content, which is alone in its folder.
+/// Reads a file of this name and content, the only one in its folder.
 Reading read_bytes(const std::string& name, std::string_view bytes);
 
 /// The vertices of a unit square as OBJ.
@@ -33,23 +33,23 @@ inline const std::string SquareVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 /// Reads OBJ text from a file `model.obj`, with `model.mtl` beside it if there is text for one.
 Reading read_obj_text(std::string_view obj, std::string_view mtl = {}, const ReadOptions& options = {});
 
-/// The scene of GRF text that is right.
+/// Parses valid GRF text.
 grf::Scene scene_of_grf(const std::string& text);
 
-/// All meshes of a scene, in order.
+/// Returns all meshes of a scene, in order.
 std::vector<grf::Mesh> meshes_of(const grf::Scene& scene);
 
-/// The mesh of a scene that was read and has no other one: a mesh without faces, and a failed test, if it is
-/// not so.
+/// Returns the only mesh of a scene that was read; otherwise fails the test and returns a mesh without
+/// faces.
 grf::Mesh only_mesh(const Reading& reading);
 
-/// All definitions of a scene, in order.
+/// Returns all definitions of a scene, in order.
 std::vector<grf::Definition> definitions_of(const grf::Scene& scene);
 
-/// The text of the definition's BRDF, as GRF has it.
+/// Returns the GRF text of the definition's BRDF.
 std::string brdf_text(const grf::Definition& definition);
 
-/// The name of the definition that a face's BRDF refers to; empty if it has no BRDF.
+/// Returns the name of the definition that a face's BRDF refers to; empty if it has no BRDF.
 std::string material_of(const grf::Mesh& mesh, std::size_t face);
 
 }  // namespace convert

@@ -1,5 +1,5 @@
 // What is written of each BRDF for programs that know none of GRF's: the numbers in the MTL and glTF files,
-// against numbers worked out by hand from the table "Parts of BRDFs" of FORMATS.md.
+// against numbers worked out by hand from the table "Lobes of BRDFs" of FORMATS.md.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -28,7 +28,7 @@ using nlohmann::json;
 
 constexpr double MirrorExponent = std::numeric_limits<double>::infinity();
 
-/// A BRDF with its matte part, its highlight and the exponent of the half vector's cosine.
+/// A BRDF with its diffuse lobe, its glossy lobe and the Blinn-Phong exponent.
 struct WrittenBrdf {
   std::string brdf;
   grf::Vec3d matte;
@@ -282,7 +282,7 @@ struct PictureBounds {
   double mean_of_lamp = 0.08;
 };
 
-/// MTL and glTF have a lobe over a matte part. What models do beyond that at grazing angles is lost.
+/// MTL and glTF have a glossy lobe over a diffuse one. Other effects of models at grazing angles are lost.
 PictureBounds bounds_of(const std::string& keyword) {
   static const std::map<std::string, PictureBounds> bounds = {
       {"coupled", {0.15, 0.115, 0.15, 0.08}},  // Fresnel's reflectance grows, MTL's mirror does not
@@ -297,8 +297,8 @@ PictureBounds bounds_of(const std::string& keyword) {
 
 std::string keyword_of(const WrittenBrdf& row) { return row.brdf.substr(0, row.brdf.find(' ')); }
 
-// The pictures are not the same, since MTL and glTF have one lobe over a matte part; they are as bright, and
-// have a highlight as wide.
+// The images are not equal, since MTL and glTF have one glossy lobe over a diffuse one; but their brightness
+// and the width of the highlight are.
 TEST(WrittenBrdfs, LookLikeTheirOriginals) {
   for (const WrittenBrdf& row : written_brdfs()) {
     const SpherePicture original = picture_of(reflector_of_text(row.brdf));

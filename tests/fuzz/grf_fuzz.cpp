@@ -1,4 +1,4 @@
-// Any bytes at all as the text of a scene. What is read must be written and read back as the same, and
+// Fuzzes the GRF parser: any bytes are read as the text of a scene. A scene must survive a round trip, and
 // everything that works on scenes must work on it.
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Any bytes at all as a file of the format FUZZED_FORMAT. What is read must be a scene that GRF can hold:
-// written and read back, it is the same. Of the formats that Assimp reads from the bytes themselves, only
-// what we do with them is called: Assimp is known to crash.
+// Fuzzes the reader of the format FUZZED_FORMAT with any bytes. A scene must survive a round trip through
+// GRF. For formats that Assimp reads from memory, only our own code is called, since Assimp is known to
+// crash.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view FormatName = FUZZED_FORMAT;
 
-/// Solids of many faces take their time to write, and tell nothing new.
+/// The limit of faces: large solids take long to write, and test nothing new.
 constexpr std::size_t MostFaces = 20'000;
 
 void expect(bool condition, const char* what, const std::string& text) {

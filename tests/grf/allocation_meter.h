@@ -4,10 +4,10 @@
 
 namespace grf {
 
-/// Bytes of the heap in use, of the whole program.
+/// Returns the heap memory in use by the whole program, in bytes.
 std::size_t allocated_bytes();
 
-/// The most there were in use since the last `restart_peak`.
+/// Returns the peak heap memory since the last `restart_peak`, in bytes.
 std::size_t peak_bytes();
 void restart_peak();
 

@@ -1,4 +1,4 @@
-// What `check` says of shapes: faces, lights, irradiance, and images on them.
+// Tests of `check` on geometry: faces, lights, irradiance, and textures.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(CheckOfFaces, WarnsOfNormalsBehindThem) {
 
 const std::string Nothing = "nothing is in front of this light, on the side that emits";
 
-/// Whether a light of that text is said to face nothing where there is a triangle in the plane z = 0.
+/// Returns whether a light is reported to face nothing, with a triangle in the plane z = 0.
 bool faces_nothing(const std::string& light) {
   const std::string said = said_of(triangle("brdf flat") + light);
   EXPECT_TRUE(said.empty() || said == "warning: " + Nothing + "\n") << said;
@@ -105,7 +105,7 @@ TEST(CheckOfMeshLights, LooksAtTheirFacesToo) {
       "warning: face 1 has no area\n");
 }
 
-/// What is said of a text as a file of that name.
+/// Returns the diagnostics of a text as a file of that name.
 std::string said_of_file(const std::string& name, const std::string& text) {
   Diagnostics diagnostics;
   const auto scene = read_text(text, name, diagnostics);

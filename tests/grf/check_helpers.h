@@ -10,7 +10,7 @@
 
 namespace grf {
 
-/// The messages about a text that can be read, a line each, with the severity before those of warnings.
+/// Returns the messages about a text that can be read, one per line, with the severity of warnings.
 inline std::string said_of(const std::string& text) {
   const Scene scene = scene_of(text);
   Diagnostics diagnostics;

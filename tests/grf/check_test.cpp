@@ -220,7 +220,7 @@ TEST(CheckOfTermsOfCombine, ReportsWhatNoTextCanHave) {
 }
 
 TEST(CheckOfTermsOfCombine, WantsSomeAndNothingElse) {
-  EXPECT_EQ(said_of_brdf("combine"), "'combine' of nothing, expected weights and names\n");
+  EXPECT_EQ(said_of_brdf("combine"), "'combine' without terms, expected weights and names\n");
   EXPECT_EQ(said_of("def a = brdf flat begin " + triangle("brdf combine 1 a kd=1") + "end"),
             "'combine' has no parameter 'kd', it has none\n");
   EXPECT_EQ(said_of("def chrome = brdf flat begin " + triangle("brdf chrome", "brdf combin") + "end"),
@@ -228,7 +228,7 @@ TEST(CheckOfTermsOfCombine, WantsSomeAndNothingElse) {
 }
 
 TEST(CheckOfModels, LetsThoseThatReadNoFileHaveNone) {
-  EXPECT_EQ(said_of_brdf("flat \"a.dat\""), "'flat' reads no file\n");
+  EXPECT_EQ(said_of_brdf("flat \"a.dat\""), "'flat' takes no data file\n");
   EXPECT_EQ(said_of_brdf("unknown \"a.dat\""), "unknown BRDF 'unknown'\n");
 }
 

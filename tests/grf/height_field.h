@@ -7,14 +7,14 @@
 
 namespace grf {
 
-/// A height field of triangles with a normal for each of its side * side vertices: what most of a large
-/// scene's text looks like, about 110 bytes of it a vertex and the two triangles that come with it.
+/// Makes a height field of triangles with a normal per vertex, side * side vertices: typical text of a large
+/// scene, with about 110 bytes per vertex and its two triangles.
 Mesh height_field(std::uint32_t side);
 
-/// A scene of one mesh.
+/// Makes a scene of one mesh.
 Scene scene_of_mesh(Mesh mesh);
 
-/// What the arrays of a mesh take, without room to grow.
+/// Returns the size of a mesh's arrays in bytes, without spare capacity.
 std::size_t bytes_of(const Mesh& mesh);
 
 }  // namespace grf

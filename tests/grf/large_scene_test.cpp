@@ -1,4 +1,4 @@
-// What large scenes cost in memory. How fast they are read is in tests/benchmarks/grf_benchmark.cpp.
+// Tests of the memory usage of large scenes. The speed of reading is in tests/benchmarks/grf_benchmark.cpp.
 #include <string>
 #include <utility>
 

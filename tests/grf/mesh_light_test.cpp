@@ -18,7 +18,7 @@ std::string light(const std::string& attributes, const std::string& faces = "(0,
   return "mesh light begin " + attributes + Corners + "begin faces " + faces + " end faces end ";
 }
 
-/// What the faces of all mesh lights of a text emit.
+/// Returns the radiance of the faces of all mesh lights of a text.
 std::vector<Colour> radiances(const std::string& text) {
   std::vector<Colour> colours;
   SceneVisitor visitor;

@@ -1,5 +1,5 @@
-// What a file can nest, at the greatest depth that is allowed and beyond: blocks in blocks, files in files,
-// sums of sums. Stacks are smaller than those of the threads that will do this.
+// Tests of nesting at the maximum depth and beyond: blocks in blocks, files in files, sums of sums. The
+// stacks are smaller than those of the real threads.
 #include <filesystem>
 #include <string>
 
@@ -19,7 +19,7 @@ namespace {
 
 const std::string LightInside = "light begin (0, 2, 0) (1, 0, 0) (0, 0, 1) end\n";
 
-/// So many transforms and definitions by turns, one in the other.
+/// Makes alternating transforms and definitions, nested to a depth.
 std::string nested_blocks(std::size_t depth, const std::string& innermost) {
   std::string text;
   for (std::size_t i = 0; i < depth; ++i) {
@@ -49,7 +49,7 @@ double x_of_the_light(const Scene& scene) {
   return x;
 }
 
-/// All that can be done to a scene as a whole.
+/// Runs all operations on a whole scene.
 void expect_all_is_possible(const Scene& scene, const std::string& path) {
   EXPECT_EQ(x_of_the_light(scene), 500);
   const Scene same = scene_of(to_text(scene));

@@ -59,8 +59,9 @@ TEST(Definitions, TakeOtherWordsForValues) {
 
 // Reading ends before `check` could explain the parameter.
 TEST(Definitions, SayWhatWasTakenForAParameter) {
-  EXPECT_EQ(error_in("def a = brdf ward b = phong c = brdf combine 1 b begin end"),
-            "no BRDF called 'b' is defined here: 'b = phong' is a parameter, for want of 'brdf' or 'pdf'");
+  EXPECT_EQ(
+      error_in("def a = brdf ward b = phong c = brdf combine 1 b begin end"),
+      "no BRDF called 'b' is defined here: 'b = phong' is a parameter, because 'brdf' or 'pdf' is missing");
 }
 
 TEST(Definitions, AreCaseSensitiveAndMayHaveTheNamesOfKeywords) {

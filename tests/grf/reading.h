@@ -1,4 +1,4 @@
-// Short ways to read text in tests.
+// Helpers to read text in tests.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grf {
 
-/// The scene of a text that is right and gives no reason for a warning.
+/// Parses a valid text without warnings.
 inline Scene scene_of(std::string text) {
   Diagnostics diagnostics;
   auto scene = read_text(std::move(text), "scene.grf", diagnostics);
@@ -17,14 +17,14 @@ inline Scene scene_of(std::string text) {
   return scene ? *scene : Scene();
 }
 
-/// What is said about a text, and in a last line whether it was read.
+/// Returns the diagnostics of a text, and in a last line whether it was read.
 inline std::string said_about(std::string text) {
   Diagnostics diagnostics;
   const bool is_read = read_text(std::move(text), "scene.grf", diagnostics).has_value();
   return diagnostics.to_text() + (is_read ? "read\n" : "not read\n");
 }
 
-/// The message of the only error in a text.
+/// Returns the message of the only error in a text.
 inline std::string error_in(std::string text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_text(std::move(text), "scene.grf", diagnostics).has_value());
@@ -32,8 +32,7 @@ inline std::string error_in(std::string text) {
   return diagnostics.entries().empty() ? "" : diagnostics.entries().front().message;
 }
 
-/// The block with that number of a scene, or of the body of a block, which has
-/// to be of that type.
+/// Returns the block with that index of a scene, or of the body of a block, which must be of that type.
 template <class Content>
 const Content& block(const BlockList& list, std::size_t index = 0) {
   return std::get<Content>(list.blocks.at(index).content);
@@ -43,8 +42,7 @@ inline const Mesh& mesh_of(const Scene& scene, std::size_t index = 0) {
   return *block<Shared<Mesh>>(scene.contents, index);
 }
 
-/// The text of a mesh that is one triangle, with something before its vertices
-/// and before its face.
+/// Returns the text of a mesh of one triangle, with something before its vertices and before its face.
 inline std::string triangle(const std::string& attributes = {}, const std::string& face_attributes = {}) {
   return "begin mesh " + attributes +
          " begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces " + face_attributes +

@@ -1,4 +1,4 @@
-// Whatever the text is, reading it ends soon with a scene or with a message, and with memory that is a small
+// Tests of robustness: reading any text ends soon with a scene or with an error, and takes memory of a small
 // multiple of the text.
 #include <algorithm>
 #include <ctime>
@@ -57,7 +57,7 @@ std::string repeated(const std::string& piece, std::size_t bytes) {
   return text;
 }
 
-/// The same with a number in place of each `#`, another one in each repetition.
+/// Repeats a text, with the number of the repetition for each `#`.
 std::string numbered(const std::string& piece, int count) {
   std::string text;
   for (int i = 0; i < count; ++i) {

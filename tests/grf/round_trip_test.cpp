@@ -1,4 +1,4 @@
-// Writing is lossless: what is read again is the scene, and is written as the same bytes.
+// Tests of lossless writing: a scene that is read back is equal, and is written as the same bytes.
 #include <bit>
 #include <cstdint>
 #include <filesystem>

@@ -8,17 +8,17 @@
 
 namespace grf {
 
-/// Makes random scenes that use everything that a scene can say, inside a rapidcheck property: each choice is
-/// a value that rapidcheck makes, so that a scene that fails shrinks to a small one.
+/// Generates random scenes that use every feature of a scene, inside a rapidcheck property: each choice is a
+/// value from rapidcheck, so that a failing scene shrinks to a small one.
 ///
-/// The scenes keep what the types ask of who builds one: numbers are finite, references name a definition in
-/// scope, text that stands on one line has no line end, and so on.
+/// The scenes satisfy the invariants of the types: numbers are finite, references name a definition in scope,
+/// text on one line has no line end, and so on.
 class SceneGenerator {
  public:
   explicit SceneGenerator(bool with_includes) : with_includes_(with_includes) {}
 
   Scene scene();
-  /// Any float that is a number, the odd ones among them.
+  /// Generates any finite float, including special ones.
   static float number();
 
  private:

@@ -1,4 +1,4 @@
-// A small catalogue for tests of what looks models up.
+// A small catalogue of models for tests.
 #pragma once
 
 #include <limits>

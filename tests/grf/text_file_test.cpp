@@ -63,7 +63,7 @@ class FileSizeLimit {
 
 class TextFile : public testing::Test {
  protected:
-  /// What is said about a file that cannot be read, without its path.
+  /// Returns the diagnostics of a file that cannot be read, without its path.
   std::string failure_to_read(const std::string& name) const {
     Diagnostics diagnostics;
     EXPECT_EQ(read_file(folder.path(name), diagnostics), nullptr);

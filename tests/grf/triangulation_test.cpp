@@ -102,8 +102,8 @@ bool are_joined_as_a_polygon(const Triangles& triangles, std::size_t corners) {
          std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
-/// Of shapes in the plane z = 0 that do not cross themselves: no triangle is turned over, and together they
-/// have the area that a closed form tells.
+/// Checks shapes in the plane z = 0 that do not intersect themselves: no triangle is flipped, and their total
+/// area is that of a closed form.
 void expect_exact_cover(const shapes::Shape& shape) {
   SCOPED_TRACE(shape.name + ", " + std::to_string(shape.polygon.size()) + " corners");
   ASSERT_NEAR(shoelace_area(shape.polygon), shape.area, 1e-5 * shape.area);
@@ -116,7 +116,7 @@ void expect_exact_cover(const shapes::Shape& shape) {
   EXPECT_NEAR(covered, shape.area, 1e-5 * shape.area);
 }
 
-/// How often the polygon turns about a point: by its edges that cross the ray to the right of it.
+/// Computes the winding number of the polygon about a point, by its edges that cross the ray to the right.
 int winding_number(const shapes::Polygon& polygon, const grf::Vec2d& point) {
   int winding = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

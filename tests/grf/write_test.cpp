@@ -87,7 +87,8 @@ TEST(Writing, TellsAKeywordFromADefinitionOfTheSameSpelling) {
 
 TEST(Writing, GivesAnythingButAReferenceItsOwnSpelling) {
   const std::string colour = "def ward = rgb (1, 0, 0) begin " + triangle("brdf ward") + "end";
-  EXPECT_THAT(to_text(scene_of(colour)), HasSubstr("    brdf ward\n")) << "the name of a colour is no BRDF";
+  EXPECT_THAT(to_text(scene_of(colour)), HasSubstr("    brdf ward\n"))
+      << "the name of a colour is not a BRDF";
   const std::string parameters = "def ward = brdf phong begin " + triangle("brdf ward sx=1") + "end";
   EXPECT_THAT(to_text(scene_of(parameters)), HasSubstr("    brdf ward sx=1\n"));
   const std::string definition = "def ward = brdf phong begin def shiny = brdf ward begin end end";
@@ -101,7 +102,7 @@ TEST(Writing, GivesTheSameBytesAgainForSurfacesThatAreEqualButWrittenOtherwise) 
   EXPECT_EQ(to_text(scene_of(text)), text);
 }
 
-/// What a scene that no text gives is written as, which has to be text that can be read.
+/// Returns the text of a scene that no text gives, which must be readable.
 std::string written(const Scene& scene) {
   scene_of(to_text(scene));
   return to_text(scene);
@@ -361,7 +362,7 @@ TEST_F(WriteTest, RefusesWordsThatCannotBeReadAgain) {
     std::get<PdfModel>(*surface.pdf).arguments[0].value = Word{word};
     EXPECT_EQ(write_scene(scene, "scene.grf", false),
               "scene.grf: error: cannot write the file: it would have words as values of parameters that are "
-              "no names, or that begin a definition (such as rgb)\n")
+              "not names, or that begin a definition (such as rgb)\n")
         << word;
   }
   EXPECT_THAT(folder.names(), ElementsAre());

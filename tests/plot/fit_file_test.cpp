@@ -102,7 +102,7 @@ TEST(FitFile, ReportsMistakesAtTheirPlace) {
   EXPECT_EQ(first_line("ward viewer (1, 2) begin end more"),
             "a.fit:1:30: error: found 'more', expected nothing behind 'end'");
   EXPECT_EQ(first_line("combine 1 a viewer (1, 2) begin end"),
-            "a.fit:1:1: error: a 'combine' of names, where nothing is defined that could have them");
+            "a.fit:1:1: error: a 'combine' of names, but a single BRDF has no definitions");
 }
 
 // Whatever is cut off, there is an answer.

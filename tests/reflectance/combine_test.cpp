@@ -143,8 +143,8 @@ TEST(BrdfMaker, SaysWhatCannotBeMade) {
   EXPECT_FALSE(brdf_in("def a = brdf ward \"ward.binary\"", "a", diagnostics));
   ASSERT_EQ(diagnostics.entries().size(), 3U);
   EXPECT_EQ(diagnostics.entries()[0].message, "'glass' cannot be rendered");
-  EXPECT_EQ(diagnostics.entries()[1].message, "'measured' needs the name of a file with its data");
-  EXPECT_EQ(diagnostics.entries()[2].message, "'ward' reads no file");
+  EXPECT_EQ(diagnostics.entries()[1].message, "'measured' needs the name of a data file");
+  EXPECT_EQ(diagnostics.entries()[2].message, "'ward' takes no data file");
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ std::vector<Input> include_inputs() {
   };
 }
 
-/// What is wrong is reported once a mistake, up to a number; but all is read.
+/// Errors are reported up to a limit, but the whole file is read.
 std::vector<Input> text_inputs() {
   return {
       {"comments", "grf", pieces("", same("// about\n"), square())},

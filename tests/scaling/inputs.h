@@ -1,4 +1,4 @@
-// Files that have many of one kind of thing.
+// Input files with a large number of one kind of element.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace scaling {
 
 using Text = std::function<std::string(std::size_t count)>;
 
-/// A file of the name that is written beside the measured one.
+/// A file that is written beside the measured one.
 struct CompanionFile {
   std::string name;
   std::string text;
@@ -31,7 +31,7 @@ std::vector<Input> model_inputs();
 /// The inputs of formats that Assimp reads.
 std::vector<Input> assimp_inputs();
 
-/// One piece of text for each number, after a beginning and before an end.
+/// Concatenates a text per number, between a beginning and an end.
 inline Text pieces(std::string begin, Text piece, std::string end = "") {
   return [begin = std::move(begin), piece = std::move(piece), end = std::move(end)](std::size_t count) {
     std::string text = begin;
@@ -40,13 +40,13 @@ inline Text pieces(std::string begin, Text piece, std::string end = "") {
   };
 }
 
-/// Repeats one piece of text, after a beginning and before an end.
+/// Repeats a text, between a beginning and an end.
 inline Text copies(std::string begin, std::string piece, std::string end = "") {
   return pieces(
       std::move(begin), [piece = std::move(piece)](std::size_t) { return piece; }, std::move(end));
 }
 
-/// Pieces with commas between them.
+/// Joins texts with commas.
 inline std::string listed(std::size_t count, const Text& piece) {
   std::string text;
   for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? "," : "") + piece(i);

@@ -1,4 +1,4 @@
-// No work may grow faster than n log n with the size of a file: one of a megabyte would take hours.
+// Tests that no operation grows faster than n log n with the size of a file: a megabyte would take hours.
 #include <algorithm>
 #include <array>
 #include <ctime>
@@ -29,7 +29,7 @@
 namespace scaling {
 namespace {
 
-/// What is done to a file, or to the scene in it.
+/// An operation on a file, or on its scene.
 struct Station {
   std::string name;
   bool needs_scene = true;

@@ -1,4 +1,4 @@
-// What all formats that come in through Assimp have in common, shown by COLLADA.
+// Tests of the common features of all formats imported by Assimp, by the example of COLLADA.
 #include "converters/assimp/assimp_scene.h"
 
 #include <cmath>
@@ -97,7 +97,7 @@ TEST(AssimpScene, ASingularTransformLeavesOutWhatIsUnderIt) {
   parts.nodes = "<node>{}</node><node><scale>1 0 1</scale><node>{}</node><node>{}</node></node>";
   const Reading reading = read_collada(parts);
   EXPECT_EQ(grf::summarize(scene_of(reading)).faces, 1U);
-  EXPECT_THAT(reading.text(), HasSubstr("warning: 2 meshes were left out: a transform without"));
+  EXPECT_THAT(reading.text(), HasSubstr("warning: 2 meshes were left out: its transform is"));
 }
 
 TEST(AssimpScene, AMirroredObjectIsPlacedSo) {
@@ -180,7 +180,7 @@ TEST(AssimpScene, WhatAFaceLosesIsCounted) {
   const Reading reading = read_collada(parts);
   EXPECT_EQ(only_mesh(reading).face_count(), 1U);
   EXPECT_THAT(reading.text(), HasSubstr("1 face lost its transparency"));
-  EXPECT_THAT(reading.text(), HasSubstr("1 face lost its further sets of texture coordinates"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost its additional sets of texture coordinates"));
   EXPECT_THAT(reading.text(), HasSubstr("2 lines were left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 light was left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 camera was left out"));
@@ -191,7 +191,7 @@ TEST(AssimpScene, AFileWithoutFacesIsAnError) {
   parts.nodes = "<node/>";
   const Reading reading = read_collada(parts);
   EXPECT_FALSE(reading.scene.has_value());
-  EXPECT_THAT(reading.text(), HasSubstr("error: the file has no faces, and nothing else can be kept"));
+  EXPECT_THAT(reading.text(), HasSubstr("error: the file has no faces, and only faces can be imported"));
 }
 
 TEST(AssimpFormats, AreAllThatMakeSurfaces) {
@@ -281,7 +281,7 @@ TEST_F(BrokenScene, AMeshThatNoNodePlacesIsLostOrPlaced) {
   scene_.mRootNode->mMeshes = nullptr;
   scene_.mRootNode->mNumMeshes = 0;
   EXPECT_FALSE(make().has_value());
-  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("1 mesh was left out: the file places it nowhere"));
+  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("1 mesh was left out: no node of the file uses it"));
   AssimpRules rules;
   rules.places_all_meshes = true;
   EXPECT_TRUE(make(rules).has_value());

@@ -1,4 +1,4 @@
-// COLLADA files made by tests: one square of the material `paint`, and what a test adds.
+// COLLADA files made by tests: one square of the material `paint`, and a test's additions.
 #pragma once
 
 #include <string>

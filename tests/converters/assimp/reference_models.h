@@ -6,10 +6,10 @@
 
 namespace convert {
 
-/// A second, independent reading of an STL file, in text or binary, that is known to be sound.
+/// Reads a valid STL file, in text or binary, by a second, independent implementation.
 ReferenceModel read_reference_stl(const std::string& path);
 
-/// The same of an OFF file of positions and faces alone.
+/// Reads a valid OFF file of only positions and faces likewise.
 ReferenceModel read_reference_off(const std::string& path);
 
 }  // namespace convert

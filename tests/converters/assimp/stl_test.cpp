@@ -54,12 +54,12 @@ TEST(Stl, FacetsWithoutAColourGetNone) {
 TEST(Stl, FilesThatWereCutOffAreErrors) {
   const std::string whole = binary_stl(2, Square);
   EXPECT_THAT(read_bytes("a.stl", std::string_view(whole).substr(0, 150)).text(),
-              HasSubstr("error: the file ends behind 1 of 2 facets"));
-  EXPECT_THAT(read_bytes("a.stl", "nothing").text(), HasSubstr("error: the file is no STL model"));
+              HasSubstr("error: the file ends after 1 of 2 facets"));
+  EXPECT_THAT(read_bytes("a.stl", "nothing").text(), HasSubstr("error: the file is not an STL model"));
   EXPECT_THAT(read_bytes("a.stl", "").text(), HasSubstr("error: the file is empty"));
   // 50 times this count is 4 modulo 2^32, which is what is there.
   EXPECT_THAT(read_bytes("a.stl", binary_stl(85899346, "1234")).text(),
-              HasSubstr("error: the file ends behind 0 of 85899346 facets"));
+              HasSubstr("error: the file ends after 0 of 85899346 facets"));
 }
 
 TEST(Stl, EveryCutIsAnError) {
@@ -78,7 +78,7 @@ TEST(Stl, BytesBehindTheLastFacetAreErrors) {
   for (const std::string& bytes : {moved, binary_stl(2, Square) + "end", binary_stl(1, Square)}) {
     const Reading reading = read_bytes("a.stl", bytes);
     EXPECT_FALSE(reading.scene.has_value());
-    EXPECT_THAT(reading.text(), HasSubstr(" behind the last of "));
+    EXPECT_THAT(reading.text(), HasSubstr(" the last of "));
   }
   EXPECT_EQ(read_bytes("a.stl", binary_stl(2, Square) + "\r\n\x1A").text(), "") << "which says nothing";
 }

@@ -66,7 +66,7 @@ inline std::string percentage_chunk(unsigned id, unsigned percentage) {
   return chunk(id, chunk(0x0030, word(percentage)));
 }
 
-/// A material of name and further chunks.
+/// Makes a material of a name and further chunks.
 inline std::string material(const std::string& name, const std::string& chunks) {
   return chunk(0xAFFF, chunk(0xA000, text(name)) + chunks);
 }

@@ -159,7 +159,7 @@ TEST(ThreeDs, BrokenFilesAreErrorsWithAnOffset) {
   const std::string list = chunk(0x4110, word(9) + floats({0, 0, 0}));
   const Reading cut = read_bytes("cut.3ds", three_ds_file(chunk(0x4000, text("cut") + chunk(0x4100, list))));
   EXPECT_FALSE(cut.scene.has_value());
-  EXPECT_THAT(cut.text(), HasSubstr("error: the list of 9 vertices ends behind 1"));
+  EXPECT_THAT(cut.text(), HasSubstr("error: the list of 9 vertices ends after 1"));
   std::vector<float> far = Fold;
   far[4] = std::numeric_limits<float>::infinity();
   EXPECT_THAT(read_object({far, FoldFaces, {}, {}, {}}).text(), HasSubstr("is not finite"));
@@ -183,7 +183,7 @@ TEST(ThreeDs, AChunkThatEndsBehindTheOneItIsInIsAnError) {
     wrong.replace(2, 4, little_endian(size, 4));
     const Reading reading = read_bytes("model.3ds", three_ds_file(object("whole", parts) + wrong));
     EXPECT_FALSE(reading.scene.has_value()) << size;
-    EXPECT_THAT(reading.text(), HasSubstr("a chunk ends behind the one that it is in")) << size;
+    EXPECT_THAT(reading.text(), HasSubstr("a chunk extends past its parent chunk")) << size;
   }
 }
 

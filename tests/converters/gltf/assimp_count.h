@@ -9,7 +9,7 @@
 
 namespace convert {
 
-/// What can be counted of a model whoever reads it. Instances count each.
+/// Statistics of a model that do not depend on the reader. Instances count.
 struct ModelCount {
   std::size_t faces = 0;
   std::size_t positions = 0;  ///< distinct ones of each mesh's faces
@@ -17,10 +17,10 @@ struct ModelCount {
   grf::Box3d bounds;
 };
 
-/// What Assimp makes of a file, without any step of its own behind the reading; nothing if it cannot read it.
+/// Counts a file imported by Assimp without post-processing; nothing if Assimp cannot read it.
 std::optional<ModelCount> assimp_count(const std::string& path);
 
-/// The same of a scene.
+/// Counts a scene likewise.
 ModelCount count_of(const grf::Scene& scene);
 
 }  // namespace convert

@@ -1,4 +1,4 @@
-// Files that say what cannot be: each is an error that names the place, and none is read half.
+// Tests of invalid glTF files: each gives an error with its location, and no scene.
 #include <random>
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ TEST(GltfErrors, OfAccessors) {
   expect_error(changed([](auto& m) { m.json["accessors"][0]["byteOffset"] = 18446744073709551615ULL; }),
                "elements from byte 18446744073709551615 go beyond");
   expect_error(changed([](auto& m) { m.json["accessors"][0]["type"] = "VEC2"; }),
-               "accessor 0: found 2 numbers an element, expected 3");
+               "accessor 0: found 2 numbers per element, expected 3");
   expect_error(changed([](auto& m) { m.json["accessors"][0]["componentType"] = 5124; }),
                "accessor 0: components of type 5124");
   expect_error(changed([](auto& m) { m.json["accessors"][0].erase("bufferView"); }),
@@ -91,7 +91,7 @@ TEST(GltfErrors, OfIndicesAndSparseValues) {
 
 TEST(GltfErrors, OfNodesMeshesAndMaterials) {
   expect_error(changed([](auto& m) { m.json["nodes"][0]["mesh"] = 5; }), "there is no mesh 5");
-  expect_error(changed([](auto& m) { m.json["nodes"][0]["children"] = {0}; }), "node 0 stands in itself");
+  expect_error(changed([](auto& m) { m.json["nodes"][0]["children"] = {0}; }), "node 0 is its own ancestor");
   expect_error(changed([](auto& m) { m.json["nodes"][0]["children"] = {3}; }), "there is no node 3");
   expect_error(changed([](auto& m) { m.json["scenes"][0]["nodes"] = {0, 0}; }), "twice");
   expect_error(changed([](auto& m) { m.json["scene"] = 3; }), "there is no scene 3");
@@ -101,7 +101,7 @@ TEST(GltfErrors, OfNodesMeshesAndMaterials) {
   expect_error(changed([](auto& m) {
                  m.json["nodes"][0]["scale"] = {1, 2};
                }),
-               "node 0 has a transform that is none");
+               "node 0 has an invalid transform");
   expect_error(changed([](auto& m) { m.json["nodes"][0]["skin"] = 0; }), "there is no skin 0");
   expect_error(changed([](auto& m) {
                  m.json.erase("nodes");
@@ -131,7 +131,7 @@ TEST(GltfErrors, ABinaryPartThatEndsTooSoonIsNotReadBeyond) {
   std::string glb = maker.glb();
   const std::size_t length_of_binary = glb.size() - maker.buffer.size() - 8;
   glb[length_of_binary] = static_cast<char>(maker.buffer.size() + 8);
-  expect_error(GltfMaker::read_bytes("a.glb", glb), "the binary part of the file is cut off");
+  expect_error(GltfMaker::read_bytes("a.glb", glb), "the binary part of the file is truncated");
 }
 
 TEST(GltfErrors, ASizeThatTheBytesDoNotBearOutIsAnError) {
@@ -142,7 +142,7 @@ TEST(GltfErrors, ASizeThatTheBytesDoNotBearOutIsAnError) {
   expect_error(GltfMaker::read_bytes("a.glb", glb + "rest"), "and says that it has");
   std::string with_another_part = glb + std::string("\x08\0\0\0PART", 8) + "1234";
   with_another_part[8] = static_cast<char>(with_another_part.size());
-  expect_error(GltfMaker::read_bytes("a.glb", with_another_part), "the binary part of the file is cut off");
+  expect_error(GltfMaker::read_bytes("a.glb", with_another_part), "the binary part of the file is truncated");
   std::string of_another_kind = glb;
   of_another_kind.replace(glb.find("BIN"), 3, "ABC");
   expect_error(GltfMaker::read_bytes("a.glb", of_another_kind), "error: ");
@@ -154,7 +154,7 @@ TEST(GltfErrors, AFewBytesCannotAskForEndlessWork) {
   const json primitive = {{"attributes", {{"POSITION", positions}}}, {"mode", 5}};
   maker.add_mesh(primitive);
   for (int i = 0; i < 20000; ++i) maker.json["meshes"][0]["primitives"].push_back(primitive);
-  expect_error(maker.read(), "bytes do not bear out");
+  expect_error(maker.read(), "vertices and corners, too many for its ");
 }
 
 /// Bytes of a file changed, cut off or made of large numbers.

@@ -18,7 +18,7 @@ class GltfMaker {
   nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
   std::string buffer;
 
-  /// An accessor of numbers that are stored as T.
+  /// Adds an accessor of numbers that are stored as T.
   template <class T>
   int add(const std::vector<T>& values, const char* type, int component_type,
           const nlohmann::json& more = {}) {
@@ -38,7 +38,7 @@ class GltfMaker {
   int floats(const std::vector<float>& values, const char* type) { return add(values, type, 5126); }
   int indices(const std::vector<std::uint16_t>& values) { return add(values, "SCALAR", 5123); }
 
-  /// A mesh of one primitive, and a node for it in the scene.
+  /// Adds a mesh of one primitive, and a node for it in the scene.
   void add_mesh(nlohmann::json primitive, nlohmann::json node = nlohmann::json::object()) {
     json["meshes"].push_back({{"primitives", nlohmann::json::array({std::move(primitive)})}});
     node["mesh"] = json["meshes"].size() - 1;
@@ -65,7 +65,7 @@ class GltfMaker {
     return text;
   }
 
-  /// The file with its buffer in a data URI.
+  /// Returns the file with its buffer in a data URI.
   std::string gltf() const {
     nlohmann::json whole = json;
     if (!buffer.empty() && !whole.contains("buffers")) {
@@ -100,7 +100,7 @@ class GltfMaker {
     return read_path(folder.add(name, bytes));
   }
 
-  /// A file of one triangle.
+  /// Makes a file of one triangle.
   static GltfMaker triangle(nlohmann::json node = nlohmann::json::object()) {
     GltfMaker maker;
     const int positions = maker.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");

@@ -1,4 +1,4 @@
-// How materials of glTF become BRDFs of GRF, and the other way.
+// Tests of the conversion of glTF materials to GRF BRDFs, and back.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -118,7 +118,7 @@ TEST(GltfMaterial, TheBaseColoursTextureMultiplies) {
   ASSERT_TRUE(reading.scene);
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
   EXPECT_EQ(std::get<grf::Texture>(mesh.surface(0).texture.value()).file, "wood a.png");
-  EXPECT_THAT(reading.text(), HasSubstr("1 face lost how its texture goes on outside the image"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost the wrap mode of its texture"));
 }
 
 TEST(GltfMaterial, EmissionIsRadiance) {
@@ -188,7 +188,7 @@ TEST(FacetValues, OfMetallicRoughnessComeBack) {
   }
 }
 
-// What a mapped material reflects of light is never more than comes in.
+// A mapped material conserves energy.
 TEST(GltfMaterial, ConservesEnergy) {
   const grf::Catalogue catalogue = reflectance::catalogue();
   for (const double metallic : {0.0, 0.5, 1.0}) {

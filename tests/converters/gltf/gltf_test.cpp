@@ -1,4 +1,4 @@
-// What the reader makes of each thing that a glTF file can say of shapes and places.
+// Tests of the glTF reader on geometry, nodes and skins.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -159,7 +159,7 @@ TEST(Gltf, TextureTransformsAreApplied) {
   expect_uv(0, 0.5F, 0.25F);
   expect_uv(1, 0.5F, -1.75F);
   expect_uv(2, 3.5F, 0.25F);
-  EXPECT_THAT(reading.text(), HasSubstr("1 face lost its further sets of texture coordinates"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 face lost its additional sets of texture coordinates"));
 }
 
 TEST(Gltf, MorphTargetsStandAtTheirWeights) {
@@ -230,7 +230,7 @@ TEST(Gltf, AFlatNodeIsLeftOut) {
   const Reading reading = maker.read();
   ASSERT_TRUE(reading.scene) << reading.text();
   EXPECT_EQ(world_corners(*reading.scene).size(), 3U);
-  EXPECT_THAT(reading.text(), HasSubstr("1 mesh was left out: a transform without height"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 mesh was left out: its transform is singular"));
 }
 
 TEST(Gltf, SkinnedMeshesStandWhereTheirJointsAre) {
@@ -374,7 +374,7 @@ TEST(Gltf, WhatHasNoPlaceInAGrfSceneIsSaid) {
   maker.json["extensionsUsed"] = {"KHR_lights_punctual", "ACME_something"};
   const Reading reading = maker.read();
   EXPECT_EQ(only_mesh(reading).face_count(), 1U);
-  for (const char* said : {"3 vertices lost values of an application's own", "1 camera was left out",
+  for (const char* said : {"3 vertices lost attributes of an application", "1 camera was left out",
                            "1 light was left out", "'spare'", "'ACME_something'"}) {
     EXPECT_THAT(reading.text(), HasSubstr(said));
   }

@@ -1,4 +1,4 @@
-// What is written has no error for the validator of the Khronos Group, an npm package.
+// Tests that written files have no error in the Khronos Group's validator, an npm package.
 #include <filesystem>
 #include <fstream>
 #include <string>

@@ -74,11 +74,9 @@ TEST(MeshOperations, SayWhatIsLost) {
   operations.weld = 0.1;
   grf::Diagnostics diagnostics;
   apply(operations, scene, {}, diagnostics);
-  EXPECT_THAT(
-      diagnostics.losses(),
-      ElementsAre(
-          "1 vertex was left out: no face uses it",
-          "1 face was left out: fewer than three different corners are left once vertices are welded"));
+  EXPECT_THAT(diagnostics.losses(),
+              ElementsAre("1 vertex was left out: no face uses it",
+                          "1 face was left out: fewer than three distinct corners remain after welding"));
   EXPECT_EQ(diagnostics.warning_count(), 2U);
   EXPECT_EQ(meshes_of(scene)[1].face_count(), 0U);
 }
@@ -91,7 +89,7 @@ TEST(MeshOperations, SayWhatCannotBeDecimated) {
   apply(operations, scene, {}, diagnostics);
   EXPECT_THAT(
       diagnostics.to_text(),
-      HasSubstr("1 mesh has more triangles than asked by 2: holes, borders, seams and shape are kept"));
+      HasSubstr("1 mesh has more triangles than asked by 2: holes, borders, seams and shape are preserved"));
 }
 
 TEST(MeshOperations, SmoothSubdivideAndCutInThisOrder) {
@@ -145,8 +143,8 @@ TEST(MeshOperations, RefuseTooManyFaces) {
   apply(operations, scene, {}, diagnostics);
   EXPECT_THAT(
       diagnostics.to_text(),
-      HasSubstr("error: a mesh would have 1.07e+09 faces once it is subdivided, and can have 1e+09: ask "
-                "for fewer levels"));
+      HasSubstr("error: a mesh would have 1.07e+09 faces after subdivision, over the limit of 1e+09: use "
+                "fewer levels"));
   EXPECT_EQ(scene, before);
 }
 

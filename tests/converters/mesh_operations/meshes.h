@@ -10,8 +10,8 @@
 
 namespace convert {
 
-/// A sheet of n x n unit squares in the plane z = 0, two triangles each, without normals. Triangles whose
-/// square begins left of x = n / 2 have the first of two surfaces if there are to be two.
+/// Makes a grid of n x n unit squares in the plane z = 0, two triangles each, without normals. If there are
+/// two surfaces, triangles whose square begins left of x = n / 2 have the first one.
 inline grf::Mesh sheet(std::uint32_t n, bool has_two_surfaces = false) {
   grf::MeshDraft mesh;
   for (std::uint32_t y = 0; y <= n; ++y) {
@@ -32,7 +32,7 @@ inline grf::Mesh sheet(std::uint32_t n, bool has_two_surfaces = false) {
   return mesh;
 }
 
-/// A cube of six squares that share eight vertices.
+/// Makes a cube of six squares that share eight vertices.
 inline grf::Mesh cube() {
   grf::MeshDraft mesh;
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -44,7 +44,7 @@ inline grf::Mesh cube() {
   return mesh;
 }
 
-/// The mesh with vertices of its own for each face.
+/// Duplicates the vertices of a mesh for each face.
 inline grf::Mesh torn(const grf::Mesh& mesh) {
   grf::MeshDraft apart;
   apart.surfaces = mesh.surfaces;

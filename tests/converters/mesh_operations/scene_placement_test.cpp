@@ -29,8 +29,8 @@ TEST(TransformStepsText, SaysWhatIsWrong) {
            {"scale 1 2 1e99", "expected three numbers after 'scale'"},
            {"scale 1 2 nan", "expected three numbers after 'scale'"},
            {"scale 1 2 3 4", "found '4', expected scale, rotation or translation"},
-           {"scale 1 0 1", "a scale of zero leaves nothing"},
-           {"scale 1 1e-50 1", "a scale of zero leaves nothing"},
+           {"scale 1 0 1", "a scale of zero makes the scene degenerate"},
+           {"scale 1 1e-50 1", "a scale of zero makes the scene degenerate"},
        }) {
     std::string problem;
     EXPECT_FALSE(read_transform_steps(text, problem).has_value());

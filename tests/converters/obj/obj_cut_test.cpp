@@ -1,4 +1,4 @@
-// Files that were cut off inside their last line, which Assimp takes for whole ones.
+// Tests of files that are truncated in their last line, which Assimp reads as complete.
 #include <string>
 #include <string_view>
 
@@ -16,7 +16,7 @@ enum class Verdict { Sound, PerhapsCut, Cut };
 
 Verdict verdict_on(const Reading& reading) {
   const bool says_cut =
-      reading.text().find("error: the file was cut off inside this statement") != std::string::npos;
+      reading.text().find("error: the file is truncated in this statement") != std::string::npos;
   if (says_cut && !reading.scene) return Verdict::Cut;
   EXPECT_TRUE(reading.scene.has_value()) << reading.text();
   const bool warns =
@@ -90,7 +90,7 @@ TEST(CutObj, TheErrorSaysWhereAndWhy) {
   const Reading reading = read_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2");
   EXPECT_FALSE(reading.scene.has_value());
   EXPECT_THAT(reading.text(),
-              HasSubstr("model.obj:5:1: error: the file was cut off inside this statement: it has 2 "
+              HasSubstr("model.obj:5:1: error: the file is truncated in this statement: it has 2 "
                         "of at least 3 corners\n  f 3 2\n  ^\n"));
 }
 

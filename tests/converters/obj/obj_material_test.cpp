@@ -148,7 +148,7 @@ TEST(ObjMaterials, ComeFromAllLibrariesAndOnceFromEach) {
   const std::vector<grf::Definition> definitions = definitions_of(*reading.scene);
   EXPECT_THAT(names_of(definitions), ElementsAre("a", "b", "s"));
   EXPECT_EQ(brdf_text(definitions[0]), "diffuse kd=0.5");
-  EXPECT_THAT(reading.text(), HasSubstr("materials are defined again ('a'): the first definition holds"));
+  EXPECT_THAT(reading.text(), HasSubstr("materials are defined again ('a'): the first definition is used"));
 }
 
 TEST(ObjMaterials, TheOptionGivesABrdfToFacesThatHaveNone) {

@@ -1,4 +1,4 @@
-// What is kept of an OBJ file's geometry, and what is said of the rest.
+// Tests of the geometry of OBJ files, and of the reports of losses.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -20,21 +20,21 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The meshes of a text that is sound.
+/// Returns the meshes of a valid text.
 std::vector<grf::Mesh> meshes_of_text(const std::string& obj) {
   const Reading reading = read_obj_text(obj);
   EXPECT_TRUE(reading.scene.has_value()) << reading.text();
   return reading.scene ? meshes_of(*reading.scene) : std::vector<grf::Mesh>();
 }
 
-/// The one mesh of a text that is sound.
+/// Returns the only mesh of a valid text.
 grf::Mesh mesh_of_text(const std::string& obj) { return only_mesh(read_obj_text(obj)); }
 
 std::vector<std::uint32_t> corners_of(const grf::Mesh& mesh, std::size_t face) {
   return {mesh.face(face).begin(), mesh.face(face).end()};
 }
 
-/// What is said of a text that is not sound.
+/// Returns the diagnostics of an invalid text.
 std::string error_of(const std::string& obj) {
   const Reading reading = read_obj_text(obj);
   EXPECT_FALSE(reading.scene.has_value());
@@ -42,7 +42,7 @@ std::string error_of(const std::string& obj) {
   return reading.text();
 }
 
-/// What is said of a text that is sound.
+/// Returns the diagnostics of a valid text.
 std::string warnings_of(const std::string& obj) {
   const Reading reading = read_obj_text(obj);
   EXPECT_TRUE(reading.scene.has_value()) << reading.text();

@@ -1,4 +1,4 @@
-// What the writer of OBJ and MTL makes of a scene.
+// Tests of the writer of OBJ and MTL.
 #include "converters/obj/obj_writer.h"
 
 #include <filesystem>
@@ -123,7 +123,7 @@ TEST(ObjWriter, WritesMaterialsByTheNamesOfDefinitions) {
   EXPECT_THAT(
       out.mtl,
       HasSubstr("newmtl unused\n# grf: specular ks=0.9\nKd 0 0 0\nKs 0.9 0.9 0.9\nNs 1000\nillum 3\n"));
-  EXPECT_THAT(out.messages(), HasSubstr("note: 1 face has a BRDF that MTL only comes near"));
+  EXPECT_THAT(out.messages(), HasSubstr("note: 1 face has a BRDF that MTL only approximates"));
   EXPECT_EQ(out.diagnostics.warning_count(), 0U);
 }
 
@@ -260,7 +260,7 @@ TEST(ObjWriter, ATransformBeyondFloatsIsAnError) {
                      "scene.grf", diagnostics);
   ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
   EXPECT_FALSE(write_obj(*scene, folder.path("out.obj"), diagnostics));
-  EXPECT_THAT(diagnostics.to_text(), HasSubstr("error: a transform moves a vertex so far"));
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("error: a transform moves a vertex out of the range"));
   EXPECT_THAT(folder.names(), IsEmpty());
 }
 

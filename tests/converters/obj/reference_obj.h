@@ -20,8 +20,7 @@ struct ReferenceModel {
   std::size_t distinct_positions() const;
 };
 
-/// A second, independent reading of an OBJ file that is known to be sound: positions, faces and materials
-/// alone.
+/// Reads a valid OBJ file by a second, independent implementation: only positions, faces and materials.
 ReferenceModel read_reference(const std::string& path);
 
 }  // namespace convert

@@ -75,7 +75,7 @@ TEST(Off, WhatIsNoFaceIsCounted) {
   EXPECT_THAT(reading.text(), HasSubstr("1 line was left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 point was left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 vertex has numbers that the format's name does not announce"));
-  EXPECT_THAT(reading.text(), HasSubstr("1 line is not read behind the last face"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 line is not read after the last face"));
 }
 
 TEST(Off, BrokenFilesAreErrors) {
@@ -92,14 +92,13 @@ TEST(Off, BrokenFilesAreErrors) {
   EXPECT_THAT(error_of("OFF\n-3 1 0\n"), HasSubstr("a.off:2:1: error: found '-3', expected the count"));
   EXPECT_THAT(error_of("OFF\n353535235358 6 0\n"), HasSubstr("error: found '353535235358'"));
   EXPECT_THAT(error_of("OFF\n4000000000 4000000000 0\n0 0 0\n"),
-              HasSubstr("error: the file ends behind 1 of 4000000000 vertices"));
+              HasSubstr("error: the file ends after 1 of 4000000000 vertices"));
   EXPECT_THAT(error_of("OFF\n1 1 0\n0 0\n"), HasSubstr("a.off:3:3: error: the vertex has 2 of at least 3"));
   EXPECT_THAT(error_of("OFF\n1 1 0\n0 0 nan\n"), HasSubstr("a.off:3:5: error: found 'nan'"));
   EXPECT_THAT(error_of("OFF\n1 1 0\n0 0 0\n3 0 0 1\n"), HasSubstr("a.off:4:7: error: vertex 1 of 1"));
   EXPECT_THAT(error_of("OFF\n1 1 0\n0 0 0\n3 0 0\n"),
               HasSubstr("error: the line ends here, expected the index"));
-  EXPECT_THAT(error_of("OFF\n1 2 0\n0 0 0\n3 0 0 0\n"),
-              HasSubstr("error: the file ends behind 1 of 2 faces"));
+  EXPECT_THAT(error_of("OFF\n1 2 0\n0 0 0\n3 0 0 0\n"), HasSubstr("error: the file ends after 1 of 2 faces"));
   EXPECT_THAT(error_of("OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n"), HasSubstr("error: the file has no faces"));
 }
 

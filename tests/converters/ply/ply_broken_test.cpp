@@ -1,4 +1,4 @@
-// PLY files that are broken: one clear error, with the line, or the byte of a binary file.
+// Tests of corrupt PLY files: one error, with the line, or the byte offset of a binary file.
 #include <bit>
 #include <string>
 
@@ -74,8 +74,8 @@ TEST(BrokenPly, BinarySaysTheByte) {
       error_of_ply(file.bytes().substr(0, file.bytes().size() - 5)),
       HasSubstr(fmt::format("face 2 of 2, at byte {}: a list of 3 values, for which the file is too short",
                             body + 36 + 13)));
-  EXPECT_THAT(error_of_ply(file.bytes() + "ab"), HasSubstr("error: 2 bytes stand behind the last element"));
-  EXPECT_THAT(error_of_ply(file.bytes() + '\0'), HasSubstr("error: 1 byte stands behind the last element"));
+  EXPECT_THAT(error_of_ply(file.bytes() + "ab"), HasSubstr("error: 2 bytes follow the last element"));
+  EXPECT_THAT(error_of_ply(file.bytes() + '\0'), HasSubstr("error: 1 byte follows the last element"));
   EXPECT_EQ(read_path(folder.add("ended.ply", file.bytes() + "\r\n")).text(), "") << "a line end is no value";
 }
 
@@ -122,7 +122,7 @@ TEST(BrokenPly, TheHeaderMayEndInAnotherLineEndThanItsOtherLines) {
 TEST(BrokenPly, TextWithMoreNumbersThanTheHeaderNamesIsNoModel) {
   EXPECT_THAT(error_of_ply(Header + "0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n"), HasSubstr("error: "));
   EXPECT_THAT(error_of_ply(Header + Triangle + "3 0 1 2\n3 0 2 1\n"),
-              HasSubstr("error: 9 bytes stand behind the last element: the header has a wrong count"));
+              HasSubstr("error: 9 bytes follow the last element: the header has a wrong count"));
 }
 
 TEST(BrokenPly, TextThatWasCutOffIsNoModel) {
@@ -144,12 +144,12 @@ TEST(BrokenPly, HeadersSayTheLineAndColumn) {
   EXPECT_THAT(error_of_ply(Begin + "property float x\n"),
               HasSubstr("3:1: error: this property belongs to no element"));
   EXPECT_THAT(error_of_ply(Begin + "element vertex 3\nproperty int64 x\n"),
-              HasSubstr("4:10: error: 'int64' is no type of PLY"));
+              HasSubstr("4:10: error: 'int64' is not a type of PLY"));
   EXPECT_THAT(error_of_ply(Begin + "element face 3\nproperty list float int a\n"),
               HasSubstr("4:15: error: a list is counted by an integer"));
   EXPECT_THAT(
       error_of_ply(Begin + "element vertex 3\npropety float x\n"),
-      HasSubstr("4:1: error: found 'propety', expected a word of PLY headers: did you mean 'property'"));
+      HasSubstr("4:1: error: found 'propety', expected a keyword of PLY headers: did you mean 'property'"));
   EXPECT_THAT(error_of_ply(Begin + Vertices + "property float x\n" + Face + "end_header\n"),
               HasSubstr("3:1: error: elements 'vertex' have two properties 'x'"));
   EXPECT_THAT(error_of_ply(Begin + Vertices + Vertices),

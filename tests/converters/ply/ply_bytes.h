@@ -11,7 +11,7 @@
 
 namespace convert {
 
-/// Makes the bytes of a PLY file in one of the three encodings, value by value.
+/// A writer of the bytes of a PLY file in one of the three encodings, value by value.
 class PlyBytes {
  public:
   /// `ascii`, `binary_little_endian` or `binary_big_endian`.
@@ -37,7 +37,7 @@ class PlyBytes {
     return *this;
   }
 
-  /// Ends a line where there are lines.
+  /// Ends a line in text.
   PlyBytes& end() {
     if (is_text_) bytes_.back() = '\n';
     return *this;

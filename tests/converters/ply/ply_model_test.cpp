@@ -63,7 +63,7 @@ TEST(PlyModels, AreAllThere) { EXPECT_GE(model_files(formats_of_ply_models()).si
 TEST(PlyModels, KeepWhatElseTheyHave) {
   const Reading wuson = read_path(AssimpModels + "PLY/Wuson.ply");
   EXPECT_THAT(wuson.text(),
-              HasSubstr("Wuson.ply:3:1: warning: found 'Created', expected a word of PLY headers"));
+              HasSubstr("Wuson.ply:3:1: warning: found 'Created', expected a keyword of PLY headers"));
   const grf::Mesh mesh = meshes_of(*wuson.scene).front();
   EXPECT_TRUE(mesh.geometry->normals.has(0));
   EXPECT_TRUE(mesh.geometry->uvs.has(0));

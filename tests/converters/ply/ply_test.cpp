@@ -204,7 +204,7 @@ TEST(Ply, MaterialsAreNames) {
   EXPECT_EQ(definitions_of(*reading.scene).size(), 3U);
   EXPECT_EQ(brdf_text(definitions_of(*reading.scene).front()), "diffuse kd=0.5");
   EXPECT_THAT(reading.text(),
-              HasSubstr("note: 3 faces are of materials of which the file has the names alone"));
+              HasSubstr("note: 3 faces are of materials of which the file has only the names"));
   grf::Diagnostics diagnostics;
   options.brdf = grf::read_brdf("ward sx=0.15", "option", diagnostics);
   EXPECT_EQ(brdf_text(definitions_of(*read_ply_bytes(text, options).scene).front()), "ward sx=0.15");
@@ -229,7 +229,7 @@ TEST(Ply, CountsWhatItRoundsOrLeavesOut) {
   EXPECT_EQ(mesh.geometry->colours[1], Colour(0, 0, 0));
   EXPECT_THAT(reading.text(), HasSubstr("note: 2 positions were rounded to the numbers of GRF"));
   EXPECT_THAT(reading.text(), HasSubstr("1 vertex lost its normal: it has no direction"));
-  EXPECT_THAT(reading.text(), HasSubstr("1 face was left out: three corners or more were expected"));
+  EXPECT_THAT(reading.text(), HasSubstr("1 face was left out: fewer than three corners"));
   EXPECT_THAT(reading.text(), HasSubstr("2 edges were left out"));
   EXPECT_THAT(reading.text(), HasSubstr("1 colour has components below 0"));
 }

@@ -8,7 +8,7 @@
 
 namespace convert {
 
-/// A second, independent reading of a PLY file that is known to be sound: positions and faces alone.
+/// Reads a valid PLY file by a second, independent implementation: only positions and faces.
 struct ReferencePly {
   std::vector<grf::Vec3f> positions;
   std::vector<std::vector<std::size_t>> faces;

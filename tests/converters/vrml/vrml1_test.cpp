@@ -143,9 +143,9 @@ TEST(Vrml1, PassesOverOtherNodesAndUnknownFields) {
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   EXPECT_EQ(std::get<grf::Texture>(*meshes_of(*reading.scene)[0].surface(0).texture).file, "wood.gif");
   for (const std::string_view line :
-       {"2 Foo nodes were passed over: the standard has no node of that name", "1 Info node was passed over",
-        "1 camera was left out", "1 light was left out",
-        "1 AsciiText node was passed over: GRF has faces alone", "1 IndexedLineSet node was passed over"}) {
+       {"2 Foo nodes were skipped: the standard has no node of that name", "1 Info node was skipped",
+        "1 camera was left out", "1 light was left out", "1 AsciiText node was skipped: GRF has only faces",
+        "1 IndexedLineSet node was skipped"}) {
     EXPECT_THAT(reading.text(), HasSubstr(line));
   }
   EXPECT_THAT(read_vrml1("Cube { width }").text(),
@@ -232,7 +232,7 @@ TEST(Vrml1Materials, OfCorners) {
                  binding("PER_VERTEX") + Faces + "}");
   EXPECT_THAT(reading.text(), HasSubstr("2 faces have one material: of those of their corners"));
   EXPECT_THAT(read_vrml1(binding("PER_CORNER") + Colours + "Cube {}").text(),
-              HasSubstr("'PER_CORNER' is no binding"));
+              HasSubstr("'PER_CORNER' is not a binding"));
 }
 
 TEST(Vrml1Normals, AreBound) {

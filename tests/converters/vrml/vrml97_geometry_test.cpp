@@ -68,7 +68,7 @@ TEST(VrmlFaceSet, IndicesOfNothingAreErrorsAtTheirPlace) {
   EXPECT_THAT(error_of_geometry(begin + "[ 0 1 1e30 ] }"), HasSubstr("the index 1e+30"));
   EXPECT_THAT(error_of_geometry("IndexedFaceSet { coordIndex [ 0 1 2 ] }"), HasSubstr("there are 0"));
   EXPECT_THAT(error_of_geometry("IndexedFaceSet { coord Coordinate { point [ 0 0 0 1 ] } }"),
-              HasSubstr("the field 'point' has 4 numbers, which are no groups of 3"));
+              HasSubstr("the field 'point' has 4 numbers, which is not a multiple of 3"));
   EXPECT_THAT(error_of_geometry("IndexedFaceSet { coord Normal {} }"),
               HasSubstr("found the node Normal in the field 'coord'"));
 }

@@ -99,7 +99,7 @@ TEST(Vrml97, GroupingNodesKeepTheirChildren) {
   EXPECT_EQ(
       mesh97("Collision { proxy " + shape("Box {}") + " children " + shape(square()) + "}").face_count(), 2U);
   const Reading other = read_vrml97("Shape { geometry Box {} } Group { children Box {} }");
-  EXPECT_THAT(other.text(), HasSubstr("1 Box node was passed over: it has no place there"));
+  EXPECT_THAT(other.text(), HasSubstr("1 Box node was skipped: it is not allowed there"));
 }
 
 TEST(Vrml97, ASwitchShowsItsChoice) {

@@ -100,9 +100,8 @@ TEST(VrmlModels, TheModelOf3dsMaxIsRead) {
   expect_counts("MotionCaptureROM.WRL",
                 lists_of(test::bytes_of(Models + "MotionCaptureROM.WRL"), "point").size());
   const Reading reading = read_path(Models + "MotionCaptureROM.WRL");
-  EXPECT_THAT(reading.text(),
-              HasSubstr("PositionInterpolator nodes were passed over: GRF scenes stand still"));
-  EXPECT_THAT(reading.text(), HasSubstr("ROUTEs were passed over"));
+  EXPECT_THAT(reading.text(), HasSubstr("PositionInterpolator nodes were skipped: GRF scenes are static"));
+  EXPECT_THAT(reading.text(), HasSubstr("ROUTEs were skipped"));
   for (const grf::Mesh& mesh : meshes_of(*reading.scene)) {
     EXPECT_FALSE(mesh.geometry->normals.empty());
     EXPECT_FALSE(material_of(mesh, 0).empty());

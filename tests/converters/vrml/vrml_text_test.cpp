@@ -1,4 +1,4 @@
-// How VRML is written: words, values, nodes, what is passed over, and what is an error where.
+// Tests of the syntax of VRML: words, values, nodes, skipped nodes, and the location of errors.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -59,10 +59,10 @@ TEST(VrmlText, ThatWasCompressedHasNothingBehindItsEnd) {
   const std::string half = compressed(Header + "Shape { geometry ");
   EXPECT_EQ(read_bytes("a.wrz", half + compressed("Box {} }")).text(), "");
   EXPECT_THAT(error_of(read_bytes("a.wrz", bytes + "rest")),
-              HasSubstr("error: 4 bytes stand behind the end of the compressed file"));
+              HasSubstr("error: 4 bytes follow the end of the compressed file"));
   for (std::size_t size = 2; size < bytes.size(); ++size) {
     EXPECT_THAT(error_of(read_bytes("a.wrz", bytes.substr(0, size))),
-                HasSubstr("the compressed file was cut off"));
+                HasSubstr("the compressed file is truncated"));
   }
 }
 
@@ -70,7 +70,7 @@ TEST(VrmlText, OfAnotherKindIsAnError) {
   const test::TemporaryFolder folder;
   const auto error = [&](std::string_view bytes) { return error_of(read_path(folder.add("a.wrl", bytes))); };
   EXPECT_THAT(error("#X3D V3.0 utf8\n"),
-              HasSubstr("a.wrl: error: this is no VRML: expected '#VRML V2.0 utf8'"));
+              HasSubstr("a.wrl: error: this is not VRML: expected '#VRML V2.0 utf8'"));
   EXPECT_THAT(error(""), HasSubstr("the file is empty"));
   EXPECT_THAT(error(std::string_view("#VRML V2.0 utf8\n\0", 17)), HasSubstr("zero bytes"));
 }
@@ -84,7 +84,7 @@ TEST(VrmlText, MayBeCompressed) {
   const Reading two = read_path(folder.add("b.wrz", compressed(Header) + compressed(shape(square()))));
   EXPECT_TRUE(two.scene.has_value()) << two.text();
   EXPECT_THAT(error_of(read_path(folder.add("c.wrz", bytes.substr(0, bytes.size() - 9)))),
-              HasSubstr("c.wrz: error: the compressed file was cut off"));
+              HasSubstr("c.wrz: error: the compressed file is truncated"));
   std::string damaged = bytes;
   damaged[damaged.size() - 6] ^= 1;
   EXPECT_THAT(error_of(read_path(folder.add("d.wrz", damaged))), HasSubstr("the compressed file is damaged"));
@@ -127,7 +127,7 @@ TEST(VrmlText, SaysWhereItIsWrong) {
   EXPECT_THAT(error("Shape { Box { } }"), HasSubstr("found '{', expected a value"));
   EXPECT_THAT(error("Anchor { url \"a } "), HasSubstr("begins a string that has no end"));
   EXPECT_THAT(error("}"), HasSubstr("found '}', expected a node"));
-  EXPECT_THAT(error("Group ["), HasSubstr("found '[', expected '{' behind the node type 'Group'"));
+  EXPECT_THAT(error("Group ["), HasSubstr("found '[', expected '{' after the node type 'Group'"));
   EXPECT_THAT(error("Shape { geometry Sphere { radius TRUE } }"), HasSubstr("'radius' is a number"));
   EXPECT_THAT(error("Shape { geometry Sphere { radius -1 } }"), HasSubstr("is -1, expected more than 0"));
   EXPECT_THAT(error("Shape { geometry Cone { side 2 side 1 2 } }"), HasSubstr("has 2 numbers, expected 1"));
@@ -163,13 +163,13 @@ TEST(VrmlText, PrototypesAndScriptsArePassedOver) {
       shape(square()));
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   const std::string text = reading.text();
-  EXPECT_THAT(text, HasSubstr("1 prototype 'Lamp' was passed over: prototypes are not carried out"));
-  EXPECT_THAT(text, HasSubstr("1 prototype 'Far' was passed over"));
-  EXPECT_THAT(text, HasSubstr("3 Lamp nodes were passed over: the standard has no node of that name"));
-  EXPECT_THAT(text, HasSubstr("1 Far node was passed over"));
-  EXPECT_THAT(text, HasSubstr("1 Script node was passed over: GRF scenes stand still"));
-  EXPECT_THAT(text, HasSubstr("1 TimeSensor node was passed over: GRF scenes stand still"));
-  EXPECT_THAT(text, HasSubstr("3 ROUTEs were passed over"));
+  EXPECT_THAT(text, HasSubstr("1 prototype 'Lamp' was skipped: prototypes are not supported"));
+  EXPECT_THAT(text, HasSubstr("1 prototype 'Far' was skipped"));
+  EXPECT_THAT(text, HasSubstr("3 Lamp nodes were skipped: the standard has no node of that name"));
+  EXPECT_THAT(text, HasSubstr("1 Far node was skipped"));
+  EXPECT_THAT(text, HasSubstr("1 Script node was skipped: GRF scenes are static"));
+  EXPECT_THAT(text, HasSubstr("1 TimeSensor node was skipped: GRF scenes are static"));
+  EXPECT_THAT(text, HasSubstr("3 ROUTEs were skipped"));
   EXPECT_EQ(meshes_of(*reading.scene).size(), 1U);
   EXPECT_THAT(error_of(read_vrml97("PROTO a [ ] { [ } ]")), HasSubstr("found '}', expected ']'"));
   EXPECT_THAT(error_of(read_vrml97("a { b { [ ]")), HasSubstr("the file ends here, expected '}'"));
@@ -186,11 +186,11 @@ TEST(VrmlText, WhatIsInNoFaceIsCounted) {
       shape(square()));
   ASSERT_TRUE(reading.scene.has_value()) << reading.text();
   for (const std::string_view line :
-       {"2 cameras were left out", "1 light was left out", "1 Fog node was passed over",
-        "1 WorldInfo node was passed over", "1 Sound node was passed over: GRF has no sound",
-        "1 PositionInterpolator node was passed over", "1 link of an Anchor was lost",
-        "1 Billboard stands still", "1 IndexedLineSet node was passed over: GRF has faces alone",
-        "1 Text node was passed over", "1 shape was left out: it has no faces"}) {
+       {"2 cameras were left out", "1 light was left out", "1 Fog node was skipped",
+        "1 WorldInfo node was skipped", "1 Sound node was skipped: GRF has no sound",
+        "1 PositionInterpolator node was skipped", "1 link of an Anchor was lost", "1 Billboard is static",
+        "1 IndexedLineSet node was skipped: GRF has only faces", "1 Text node was skipped",
+        "1 shape was left out: it has no faces"}) {
     EXPECT_THAT(reading.text(), HasSubstr(line));
   }
 }

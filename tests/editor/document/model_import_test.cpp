@@ -107,7 +107,7 @@ TEST_F(ModelImports, KeepToALimitOfMemoryThatCanBeRaised) {
   EXPECT_EQ(ModelImport::memory_limit(), 4);
   ModelImport::set_memory_limit(0.025);
   const std::string failure = failure_of("/usr/share/glmark2/models/bunny.obj");
-  EXPECT_THAT(failure, HasSubstr("more memory is needed than the limit of 26 MB"));
+  EXPECT_THAT(failure, HasSubstr("exceeded the memory limit of 26 MB"));
   EXPECT_THAT(failure, testing::Not(HasSubstr("--")));
   ModelImport::set_memory_limit(2);
   EXPECT_NE(imported("/usr/share/glmark2/models/bunny.obj"), nullptr);
