@@ -162,7 +162,7 @@ Chart lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style) {
       if (point.y > 0) lowest = std::min(lowest, point.y);
     }
   }
-  if (!(peak > 0)) chart.title += ": 0, but for the mirror direction";
+  if (!(peak > 0)) chart.title += ": 0 except for the delta part";
   if (!style.is_logarithmic) {
     chart.y.minimum = 0;
     chart.y.maximum = 1.08 * peak;
@@ -199,14 +199,13 @@ PolarChart polar_lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& 
     chart.maximum = Longest * shortest;
   add_densities(curves, chart.series);
   chart.shares = mirror_lines(curves, style.channel, Dashes);
-  if (!chart.shares.empty()) chart.note = "dashed: the mirror part, all of the light at the outermost ring";
+  if (!chart.shares.empty()) chart.note = "dashed: the delta part; the outermost ring is an albedo of 1";
   return chart;
 }
 
 Chart albedo_chart(const AlbedoCurve& curve) {
   constexpr double Highest = 2;  // that is drawn
-  Chart chart{
-      "Albedo", {"view angle in degrees", false, 0, 90, 15}, {"share reflected", false, 0, {}, 0}, {}};
+  Chart chart{"Albedo", {"view angle in degrees", false, 0, 90, 15}, {"albedo", false, 0, {}, 0}, {}};
   chart.series = albedo_series(curve.degrees, curve.along_x);
   if (!curve.along_y.empty()) {
     for (Series& series : chart.series) series.name += ", along x";
@@ -219,7 +218,7 @@ Chart albedo_chart(const AlbedoCurve& curve) {
   const double largest = curve.largest.albedo;
   chart.y.maximum = std::clamp(largest, 1.0, Highest);
   if (largest > 1.002) {
-    chart.title += fmt::format(": up to {:.3g}, more than is received", largest);
+    chart.title += fmt::format(": up to {:.3g}, above 1", largest);
     chart.series.push_back({{}, {Point(0, 1), Point(90, 1)}, "#111", "2 3"});
   }
   return chart;

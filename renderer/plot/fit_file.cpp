@@ -46,7 +46,7 @@ class Reader {
 
   bool read(FitFile& file) {
     return read_brdf(file.brdf) && read_viewer(file) && read_points(file.points) &&
-           (lexer_.peek().kind == TokenKind::EndOfFile || fail("nothing behind 'end'"));
+           (lexer_.peek().kind == TokenKind::EndOfFile || fail("nothing after 'end'"));
   }
 
  private:
@@ -66,7 +66,8 @@ class Reader {
   // The instance's own reader takes all the text that it is given.
   bool read_brdf(grf::BrdfModel& brdf) {
     while (lexer_.peek().kind != TokenKind::EndOfFile && !at_viewer()) lexer_.next();
-    if (lexer_.peek().kind == TokenKind::EndOfFile) return fail("'viewer' and the view behind a BRDF");
+    if (lexer_.peek().kind == TokenKind::EndOfFile)
+      return fail("'viewer' and the view direction after the BRDF");
     const std::string before(text_->data(), lexer_.peek().begin);
     auto instance = grf::read_brdf(before, file_->path, diagnostics_);
     if (!instance) return false;
@@ -79,10 +80,11 @@ class Reader {
     if (!take('(', "'(' and the angles of the view") || !read_number(file.theta)) return false;
     if (!take(',', "',' and the second angle of the view")) return false;
     const grf::SourceLocation at_phi = lexer_.location(lexer_.peek());
-    if (!read_number(file.phi) || !take(')', "')' behind the two angles of the view")) return false;
+    if (!read_number(file.phi) || !take(')', "')' after the two angles of the view")) return false;
     if (std::abs(file.phi) > 2 * std::numbers::pi) {
       diagnostics_.warning(
-          at_phi, fmt::format("the view's phi, {}, is over a full turn: angles are in radians", file.phi));
+          at_phi,
+          fmt::format("the view's phi, {}, is more than a full turn: angles are in radians", file.phi));
     }
     return true;
   }
@@ -101,7 +103,7 @@ class Reader {
     return take('(', "'(' and a direction, or 'end'") && read_number(point.direction.x) &&
            take(',', "',' and two more numbers") && read_number(point.direction.y) &&
            take(',', "',' and one more number") && read_number(point.direction.z) &&
-           take(')', "')' behind three numbers") && read_number(point.value);
+           take(')', "')' after three numbers") && read_number(point.value);
   }
 
   bool take(char punctuation, std::string_view expected) {
@@ -114,7 +116,7 @@ class Reader {
     const Token& token = lexer_.peek();
     if (token.kind != TokenKind::Number) return fail("a number");
     const std::string_view digits = token.text.substr(token.text.front() == '+' ? 1 : 0);
-    if (!parse(digits, number)) return fail("a number that is not out of range");
+    if (!parse(digits, number)) return fail("a number in the range of a float");
     lexer_.next();
     return true;
   }

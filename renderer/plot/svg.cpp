@@ -193,12 +193,12 @@ bool write_picture(const Svg& svg, const std::string& path, grf::Diagnostics& di
   const std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".svg") return grf::replace_file(path, svg.str(), diagnostics);
   if (extension != ".png") {
-    diagnostics.error(grf::whole_file(path), "a picture's name ends in .svg or .png");
+    diagnostics.error(grf::whole_file(path), "the picture's name must end in .svg or .png");
     return false;
   }
   const auto png = to_png(svg.str(), PixelsOfAPng);
   if (!png) {
-    diagnostics.error(grf::whole_file(path), "the picture cannot be drawn");
+    diagnostics.error(grf::whole_file(path), "the picture could not be rendered as PNG");
     return false;
   }
   return grf::replace_file(path, *png, diagnostics);

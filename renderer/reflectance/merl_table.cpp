@@ -82,10 +82,11 @@ std::shared_ptr<const MerlTable> MerlTable::load(const std::string& path, grf::D
   if (!bytes) return nullptr;
   const auto fail = [&](const std::string& what) {
     diagnostics.error(asked_for_at.file ? asked_for_at : grf::whole_file(path),
-                      fmt::format("'{}' is no file of the MERL data base: {}", path, what));
+                      fmt::format("'{}' is not a MERL BRDF file: {}", path, what));
     return nullptr;
   };
-  if (bytes->size() < HeaderSize) return fail(fmt::format("{} bytes are too few", bytes->size()));
+  if (bytes->size() < HeaderSize)
+    return fail(fmt::format("{} bytes are too few for its header", bytes->size()));
   std::array<std::int32_t, 3> dimensions = {};
   std::memcpy(dimensions.data(), bytes->data(), HeaderSize);
   if (dimensions != Dimensions) {

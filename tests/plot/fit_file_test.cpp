@@ -40,7 +40,7 @@ TEST(FitFile, OfTheThesisIsRead) {
   const auto file = read_fit(text, "thesis.fit", diagnostics);
   ASSERT_TRUE(file);
   EXPECT_TRUE(diagnostics.to_text().starts_with(
-      "thesis.fit:1:61: warning: the view's phi, 344.888, is over a full turn: angles are in radians\n"))
+      "thesis.fit:1:61: warning: the view's phi, 344.888, is more than a full turn: angles are in radians\n"))
       << diagnostics.to_text();
   EXPECT_EQ(file->brdf, brdf_of("ashikhmin nu=25 nv=25 ks=0.39 kd=0.6"));
   EXPECT_EQ(file->theta, 1.33763F);
@@ -96,11 +96,11 @@ TEST(FitFile, ReportsMistakesAtTheirPlace) {
   EXPECT_EQ(first_line("ward viewer (1, 2) begin\n (1, 2, 3)\n(1, 2, 3) 1 end"),
             "a.fit:3:1: error: found '(', expected a number");
   EXPECT_EQ(first_line("ward viewer (1, 2) begin (1, 2, 1e99) 1 end"),
-            "a.fit:1:33: error: found '1e99', expected a number that is not out of range");
+            "a.fit:1:33: error: found '1e99', expected a number in the range of a float");
   EXPECT_EQ(first_line("ward viewer (1, 2) begin"),
             "a.fit:1:25: error: found the end of the file, expected '(' and a direction, or 'end'");
   EXPECT_EQ(first_line("ward viewer (1, 2) begin end more"),
-            "a.fit:1:30: error: found 'more', expected nothing behind 'end'");
+            "a.fit:1:30: error: found 'more', expected nothing after 'end'");
   EXPECT_EQ(first_line("combine 1 a viewer (1, 2) begin end"),
             "a.fit:1:1: error: a 'combine' of names, where nothing is defined that could have them");
 }

@@ -92,8 +92,7 @@ TEST(Combine, RefusesWeightsThatAreTooLarge) {
   grf::Diagnostics diagnostics;
   EXPECT_FALSE(
       brdf_in("def a = brdf diffuse b = brdf combine 1e30 a c = brdf combine 1e30 b", "c", diagnostics));
-  EXPECT_EQ(diagnostics.entries().at(0).message,
-            "the weights of BRDFs multiply to more than a float can hold");
+  EXPECT_EQ(diagnostics.entries().at(0).message, "the product of the BRDFs' weights overflows a float");
 }
 
 TEST(Combine, TakesNamesAsTheyAreMeantWhereItStands) {
@@ -143,8 +142,8 @@ TEST(BrdfMaker, SaysWhatCannotBeMade) {
   EXPECT_FALSE(brdf_in("def a = brdf ward \"ward.binary\"", "a", diagnostics));
   ASSERT_EQ(diagnostics.entries().size(), 3U);
   EXPECT_EQ(diagnostics.entries()[0].message, "'glass' cannot be rendered");
-  EXPECT_EQ(diagnostics.entries()[1].message, "'measured' needs the name of a file with its data");
-  EXPECT_EQ(diagnostics.entries()[2].message, "'ward' reads no file");
+  EXPECT_EQ(diagnostics.entries()[1].message, "'measured' needs the name of a data file");
+  EXPECT_EQ(diagnostics.entries()[2].message, "'ward' takes no data file");
 }
 
 }  // namespace

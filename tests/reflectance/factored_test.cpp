@@ -232,7 +232,7 @@ TEST_F(Files, AreOfOneBrdfAndSize) {
   FactorFiles others = files_;
   others.brdf_identity = "1 ward sx=0.3";
   EXPECT_EQ(failure(others).location.line, 2U);
-  EXPECT_EQ(failure(others).message, "this does not fit: expected 'brdf 1 ward sx=0.3'");
+  EXPECT_EQ(failure(others).message, "expected 'brdf 1 ward sx=0.3'");
   others = files_;
   others.size.view_factors = 3;
   EXPECT_EQ(failure(others).location.line, 3U);
@@ -256,7 +256,7 @@ TEST_F(Files, HaveNumbersThatMakeSense) {
   EXPECT_EQ(failure().location.line, 4U);
   EXPECT_EQ(failure().location.file->path, files_.curves_path());
   change_line(files_.curves_path(), 4, "0 0");
-  EXPECT_NE(failure().message.find("there is more"), std::string::npos) << failure().message;
+  EXPECT_NE(failure().message.find("there are more"), std::string::npos) << failure().message;
 }
 
 TEST_F(Files, ThatAreCutAreRefusedWhereverTheyAre) {
@@ -267,7 +267,7 @@ TEST_F(Files, ThatAreCutAreRefusedWhereverTheyAre) {
       ASSERT_GE(failure().location.line, 1U) << length;
     }
     replace(path, whole + "more");
-    EXPECT_EQ(failure().message, "there is more behind the end");
+    EXPECT_EQ(failure().message, "unexpected text after the end");
     replace(path, whole);
   }
 }

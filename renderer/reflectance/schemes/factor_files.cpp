@@ -49,10 +49,10 @@ class Reader {
   bool expect(std::string_view expected) {
     const auto line = next_line();
     if (!line) return fail(fmt::format("the file ends too early: expected '{}'", expected));
-    return *line == expected || fail(fmt::format("this does not fit: expected '{}'", expected));
+    return *line == expected || fail(fmt::format("expected '{}'", expected));
   }
 
-  bool expect_end() { return expect(End) && (rest_.empty() || fail("there is more behind the end", 1)); }
+  bool expect_end() { return expect(End) && (rest_.empty() || fail("unexpected text after the end", 1)); }
 
   /// So many numbers in [0,1], and nothing else.
   bool read(std::size_t count, std::vector<float>& numbers) {
@@ -65,13 +65,13 @@ class Reader {
       float number = 0;
       const auto [behind, error] = std::from_chars(place, end, number);
       if (error != std::errc() || (behind != end && *behind != ' '))
-        return fail(fmt::format("expected {} numbers, and number {} is none", count, i + 1));
+        return fail(fmt::format("expected {} numbers, but number {} cannot be read", count, i + 1));
       if (!(number >= 0 && number <= 1) || std::signbit(number))
         return fail(fmt::format("number {} is not in [0,1]", i + 1));
       numbers.push_back(number);
       place = behind;
     }
-    return place == end || fail(fmt::format("expected {} numbers, and there is more", count));
+    return place == end || fail(fmt::format("expected {} numbers, but there are more", count));
   }
 
   /// Numbers that rise from 0 to 1.
@@ -79,7 +79,7 @@ class Reader {
     if (!read(count, numbers)) return false;
     const std::span<const float> curve = std::span(numbers).last(count);
     return (curve.front() == 0 && curve.back() == 1 && std::is_sorted(curve.begin(), curve.end())) ||
-           fail("a cumulative distribution rises from 0 to 1, and this one does not");
+           fail("this cumulative distribution does not rise from 0 to 1");
   }
 
  private:
