@@ -25,7 +25,7 @@ std::string description(const Token& token) {
   return fmt::format("'{}'", token.text.substr(0, Longest));
 }
 
-/// False if the number is too large for a float; one too near to zero is zero.
+/// Parses a float; false if it overflows. Underflow gives zero.
 bool parse(std::string_view digits, float& number) {
   const auto error = std::from_chars(digits.data(), digits.data() + digits.size(), number).ec;
   if (error != std::errc::result_out_of_range) return error == std::errc();
@@ -35,7 +35,7 @@ bool parse(std::string_view digits, float& number) {
   return beyond == std::errc() && std::abs(value) < 1;
 }
 
-/// Reads what stands behind the instance. Each function returns false after an error, which it reports.
+/// Reads the text after the BRDF instance. Each function returns false after an error, which it reports.
 class Reader {
  public:
   Reader(const std::string& text, const std::string& path, grf::Diagnostics& diagnostics)
@@ -54,7 +54,7 @@ class Reader {
     return lexer_.peek().kind == TokenKind::Word && grf::same_keyword(lexer_.peek().text, keyword);
   }
 
-  /// The word `viewer`, unless it is the name of a parameter.
+  /// Returns true at the word `viewer`, unless it is the name of a parameter.
   bool at_viewer() { return at("viewer") && !lexer_.peek_second().is('='); }
 
   bool fail(std::string_view expected) {
@@ -63,7 +63,7 @@ class Reader {
     return false;
   }
 
-  // The instance's own reader takes all the text that it is given.
+  // The instance's reader consumes all the text that it gets.
   bool read_brdf(grf::BrdfModel& brdf) {
     while (lexer_.peek().kind != TokenKind::EndOfFile && !at_viewer()) lexer_.next();
     if (lexer_.peek().kind == TokenKind::EndOfFile)

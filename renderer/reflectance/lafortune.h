@@ -22,12 +22,10 @@ struct LafortuneFormula {
 
 namespace reflectance {
 
-/// A generalised cosine lobe about (Cx ux, Cy uy, Cz uz): (-1, -1, 1) is Phong's, (1, 1, 1) is
-/// retro-reflective,
-Cz | < | Cx | off - specular, Cx != Cy anisotropic.Not normalised
-    : the C's scale the lobe. The mirror direction of u is
-      /// 2 (u.n) n - u; the print's points into the surface.
-      struct Lafortune : CosineAndLobe<Lafortune> {
+/// A generalised cosine lobe about (Cx ux, Cy uy, Cz uz): (-1, -1, 1) is Phong's, (1, 1, 1) reflects back,
+/// |Cz| < |Cx| is off-specular, Cx != Cy anisotropic. Not normalised: the C's scale the lobe. The mirror
+/// direction of u is 2 (u.n) n - u; the print's points into the surface.
+struct Lafortune : CosineAndLobe<Lafortune> {
   float n = 20;
   Rgb kp = Rgb(0.5F);
   float cx = -1;

@@ -29,7 +29,7 @@ std::string error_in(const std::string& text) {
   return diagnostics.to_text();
 }
 
-// As it is printed, on one line; its phi cannot be in radians.
+// The thesis' example on one line; its phi cannot be in radians.
 TEST(FitFile, OfTheThesisIsRead) {
   const std::string text =
       "ashikhmin nu = 25 nv = 25 ks =0.39 kd =0.6 viewer (1.33763, 344.888) begin "
@@ -105,7 +105,7 @@ TEST(FitFile, ReportsMistakesAtTheirPlace) {
             "a.fit:1:1: error: a 'combine' of names, where nothing is defined that could have them");
 }
 
-// Whatever is cut off, there is an answer.
+// Reading must return for any truncation.
 TEST(FitFile, MayEndAnywhere) {
   const std::string text = "ward sx=0.1 viewer (1, 2) begin (0, 0, 1) 1 end";
   for (std::size_t length = 0; length < text.size(); ++length) {

@@ -1,4 +1,4 @@
-// Weighted sums of BRDFs, and what makes BRDFs of a scene's data.
+// Weighted sums of BRDFs, and BrdfMaker.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using reflectance::Combine;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-/// The BRDF of the only mesh of a scene with those definitions.
+/// Returns the BRDF of the only mesh of a scene with those definitions.
 std::optional<Brdf> brdf_in(const std::string& definitions, const std::string& attribute,
                             grf::Diagnostics& diagnostics) {
   const auto scene =

@@ -33,7 +33,7 @@ std::vector<std::string> header(std::string_view title, const FactorFiles& files
                       size.rows, size.columns, size.view_factors, size.factors, size.by_half)};
 }
 
-/// Reads line by line, and says once what is wrong first.
+/// Reads line by line, and reports only the first error.
 class Reader {
  public:
   Reader(const std::string& path, grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {
@@ -54,7 +54,7 @@ class Reader {
 
   bool expect_end() { return expect(End) && (rest_.empty() || fail("unexpected text after the end", 1)); }
 
-  /// So many numbers in [0,1], and nothing else.
+  /// Reads a line of exactly so many numbers in [0,1].
   bool read(std::size_t count, std::vector<float>& numbers) {
     const auto line = next_line();
     if (!line) return fail(fmt::format("the file ends too early: expected {} numbers", count));
@@ -74,7 +74,7 @@ class Reader {
     return place == end || fail(fmt::format("expected {} numbers, but there are more", count));
   }
 
-  /// Numbers that rise from 0 to 1.
+  /// Reads a cdf: numbers that rise from 0 to 1.
   bool read_curve(std::size_t count, std::vector<float>& numbers) {
     if (!read(count, numbers)) return false;
     const std::span<const float> curve = std::span(numbers).last(count);
@@ -87,14 +87,14 @@ class Reader {
     if (!text_) return std::nullopt;
     ++location_.line;
     const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) return std::nullopt;  // the last line has an end, too
+    if (end == std::string_view::npos) return std::nullopt;  // the last line must end with a newline, too
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
     return line;
   }
 
   bool fail(std::string_view message, std::uint32_t lines_on = 0) {
-    if (!text_) return false;  // that has been said
+    if (!text_) return false;  // already reported
     location_.line += lines_on;
     diagnostics_.error(location_, message);
     return false;
