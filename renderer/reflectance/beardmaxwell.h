@@ -86,7 +86,7 @@ S = (1 + delta/omega exp(-2 beta/tau))/(1 + delta/omega), beta: the angle of u a
   float matte_albedo(const Vec3f&) const { return mean(rd); }
   float lobe_share(const Vec3f& u) const { return surface_albedo(u) + volume_albedo(); }
 
-  // Samples the facets, or the volume lobe 1/(cos + cos), for which uniform directions serve.
+  // Samples the facets, or the volume lobe 1/(cos + cos), for which uniform directions suffice.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const float phi = 2 * Pi * xi.direction.y;
     const float x = xi.direction.x;

@@ -104,7 +104,7 @@ bool has_mirror(const Brdf& brdf);
 /// Returns true if there is anything besides a delta part.
 bool has_density(const Brdf& brdf);
 
-/// Returns true if there is a diffuse lobe, which cosine-weighted sampling serves. Inferred from `kd`.
+/// Returns true if there is a diffuse lobe, which suits cosine-weighted sampling. Inferred from `kd`.
 bool has_diffuse_part(const Brdf& brdf);
 
 /// Returns true if there is a glossy lobe, neither diffuse nor delta. Inferred from `ks`; true for a model

@@ -51,7 +51,7 @@ inline Uniforms rest_of(Uniforms xi, float taken) {
 
 struct DirectionSample {
   Vec3f direction;
-  Rgb weight;  ///< f cos(theta_v) / density
+  Rgb weight;  ///< f cos(theta_v) / pdf
   float density = 0;
 };
 

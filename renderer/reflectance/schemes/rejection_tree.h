@@ -47,7 +47,7 @@ class DiscGrid {
 };
 
 /// A piecewise-constant function on the unit disc with a quadtree for rejection sampling (section 5.1 of the
-/// thesis). A node is split while rejection in it would need more than `most_tries` tries in the mean, down
+/// thesis). A node is split while rejection in it would need more than `most_tries` tries on average, down
 /// to single cells. Values are relative to the largest, in half precision, and are exactly what is sampled.
 /// Nodes are split between cells, so that all integrals are exact.
 class RejectionTree {

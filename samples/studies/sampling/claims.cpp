@@ -154,7 +154,7 @@ std::vector<Verdict> memory_claims(const Results& results) {
        fmt::format(
            "factors {} to {} KB; `reject` takes less on {} of {} BRDFs, `warp` on {}. The thesis' "
            "figures are those of the whole matrix in doubles, 16 x 16 views of all cells, and {} to {} "
-           "KB: the factors alone were always small",
+           "KB: the factors themselves were always small",
            figure(least_kb), figure(most_kb), smaller, results.cases.size(), smaller_warp,
            figure(least(results, beside_matrix).value), figure(largest(results, beside_matrix).value))},
   };
