@@ -63,7 +63,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
   std::string wrong_together() const {
     const float largest = formula().lafortune_largest(cx, cy, cz);
     return largest > 0 && n * std::log(largest) > 69
-               ? "n log(max(|Cx|, |Cy|, |Cz|)) is over 69, and the lobe's peak over 1e30"
+               ? "n log(max(|Cx|, |Cy|, |Cz|)) must be at most 69: the lobe's peak exceeds 1e30"
                : "";
   }
 

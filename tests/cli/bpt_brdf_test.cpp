@@ -93,7 +93,7 @@ TEST_F(BptBrdf, ReportsBadInstancesAtTheirPlace) {
       {"albedo", "ward\n sx=20", "--u", "0"}, 1,
       "BRDF:2:2: error: 'sx' of 'ward': 20 is out of range, expected a number from 0.0001 to 10\n");
   expect_failure({"plot", "ward sx=", "-o", folder_.path("a.svg")}, 1, "BRDF:1:");
-  expect_failure({"albedo", "lafortune n=1000 Cx=10", "--u", "0"}, 1, "the lobe's peak over 1e30");
+  expect_failure({"albedo", "lafortune n=1000 Cx=10", "--u", "0"}, 1, "the lobe's peak exceeds 1e30");
   expect_failure({"albedo", "", "--u", "0"}, 1, "error: ");
   EXPECT_TRUE(folder_.names().empty());
 }
