@@ -74,8 +74,8 @@ TEST(FitFile, HasFreeSpaceAndAnyCase) {
 
 TEST(FitFile, ReportsMistakesAtTheirPlace) {
   EXPECT_EQ(error_in(""),
-            "a.fit:1:1: error: found the end of the file, expected 'viewer' and the view behind "
-            "a BRDF\n");
+            "a.fit:1:1: error: found the end of the file, expected 'viewer' and the view "
+            "direction after the BRDF\n");
   const auto first_line = [](const std::string& text) {
     const std::string error = error_in(text);
     return error.substr(0, error.find('\n'));
