@@ -17,8 +17,7 @@ enum class Channel { Luminance, Red, Green, Blue, Mean };
 /// Returns a channel of a linear RGB value; luminance is that of sRGB's primaries.
 double channel_of(const reflectance::Rgb& rgb, Channel channel);
 
-/// Returns the direction at an angle to the normal, in degrees, in the plane of incidence; positive is on the
-/// right.
+/// Returns the direction at an angle to the normal in the plane of incidence, in degrees; positive is right.
 reflectance::Vec3f direction_at(double degrees);
 
 /// A BRDF over the light's angle in the plane of incidence. The view is on the left, so that the mirror
@@ -56,12 +55,10 @@ struct LobeStyle {
 /// Makes a cartesian chart over the light's angle. Pdfs are dashed.
 Chart lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style);
 
-/// Adds the delta parts to such a chart, as lines whose length is their albedo relative to the top of the
-/// axis.
+/// Adds the delta parts to such a chart, as lines whose length is their albedo; the peak is 1.
 void add_mirror_lines(Chart& chart, std::span<const LobeCurve> curves, Channel channel);
 
-/// Makes a polar chart with values as radii. Lobes much longer than another are clipped, so that all are
-/// visible.
+/// Makes a polar chart with values as radii. Lobes much longer than another are clipped.
 PolarChart polar_lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style);
 
 /// Makes a chart of each channel, or of one line if they are equal.

@@ -29,8 +29,7 @@ struct Axis {
   double step = 0;  ///< between ticks of a linear axis; 0: chosen automatically
 };
 
-/// The range of an axis: its own limits, or those of the points, rounded to powers of ten on a logarithmic
-/// axis.
+/// The range of an axis: its own limits, or those of the points, rounded to powers of ten if logarithmic.
 struct AxisEnds {
   double low = 0;
   double high = 1;
@@ -47,8 +46,7 @@ struct Chart {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
-  /// Place each label at the right at the height of its line's last point if there is space, with a thin
-  /// leader line.
+  /// Place each label at the right at the height of its line's last point if there is space.
   bool has_names_at_ends = false;
 };
 
@@ -78,8 +76,7 @@ class PolarScale {
  public:
   explicit PolarScale(const PolarChart& chart);
 
-  /// Returns round values, innermost first. The last is the largest value or, on a linear scale, at least
-  /// that.
+  /// Returns round values, innermost first. The last is at least the largest value.
   const std::vector<double>& rings() const { return rings_; }
   /// Returns a value's radius as a fraction of the outermost ring's. Larger values are clipped.
   double share(double value) const;

@@ -107,8 +107,7 @@ bool has_density(const Brdf& brdf);
 /// Returns true if there is a diffuse lobe, which suits cosine-weighted sampling. Inferred from `kd`.
 bool has_diffuse_part(const Brdf& brdf);
 
-/// Returns true if there is a glossy lobe, neither diffuse nor delta. Inferred from `ks`; true for a model
-/// without it.
+/// Returns true if there is a glossy lobe, neither diffuse nor delta. Inferred from `ks`; true without it.
 bool has_glossy_part(const Brdf& brdf);
 
 /// Returns true if rotating both directions about the normal changes the value. Inferred from the table.

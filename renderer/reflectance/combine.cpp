@@ -19,8 +19,7 @@ bool any_part(const std::shared_ptr<const CombinedBrdfs>& parts, Condition condi
          });
 }
 
-/// Albedo estimates of the terms, in order. They can cost as much as the BRDFs themselves, so they are made
-/// once.
+/// Albedo estimates of the terms, in order. They can cost as much as the BRDFs, so are made once.
 using Albedos = boost::container::small_vector<float, 8>;
 
 Albedos albedos_of(const CombinedBrdfs& parts, const Vec3f& u) {

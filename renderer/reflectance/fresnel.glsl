@@ -27,8 +27,7 @@ real fresnel(real c, real s2, real n, real k) {
 }
 real fresnel(real c, real n, real k) { return fresnel(c, (1 - c) * (1 + c), n, k); }
 
-// Computes Fresnel at the microfacet that reflects v to u. Their difference gives the sine without
-// cancellation.
+// Computes Fresnel at the microfacet that reflects v to u. u - v gives the sine without cancellation.
 real fresnel_at_half(vec3 u, vec3 v, real n, real k) {
   vec3 e = u - v;
   return fresnel(cosine_at_half(u, v), min(real(1), (e.x * e.x + e.y * e.y + e.z * e.z) / 4), n, k);

@@ -35,8 +35,7 @@ inline Vec3f from_angles(float cosine, float sine, float phi) {
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
-/// Samples a direction with pdf (n+1)/(2 pi) cos(theta)^n. It computes 1 - cos, so that n = 1e6 keeps its
-/// shape.
+/// Samples a direction with pdf (n+1)/(2 pi) cos(theta)^n. Computes 1 - cos, so that n = 1e6 keeps its shape.
 inline Vec3f power_direction(float n, const Vec2f& xi) {
   const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
   const float sine = std::sqrt(below_one * (2 - below_one));

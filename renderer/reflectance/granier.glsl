@@ -6,8 +6,7 @@ vec3 half_inside(vec3 u, vec3 v, real nreal) {
   return vec3(h.x, h.y, sqrt(m + u.z * u.z) + sqrt(m + v.z * v.z));
 }
 
-// Returns (normal . h)^n for the normal (normal.x, 0, normal.y) and h of any length; by the tangent, as
-// half_power.
+// Returns (normal . h)^n for the normal (normal.x, 0, normal.y) and h of any length, by the tangent.
 real tilted_power(vec3 h, real n, vec2 normal) {
   real x = h.x * normal.y - h.z * normal.x;
   real z = h.x * normal.x + h.z * normal.y;

@@ -25,8 +25,7 @@ namespace reflectance {
 
 /// Physical optics of a Gaussian rough surface: ideal specular, directional-diffuse (diffraction) and
 /// Lambertian parts. The paper's formulas for unpolarised light, of which the thesis has only an expansion.
-/// For roughness large in wavelengths it tends to Beckmann facets of slope 2 sigma/tau, for small to a
-/// mirror.
+/// For roughness large in wavelengths it tends to Beckmann facets of slope 2 sigma/tau, else to a mirror.
 struct He : KirchhoffLobe<He> {
   static ModelTable<He> table() {
     return {

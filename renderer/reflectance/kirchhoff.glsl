@@ -91,8 +91,7 @@ real kirchhoff_sum(real g, real b) {
   return sum_of_some_terms(g, b, centre, excess, floor(real(0.8) * width));
 }
 
-// Returns the paper's shadowing over the cosine, S(w) / w.z: its Lambda has no exp(-x^2), which is kept as
-// published.
+// Returns the paper's shadowing over the cosine, S(w) / w.z: its Lambda has no exp(-x^2), as published.
 real kirchhoff_shadowing_over_cosine(vec3 w, real sigma, real tau) {
   real sine = sqrt(w.x * w.x + w.y * w.y);
   real k = real(1.7724538509055160) * tau *

@@ -49,8 +49,7 @@ Seen seen_from(vec3 w, real d, real h) {
   return seen;
 }
 
-// Returns the floor length both visible and lit: shadows on the same side overlap, on opposite sides they
-// add.
+// Returns the floor length both visible and lit: shadows on the same side overlap, on opposite ones add.
 real floor_in_common(vec3 u, vec3 v, real hidden_u, real hidden_v, real d, real h) {
   real hidden = u.y * v.y > 0 ? max(hidden_u, hidden_v) : hidden_u + hidden_v;
   return max(real(0), floor_width(d, h) - hidden);

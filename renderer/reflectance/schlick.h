@@ -70,8 +70,7 @@ struct SchlickLayer {
   float visible(const Vec3f& w) const { return formula().schlick_visible(r(), w.z); }
 };
 
-/// One or two layers of facets, each from a mirror to rough, with Fresnel and with light scattered between
-/// the facets.
+/// One or two layers of facets, each from a mirror to rough, with Fresnel and scattering between facets.
 struct Schlick {
   Rgb sc = Rgb(0.7F);
   float sr = 0.31F;

@@ -86,8 +86,7 @@ TEST(Warp, DensityHasNoSeamBetweenTrees) {
   for (const std::string text : {"phong n=100 ks=0.4 kd=0.6", "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3"}) {
     const Brdf brdf = test::brdf_of(text);
     const WarpTrees trees(brdf, WarpTreesSettings());
-    // The light rotates with the view and stays at one position of the trees, so that only their blend
-    // changes.
+    // The light rotates with the view and stays at one position of the trees: only their blend changes.
     const auto density_at = [&](double theta) {
       const Vec3f u = test::direction(theta, 0);
       const reflectance::ViewColumns columns(reflectance::square_radius(u), !is_anisotropic(brdf));

@@ -62,7 +62,7 @@ inline Weights weights_of(const reflectance::Brdf& brdf, int views, int samples,
   return result;
 }
 
-/// Expects for the BRDFs of the thesis' table 5.5: 99.9 % of the weights are within 1.5 albedos, and none is
+/// Expects for the BRDFs of the thesis' table 5.5: 99.9 % of the weights are within 1.5 albedos, none
 /// above 4.
 inline void expect_even_weights(int views, int samples) {
   for (const ThesisCase& one : thesis_cases()) {

@@ -111,8 +111,8 @@ class NaiveTable {
   std::vector<float> sums_;
 };
 
-/// Tests the dim side of a map with a sun near the zenith: the fraction of samples within 10 degrees of the
-/// nadir.
+/// Tests the dim side of a map with a sun near the zenith: the fraction of samples near the nadir, within 10
+/// degrees.
 Errors ground_beside_a_sun() {
   constexpr std::uint32_t Draws = 1U << 20U;
   const Image image = image_of(2048, 1024, [](int x, int y) { return x == 700 && y == 400 ? 1e6F : 0.02F; });

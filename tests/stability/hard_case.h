@@ -114,8 +114,7 @@ struct Directions {
   reflectance::Vec3f u, v;
 };
 
-/// Compares our formula with the naive one, both generic lambdas, over directions. Skips values below
-/// `least`.
+/// Compares our formula with the naive one, both generic lambdas. Skips values below `least`.
 template <class Ours, class Naive>
 Errors compare(const std::vector<Directions>& inputs, Ours ours, Naive naive, double least = 0) {
   using Vec3d = Imath::V3d;

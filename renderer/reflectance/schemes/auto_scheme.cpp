@@ -14,8 +14,7 @@ struct Moments {
   double adaptive = 1;
 };
 
-/// Measures both from the own sampler's samples: the other's second moment is the mean of the product of
-/// weights.
+/// Measures both from the own sampler's samples: the other's second moment is the mean product of weights.
 Moments moments_at(const Brdf& brdf, const Vec3f& u, const AdaptiveScheme* adaptive) {
   constexpr std::uint32_t Samples = 1024;
   double sum = 0;

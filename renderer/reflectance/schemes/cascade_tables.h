@@ -38,8 +38,7 @@ class CascadeTables {
   friend bool operator==(const CascadeTables&, const CascadeTables&) = default;
 
  private:
-  /// The cdfs of some views in sequence: for each view the marginal cdf, then a conditional cdf per piece of
-  /// it.
+  /// The cdfs of some views in sequence: for each view the marginal cdf, then a conditional cdf per piece.
   struct Curves {
     std::vector<float> values;          ///< of the cdfs' points
     std::vector<std::uint16_t> points;  ///< the grid edges of these points; empty: all of them

@@ -27,8 +27,7 @@ struct FactorFiles {
   /// Returns true if at least one of the two files exists.
   bool exist() const;
 
-  /// Loads the factors, or returns nothing after an error: a file is missing or broken, or has another BRDF
-  /// or size.
+  /// Loads the factors, or returns nothing after an error: a missing or broken file, another BRDF or size.
   std::optional<Factors> load(grf::Diagnostics& diagnostics) const;
 
   /// Writes both files, or reports an error.

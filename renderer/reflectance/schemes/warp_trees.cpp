@@ -113,8 +113,7 @@ WarpTrees::Symmetry WarpTrees::symmetry_of(const Brdf& brdf) {
   return symmetry;
 }
 
-// Measures weights halfway between the azimuths of two trees, where they vary most, to find the number
-// needed.
+// Measures weights halfway between the azimuths of two trees, where they vary most.
 int WarpTrees::phi_count_for(const Brdf& brdf) const {
   constexpr int Most = 16;
   constexpr float MostVariance = 0.06F;

@@ -31,8 +31,7 @@ constexpr std::size_t PlaceCount = PlacesAlongEdge * PlacesAlongEdge;
 /// The views, as angles to the normal in degrees. Their azimuth matters only to anisotropic BRDFs.
 constexpr std::array<float, 3> ViewDegrees = {20, 45, 70};
 
-/// Returns the direction at an angle to the normal, in degrees, at the views' azimuth or (below 0) opposite
-/// it.
+/// Returns the direction at an angle to the normal, in degrees, at the views' azimuth, or opposite below 0.
 Vec3f in_plane_of_views(float degrees);
 
 /// An environment: a sky brighter at the horizon, brown ground in squares, and a hazy sun, 6 degrees in
