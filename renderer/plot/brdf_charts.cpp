@@ -21,7 +21,7 @@ using reflectance::Vec3f;
 constexpr double Radian = std::numbers::pi / 180;
 constexpr std::string_view Dashes = "5 3";
 
-/// The value over the light's angle.
+/// Makes the series of values over the light's angle.
 Series series_of(const LobeCurve& curve, const LobeStyle& style) {
   Series series{fmt::format("view {}\u00B0", curve.view), {}, {}, {}};
   for (std::size_t i = 0; i < curve.degrees.size(); ++i) {
@@ -54,7 +54,7 @@ void add_densities(std::span<const LobeCurve> curves, std::vector<Series>& serie
   }
 }
 
-/// The Dirac part of each view that has one, as a line that is as long as its weight.
+/// Makes a line per view with a delta part, as long as its weight.
 std::vector<Series> mirror_lines(std::span<const LobeCurve> curves, Channel channel,
                                  std::string_view dashes) {
   constexpr double Seen = 0.005;
@@ -70,7 +70,7 @@ std::vector<Series> mirror_lines(std::span<const LobeCurve> curves, Channel chan
 
 std::string quantity(const LobeStyle& style) { return style.with_cosine ? "f cos in 1/sr" : "f in 1/sr"; }
 
-/// Each channel, or all in one where they are equal.
+/// Makes a series per channel, or one if they are equal.
 std::vector<Series> albedo_series(const std::vector<double>& degrees, const std::vector<Rgb>& values) {
   constexpr std::array<const char*, 3> Names = {"red", "green", "blue"};
   constexpr std::array<std::string_view, 3> Colours = {"#d55e00", "#009e73", "#0072b2"};
@@ -127,7 +127,7 @@ LobeCurve lobe_curve(const reflectance::Brdf& brdf, double view, const reflectan
 AlbedoCurve albedo_curve(const reflectance::Reflector& reflector, int samples,
                          const std::function<bool()>& is_stopped) {
   AlbedoCurve curve;
-  // Closer to each other towards the horizon, where it bends most.
+  // The steps are smaller towards the horizon, where the curve bends most.
   for (int degrees = 0; degrees < 90; degrees += degrees < 70 ? 2 : 1) curve.degrees.push_back(degrees);
   const bool has_y = reflectance::is_anisotropic(reflector.brdf());
   curve.along_x.resize(curve.degrees.size());
@@ -162,7 +162,7 @@ Chart lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style) {
       if (point.y > 0) lowest = std::min(lowest, point.y);
     }
   }
-  if (!(peak > 0)) chart.title += ": 0, but for the mirror direction";
+  if (!(peak > 0)) chart.title += ": 0 except for the delta part";
   if (!style.is_logarithmic) {
     chart.y.minimum = 0;
     chart.y.maximum = 1.08 * peak;
@@ -199,14 +199,13 @@ PolarChart polar_lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& 
     chart.maximum = Longest * shortest;
   add_densities(curves, chart.series);
   chart.shares = mirror_lines(curves, style.channel, Dashes);
-  if (!chart.shares.empty()) chart.note = "dashed: the mirror part, all of the light at the outermost ring";
+  if (!chart.shares.empty()) chart.note = "dashed: the delta part; the outermost ring is an albedo of 1";
   return chart;
 }
 
 Chart albedo_chart(const AlbedoCurve& curve) {
   constexpr double Highest = 2;  // that is drawn
-  Chart chart{
-      "Albedo", {"view angle in degrees", false, 0, 90, 15}, {"share reflected", false, 0, {}, 0}, {}};
+  Chart chart{"Albedo", {"view angle in degrees", false, 0, 90, 15}, {"albedo", false, 0, {}, 0}, {}};
   chart.series = albedo_series(curve.degrees, curve.along_x);
   if (!curve.along_y.empty()) {
     for (Series& series : chart.series) series.name += ", along x";
@@ -219,7 +218,7 @@ Chart albedo_chart(const AlbedoCurve& curve) {
   const double largest = curve.largest.albedo;
   chart.y.maximum = std::clamp(largest, 1.0, Highest);
   if (largest > 1.002) {
-    chart.title += fmt::format(": up to {:.3g}, more than is received", largest);
+    chart.title += fmt::format(": up to {:.3g}, above 1", largest);
     chart.series.push_back({{}, {Point(0, 1), Point(90, 1)}, "#111", "2 3"});
   }
   return chart;

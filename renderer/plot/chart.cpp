@@ -18,7 +18,7 @@ constexpr double LineWidth = 1.6;
 constexpr double SmallText = 11;
 constexpr int Decades = 5;  // of a logarithmic polar chart
 
-/// The next step that people count in.
+/// Returns the next larger step of 1, 2 or 5 times a power of ten.
 double round_step(double step) {
   const double power = std::pow(10, std::floor(std::log10(step)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
@@ -27,7 +27,7 @@ double round_step(double step) {
   return 10 * power;
 }
 
-/// An axis with its ends, which maps values to pixels.
+/// Maps values of an axis to pixels.
 class Scale {
  public:
   Scale(const Axis& axis, const std::vector<Series>& series, double Point::*coordinate, double from,
@@ -41,7 +41,7 @@ class Scale {
 
   bool has_place(double value) const { return std::isfinite(value); }
   double place(double value) const {
-    // Far outside, where a logarithmic axis has 0, is as good as anywhere outside.
+    // The clamp keeps 0 on a logarithmic axis far outside, as any value outside will do.
     const double share = std::clamp((on_axis(value) - low_) / (high_ - low_), -10.0, 10.0);
     return from_ + share * (to_ - from_);
   }
@@ -65,7 +65,7 @@ class Scale {
  private:
   static bool is_whole(double exponent) { return std::abs(exponent - std::round(exponent)) < 1e-9; }
 
-  /// At 1, 2 and 5 as far as there is place for them.
+  /// Returns ticks at 1, 2 and 5 times powers of ten, as far as there is space.
   std::vector<double> ticks_within_decades() const {
     std::vector<double> values;
     for (int decade = static_cast<int>(std::floor(low_)); decade <= high_; ++decade) {
@@ -108,7 +108,7 @@ bool has_legend(const std::vector<Series>& series) {
   return std::count_if(series.begin(), series.end(), [](const Series& one) { return !one.name.empty(); }) > 1;
 }
 
-/// The names at the right, each at the end of a stroke of its colour.
+/// Draws the legend at the right, each label at the end of a stroke of its colour.
 void draw_legend(const std::vector<Series>& series, const Point& corner, Svg& svg) {
   if (!has_legend(series)) return;
   double y = corner.y;
@@ -220,8 +220,8 @@ std::vector<double> apart(const std::vector<double>& wishes, double distance, do
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return wishes[a] < wishes[b]; });
-  // Less a step for each before it, places may not fall. Those that would are one block, at the mean of what
-  // its members want (Kruskal 1964, "Nonmetric multidimensional scaling": isotonic regression).
+  // Minus a step per predecessor, positions must not fall. Those that would are merged into a block at the
+  // mean of its members' wishes (Kruskal 1964, "Nonmetric multidimensional scaling": isotonic regression).
   struct Block {
     double sum = 0;
     double count = 0;
@@ -276,7 +276,7 @@ double largest_distance(const Series& series) {
   return largest;
 }
 
-/// Of which the rings have to take account.
+/// Returns the largest value that the rings must cover.
 double largest_distance(const PolarChart& chart) {
   double largest = 0;
   for (const Series& one : chart.series) largest = std::max(largest, largest_distance(one));
@@ -284,7 +284,7 @@ double largest_distance(const PolarChart& chart) {
   return largest > 0 ? largest : 1;
 }
 
-/// A half circle in which distances from the centre are shares of its radius.
+/// A half circle in which values are fractions of its radius.
 class Fan {
  public:
   Fan(const Point& centre, double radius) : centre_(centre), radius_(radius) {}

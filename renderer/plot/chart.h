@@ -1,4 +1,4 @@
-// Charts of lines, for documents.
+// Line charts for documents.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,26 @@
 
 namespace plot {
 
-/// Colours that people who confuse red and green can tell apart (Okabe and Ito 2008).
+/// Returns the colour of a series, from a palette for the colour-blind (Okabe and Ito 2008).
 std::string_view colour_of_series(std::size_t index);
 
 struct Series {
-  std::string name;  ///< empty: it is not among the names at the right
+  std::string name;  ///< empty: not in the legend
   std::vector<Point> points;
-  std::string_view colour = {};  ///< empty: `colour_of_series` of its place
-  std::string_view dashes = {};  ///< see `Stroke`
-  bool has_marks = false;        ///< a dot at each point
+  std::string_view colour = {};  ///< empty: `colour_of_series` of its index
+  std::string_view dashes = {};  ///< dash pattern, see `Stroke`
+  bool has_marks = false;        ///< draw a dot at each point
 };
 
 struct Axis {
   std::string label;
   bool is_logarithmic = false;
-  std::optional<double> minimum;  ///< absent: that of the points
+  std::optional<double> minimum;  ///< absent: the least of the points
   std::optional<double> maximum;
-  double step = 0;  ///< between ticks of a linear axis; 0: whatever suits
+  double step = 0;  ///< between ticks of a linear axis; 0: chosen automatically
 };
 
-/// The values at the ends of an axis: its own, or those of the points, at whole powers of ten if it is
-/// logarithmic.
+/// The range of an axis: its own limits, or those of the points, rounded to powers of ten if logarithmic.
 struct AxisEnds {
   double low = 0;
   double high = 1;
@@ -47,40 +46,39 @@ struct Chart {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
-  /// Each name at the right is as high as its line's last point, as far as there is place, and a thin stroke
-  /// leads to it.
+  /// Place each label at the right at the height of its line's last point if there is space.
   bool has_names_at_ends = false;
 };
 
-/// Axes with their ticks, the lines as far as they are between the ends, and their names at the right, where
-/// there are several. On a logarithmic axis 0 and less are far under its end. One whose ends were given as no
-/// powers of ten has ticks at 1, 2 and 5.
+/// Draws axes with ticks, the lines clipped to the ranges, and a legend at the right if there are several. On
+/// a logarithmic axis, values of 0 and less are far below its range. If its limits are no powers of ten, it
+/// has ticks at 1, 2 and 5.
 void draw(const Chart& chart, const Place& place, Svg& svg);
 
-/// Where names can stand one under the other, `distance` apart at least and between the ends, each as near as
-/// can be to where it wants to be. In the order of the wishes.
+/// Places labels one below the other, at least `distance` apart and within the limits, each as near as
+/// possible to its desired position. The result is in the order of the wishes.
 std::vector<double> apart(const std::vector<double>& wishes, double distance, double from, double to);
 
-/// Distances from a centre over angles from the vertical, -90 to 90 degrees.
+/// A chart of radii over angles from the vertical, -90 to 90 degrees.
 struct PolarChart {
   std::string title;
   std::string unit;
-  std::string note;            ///< a line under it
-  std::vector<Series> series;  ///< points of angle in degrees and distance
-  std::vector<Series> shares;  ///< the same, with shares of the outermost ring as distances
-  /// As far as there are rings; longer ones are cut, and say so. Absent: all have place.
+  std::string note;            ///< a line below the chart
+  std::vector<Series> series;  ///< points of angle in degrees and radius
+  std::vector<Series> shares;  ///< the same, with radii as fractions of the outermost ring
+  /// The radius limit; longer lines are clipped, with a note. Absent: all values fit.
   std::optional<double> maximum;
-  bool is_logarithmic = false;  ///< distances go over five powers of ten
+  bool is_logarithmic = false;  ///< radii span five powers of ten
 };
 
-/// Where the values of a polar chart stand.
+/// The radial scale of a polar chart.
 class PolarScale {
  public:
   explicit PolarScale(const PolarChart& chart);
 
-  /// Round values, the innermost first. The last is the highest value's or, of a linear scale, over it.
+  /// Returns round values, innermost first. The last is at least the largest value.
   const std::vector<double>& rings() const { return rings_; }
-  /// A value's distance as a share of the outermost one's. Those beyond are cut.
+  /// Returns a value's radius as a fraction of the outermost ring's. Larger values are clipped.
   double share(double value) const;
   double outermost() const { return outermost_; }
 

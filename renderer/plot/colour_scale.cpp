@@ -36,13 +36,13 @@ double rounded_down(double value) {
          });
 }
 
-/// `1e-4` or `0.02`.
+/// Formats a tick as `1e-4` or `0.02`.
 std::string tick_label(double value) {
   return value >= 0.01 && value < 1e4 ? fmt::format("{:.4g}", value)
                                       : fmt::format("1e{:.0f}", std::log10(value));
 }
 
-/// Powers of ten, and 2 and 5 times those where there are few.
+/// Returns powers of ten, and 2 and 5 times those if they are few.
 std::vector<double> ticks_of(const ColourScale& scale) {
   constexpr double FewPowers = 101;
   std::vector<double> ticks;
@@ -88,7 +88,7 @@ void draw(const ColourScale& scale, const Place& place, Svg& svg) {
   const double bottom = place.corner.y + place.height;
   for (int i = 0; i < Strips; ++i) {
     const double value = scale.lowest() * std::exp(range * (i + 0.5) / Strips);
-    // Each reaches under the next, so that no seam shows.
+    // Strips overlap the next, so that no seam shows.
     const double overlap = i + 1 < Strips ? height / 2 : 0;
     svg.rectangle({place.corner.x, bottom - (i + 1) * height - overlap}, place.width, height + overlap,
                   hexadecimal(scale.colour(value)));

@@ -1,4 +1,4 @@
-// Colours for values over many powers of ten.
+// Logarithmic colour maps.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace plot {
 
-/// A logarithmic scale from light yellow by green to dark blue. Its lightness falls evenly, so it is read by
-/// those who confuse colours too, and in grey (YlGnBu of Harrower and Brewer 2003, "ColorBrewer.org").
+/// A logarithmic colour map from light yellow by green to dark blue. Its lightness is monotonic, so that the
+/// colour-blind and grey prints can read it (YlGnBu of Harrower and Brewer 2003, "ColorBrewer.org").
 class ColourScale {
  public:
-  /// From and to the next of 1, 2 or 5 times a power of ten, over one power at least and four at most; values
-  /// under it have the lightest colour. A largest value of 0 gives 0.1 to 1.
+  /// Rounds the limits to 1, 2 or 5 times a power of ten, one to four decades apart; values below have the
+  /// lightest colour. A largest value of 0 gives 0.1 to 1.
   ColourScale(double least, double largest);
 
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
 
-  /// Encoded as sRGB has it, 0 to 1.
+  /// Returns the colour of a value, sRGB-encoded, 0 to 1.
   grf::Colour colour(double value) const;
 
  private:
@@ -28,10 +28,10 @@ class ColourScale {
   double highest_ = 1;
 };
 
-/// A bar of the colours, upright, with values at its right.
+/// Draws a vertical colour bar with values at its right.
 void draw(const ColourScale& scale, const Place& place, Svg& svg);
 
-/// `#rrggbb`.
+/// Formats a colour as `#rrggbb`.
 std::string hexadecimal(const grf::Colour& encoded);
 
 }  // namespace plot

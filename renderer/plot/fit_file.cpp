@@ -25,7 +25,7 @@ std::string description(const Token& token) {
   return fmt::format("'{}'", token.text.substr(0, Longest));
 }
 
-/// False if the number is too large for a float; one too near to zero is zero.
+/// Parses a float; false if it overflows. Underflow gives zero.
 bool parse(std::string_view digits, float& number) {
   const auto error = std::from_chars(digits.data(), digits.data() + digits.size(), number).ec;
   if (error != std::errc::result_out_of_range) return error == std::errc();
@@ -35,7 +35,7 @@ bool parse(std::string_view digits, float& number) {
   return beyond == std::errc() && std::abs(value) < 1;
 }
 
-/// Reads what stands behind the instance. Each function returns false after an error, which it reports.
+/// Reads the text after the BRDF instance. Each function returns false after an error, which it reports.
 class Reader {
  public:
   Reader(const std::string& text, const std::string& path, grf::Diagnostics& diagnostics)
@@ -46,7 +46,7 @@ class Reader {
 
   bool read(FitFile& file) {
     return read_brdf(file.brdf) && read_viewer(file) && read_points(file.points) &&
-           (lexer_.peek().kind == TokenKind::EndOfFile || fail("nothing behind 'end'"));
+           (lexer_.peek().kind == TokenKind::EndOfFile || fail("nothing after 'end'"));
   }
 
  private:
@@ -54,7 +54,7 @@ class Reader {
     return lexer_.peek().kind == TokenKind::Word && grf::same_keyword(lexer_.peek().text, keyword);
   }
 
-  /// The word `viewer`, unless it is the name of a parameter.
+  /// Returns true at the word `viewer`, unless it is the name of a parameter.
   bool at_viewer() { return at("viewer") && !lexer_.peek_second().is('='); }
 
   bool fail(std::string_view expected) {
@@ -63,10 +63,11 @@ class Reader {
     return false;
   }
 
-  // The instance's own reader takes all the text that it is given.
+  // The instance's reader consumes all the text that it gets.
   bool read_brdf(grf::BrdfModel& brdf) {
     while (lexer_.peek().kind != TokenKind::EndOfFile && !at_viewer()) lexer_.next();
-    if (lexer_.peek().kind == TokenKind::EndOfFile) return fail("'viewer' and the view behind a BRDF");
+    if (lexer_.peek().kind == TokenKind::EndOfFile)
+      return fail("'viewer' and the view direction after the BRDF");
     const std::string before(text_->data(), lexer_.peek().begin);
     auto instance = grf::read_brdf(before, file_->path, diagnostics_);
     if (!instance) return false;
@@ -79,10 +80,11 @@ class Reader {
     if (!take('(', "'(' and the angles of the view") || !read_number(file.theta)) return false;
     if (!take(',', "',' and the second angle of the view")) return false;
     const grf::SourceLocation at_phi = lexer_.location(lexer_.peek());
-    if (!read_number(file.phi) || !take(')', "')' behind the two angles of the view")) return false;
+    if (!read_number(file.phi) || !take(')', "')' after the two angles of the view")) return false;
     if (std::abs(file.phi) > 2 * std::numbers::pi) {
       diagnostics_.warning(
-          at_phi, fmt::format("the view's phi, {}, is over a full turn: angles are in radians", file.phi));
+          at_phi,
+          fmt::format("the view's phi, {}, is more than a full turn: angles are in radians", file.phi));
     }
     return true;
   }
@@ -101,7 +103,7 @@ class Reader {
     return take('(', "'(' and a direction, or 'end'") && read_number(point.direction.x) &&
            take(',', "',' and two more numbers") && read_number(point.direction.y) &&
            take(',', "',' and one more number") && read_number(point.direction.z) &&
-           take(')', "')' behind three numbers") && read_number(point.value);
+           take(')', "')' after three numbers") && read_number(point.value);
   }
 
   bool take(char punctuation, std::string_view expected) {
@@ -114,7 +116,7 @@ class Reader {
     const Token& token = lexer_.peek();
     if (token.kind != TokenKind::Number) return fail("a number");
     const std::string_view digits = token.text.substr(token.text.front() == '+' ? 1 : 0);
-    if (!parse(digits, number)) return fail("a number that is not out of range");
+    if (!parse(digits, number)) return fail("a number in the range of a float");
     lexer_.next();
     return true;
   }

@@ -1,4 +1,4 @@
-// FIT files: a cloud of directions over a BRDF, for one view (the thesis' section 6.2.4).
+// FIT files: point clouds of directions over a BRDF, for one view (the thesis' section 6.2.4).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace plot {
 
-/// A direction, as long as it may be, with some magnitude of interest: the BRDF there, or a density.
+/// A direction of any length with a value, such as the BRDF or a pdf.
 struct FitPoint {
   grf::Vec3f direction;
   float value = 0;
@@ -19,8 +19,8 @@ struct FitPoint {
   bool operator==(const FitPoint&) const = default;
 };
 
-/// As text it is an instance in GRF, `viewer (theta, phi)`, and between the words `begin` and `end` the
-/// points, `(x, y, z) value` each:
+/// A FIT file. As text it is a BRDF instance in GRF, `viewer (theta, phi)`, and the points, `(x, y, z) value`
+/// each, between the words `begin` and `end`:
 ///
 ///   ward sx=0.1
 ///   viewer (1.2, 0)
@@ -30,20 +30,19 @@ struct FitPoint {
 ///
 /// White space is free, keywords have any case, and `//` starts a comment, as in GRF.
 struct FitFile {
-  grf::BrdfModel brdf;  ///< no `combine`; a file of data is relative to the FIT file's folder
-  float theta = 0;      ///< of the view, radians from the normal
-  float phi = 0;        ///< radians from the x axis
+  grf::BrdfModel brdf;  ///< no `combine`; data files are relative to the FIT file's folder
+  float theta = 0;      ///< view angle to the normal, radians
+  float phi = 0;        ///< view azimuth from the x axis, radians
   std::vector<FitPoint> points;
 
   bool operator==(const FitFile&) const = default;
 };
 
-/// Numbers have the fewest digits that read back, and must be finite.
+/// Formats a FIT file. Numbers have the fewest digits that read back, and must be finite.
 std::string to_text(const FitFile& file);
 
-/// Reads the text of a FIT file; the path stands for it in messages. After an error, nothing. A phi over a
-/// full turn is kept as it is, with a warning: it may be in degrees, as it seems to be in the thesis'
-/// example, whose theta is in radians.
+/// Parses a FIT file; messages use the path. Returns nothing after an error. A phi beyond a full turn is kept
+/// with a warning: it may be in degrees, as it seems to be in the thesis' example, whose theta is in radians.
 std::optional<FitFile> read_fit(const std::string& text, const std::string& path,
                                 grf::Diagnostics& diagnostics);
 

@@ -27,7 +27,7 @@ std::string escaped(std::string_view words) {
     } else if (c == '&') {
       text += "&amp;";
     } else if (static_cast<unsigned char>(c) < 0x20) {
-      text += ' ';  // XML has no place for most of them
+      text += ' ';  // XML does not allow most of them
     } else {
       text += c;
     }
@@ -65,7 +65,7 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned size) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// To what is between the ends, as a line may go past them and come back.
+/// Returns the distance to the segment, not the line, as a polyline may pass the ends and come back.
 double distance_to_segment(const Point& point, const Point& from, const Point& to) {
   const Point along = to - from;
   const double length2 = along.length2();
@@ -73,7 +73,7 @@ double distance_to_segment(const Point& point, const Point& from, const Point& t
   return (from + along * place - point).length();
 }
 
-/// Keeps the points without which the line would be seen to run elsewhere (Douglas and Peucker 1973).
+/// Simplifies a polyline within a tolerance too small to see (Douglas and Peucker 1973).
 void keep_needed(std::span<const Point> points, std::vector<Point>& kept) {
   constexpr double Unseen = 0.05;  // of a pixel
   if (points.size() < 3) return;
@@ -128,7 +128,7 @@ void Svg::circle(const Point& centre, double radius, const Stroke& stroke) {
                        centre.y, radius, attributes(stroke));
 }
 
-// Round ends of strokes of no length take fewer bytes than circles.
+// Round caps of zero-length strokes take fewer bytes than circles.
 void Svg::dots(std::span<const Point> centres, double radius, std::string_view colour) {
   if (centres.empty()) return;
   text_ +=
@@ -193,12 +193,12 @@ bool write_picture(const Svg& svg, const std::string& path, grf::Diagnostics& di
   const std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".svg") return grf::replace_file(path, svg.str(), diagnostics);
   if (extension != ".png") {
-    diagnostics.error(grf::whole_file(path), "a picture's name ends in .svg or .png");
+    diagnostics.error(grf::whole_file(path), "the picture's name must end in .svg or .png");
     return false;
   }
   const auto png = to_png(svg.str(), PixelsOfAPng);
   if (!png) {
-    diagnostics.error(grf::whole_file(path), "the picture cannot be drawn");
+    diagnostics.error(grf::whole_file(path), "the picture could not be rendered as PNG");
     return false;
   }
   return grf::replace_file(path, *png, diagnostics);

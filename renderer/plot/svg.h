@@ -1,4 +1,4 @@
-// Vector pictures for documents: SVG as text, and PNG of it.
+// Vector graphics for documents: SVG as text, and its conversion to PNG.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ using Point = grf::Vec2d;
 struct Stroke {
   std::string_view colour = "#333";
   double width = 1;
-  std::string_view dashes = {};  ///< as `stroke-dasharray` has them; empty: none
+  std::string_view dashes = {};  ///< as in `stroke-dasharray`; empty: solid
 };
 
 enum class Anchor { Start, Middle, End };
@@ -25,10 +25,10 @@ struct Lettering {
   double size = 12;
   std::string_view colour = "#333";
   Anchor anchor = Anchor::Start;
-  double turned = 0;  ///< degrees, clockwise
+  double turned = 0;  ///< rotation in degrees, clockwise
 };
 
-/// An SVG picture while it is drawn, in pixels from the upper left corner, on white.
+/// An SVG document under construction, in pixels from the upper left corner, on white.
 class Svg {
  public:
   Svg(double width, double height);
@@ -36,17 +36,17 @@ class Svg {
   void line(const Point& from, const Point& to, const Stroke& stroke);
   void polyline(std::span<const Point> points, const Stroke& stroke);
   void circle(const Point& centre, double radius, const Stroke& stroke);
-  /// All alike, in one element.
+  /// Draws dots of equal size and colour, in one element.
   void dots(std::span<const Point> centres, double radius, std::string_view colour);
   void rectangle(const Point& corner, double width, double height, std::string_view colour);
   void text(const Point& at, std::string_view words, const Lettering& lettering);
   void image(const Point& corner, double width, double height, std::string_view png);
 
-  // What is drawn between the two calls shows inside the rectangle alone.
+  // Clips what is drawn between the two calls to the rectangle.
   void begin_clip(const Point& corner, double width, double height);
   void end_clip();
 
-  /// The whole document.
+  /// Returns the whole document.
   std::string str() const { return text_ + "</svg>\n"; }
 
  private:
@@ -54,10 +54,10 @@ class Svg {
   int clips_ = 0;
 };
 
-/// A PNG file's bytes, so many pixels to one of the picture; nothing if it cannot be drawn.
+/// Renders a PNG at so many pixels per unit; nothing if that fails.
 std::optional<std::string> to_png(const std::string& svg, double scale);
 
-/// Replaces a file by the picture as SVG or, if its name says so, PNG.
+/// Writes the picture to a file as SVG or, for names ending in `.png`, as PNG.
 bool write_picture(const Svg& svg, const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace plot

@@ -1,4 +1,4 @@
-// (n . h)^e with the exponent e = ex cos^2(phi_h) + ey sin^2(phi_h), which ex and ey bound also at the pole.
+// Returns (n . h)^e, e = ex cos^2(phi_h) + ey sin^2(phi_h), which ex and ey bound also at the pole.
 real ashikhmin_power(vec3 h, real ex, real ey) {
   real x2 = h.x * h.x;
   real y2 = h.y * h.y;
@@ -11,7 +11,7 @@ vec3 ashikhmin_matte(vec3 u, vec3 v, vec3 rs, vec3 rd) {
   return rd * (vec3(1) - rs) * (28 * brackets / (23 * PI));
 }
 
-// Fresnel acts on the facet, so its angle is that of u and h; the print has the light's.
+// Fresnel is evaluated at the microfacet, at the angle of u and h; the print has the light's angle.
 vec3 ashikhmin(vec3 u, vec3 v, real ex, real ey, vec3 rs, vec3 rd) {
   if (below_horizon(u, v)) return vec3(0);
   real c = cosine_at_half(u, v);

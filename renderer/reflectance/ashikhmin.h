@@ -22,11 +22,11 @@ struct AshikhminFormula {
 
 namespace reflectance {
 
-/// u reflected at a half vector that is drawn by its anisotropic power (Ashikhmin and Shirley 2000); all of
-/// its azimuths come from one number, so no quadrant is chosen. It may be under the horizon. The print has
-/// v = u + 2(u.h)h, which is right for a u that points into the surface.
+/// Reflects u at a half vector sampled from its anisotropic power (Ashikhmin and Shirley 2000). The azimuth
+/// comes from one number, so no quadrant is chosen. The result may be below the horizon. The print has v = u
+/// + 2(u.h)h, which is right for a u that points into the surface.
 inline Vec3f anisotropic_lobe_direction(const Vec3f& u, const LobeExponents& e, const Vec2f& xi) {
-  // tan(phi_h) = sqrt((ex+1)/(ey+1)) tan(psi), of which the cosine and sine are enough.
+  // tan(phi_h) = sqrt((ex+1)/(ey+1)) tan(psi), of which only the cosine and sine are needed.
   const float psi = 2 * Pi * xi.y;
   const float x = std::sqrt(e.y + 1) * std::cos(psi);
   const float y = std::sqrt(e.x + 1) * std::sin(psi);
@@ -37,13 +37,13 @@ inline Vec3f anisotropic_lobe_direction(const Vec3f& u, const LobeExponents& e, 
   return reflected(u, Vec3f(sine * x, sine * y, 1 - below_one));
 }
 
-/// Its density per solid angle.
+/// Returns the solid-angle pdf of `anisotropic_lobe_direction`.
 inline float anisotropic_lobe_density(const Vec3f& u, const Vec3f& v, const LobeExponents& e) {
   return std::sqrt((e.x + 1) * (e.y + 1)) / (8 * Pi) *
          glsl::AshikhminFormula<float>().ashikhmin_power(u + v, e.x, e.y) / cosine_of_half(u, v);
 }
 
-/// An anisotropic Phong lobe with Fresnel over a matte part that has what the lobe leaves.
+/// An anisotropic Phong lobe with Fresnel over a diffuse part that reflects what the lobe leaves.
 struct Ashikhmin : CosineAndLobe<Ashikhmin> {
   float ex = 25;
   float ey = 25;
@@ -64,13 +64,14 @@ struct Ashikhmin : CosineAndLobe<Ashikhmin> {
                        y,
                        reflectance_parameter(&Ashikhmin::rs, "Rs",
                                              "reflectance of a facet at normal incidence", {"ks"}),
-                       reflectance_parameter(&Ashikhmin::rd, "Rd", "reflectance of the matte part", {"kd"})},
-        .not_isotropic = "isotropic where ex = ey",
+                       reflectance_parameter(&Ashikhmin::rd, "Rd", "reflectance of the diffuse part",
+                                             {"kd"})},
+        .not_isotropic = "isotropic if ex = ey",
         .about =
-            "Brushed metal and polished plastic from few, plain parameters: an anisotropic Phong lobe that "
-            "strengthens towards grazing after Fresnel, over a matte part that fades by as much. ex and ey "
-            "are the exponents along and across the tangent (10 is dull, 1000 polished), Rs the lobe's "
-            "reflectance at the normal, Rd that of the matte part.",
+            "Brushed metal and polished plastic from few, intuitive parameters: an anisotropic Phong lobe "
+            "that strengthens towards grazing as Fresnel reflection does, over a diffuse part that fades by "
+            "as much. ex and ey are the exponents along and across the tangent (10 is dull, 1000 polished), "
+            "Rs the lobe's reflectance at normal incidence, Rd that of the diffuse part.",
         .formula = R"(
 f = sqrt((ex+1)(ey+1))/(8 pi) cos(delta)^e F/((u.h) max(cu, cv))
     + 28 Rd (1-Rs)/(23 pi) (1 - (1-cu/2)^5) (1 - (1-cv/2)^5)

@@ -1,5 +1,5 @@
-// Facets with Cauchy's law, B hz / (sigma^2 hz^2 + hx^2 + hy^2). B makes the integral of D cos(theta_h) 1:
-// a^2 / (2 pi (atanh(a)/a - 1)) with a^2 = 1 - sigma^2, by its series where that is 0/0.
+// Returns B of the Cauchy microfacet distribution B hz / (sigma^2 hz^2 + hx^2 + hy^2), which normalises D
+// cos(theta_h): a^2 / (2 pi (atanh(a)/a - 1)) with a^2 = 1 - sigma^2, as a series where that is 0/0.
 real cauchy_scale(real sigma) {
   real a2 = (1 - sigma) * (1 + sigma);
   real a = sqrt(abs(a2));
@@ -10,7 +10,7 @@ real cauchy_scale(real sigma) {
   return 1 / (2 * PI * series);
 }
 
-// Shadowing and obscuration: 1 about the mirror direction, h = n.
+// Computes shadowing and obscuration: 1 in the mirror direction, h = n.
 real shadowing(vec3 s, vec3 e, real omega, real tau) {
   real theta = atan2(sqrt(s.x * s.x + s.y * s.y), s.z) / omega;
   real beta = atan2(sqrt(e.x * e.x + e.y * e.y + e.z * e.z), sqrt(s.x * s.x + s.y * s.y + s.z * s.z));
@@ -18,7 +18,7 @@ real shadowing(vec3 s, vec3 e, real omega, real tau) {
   return (1 + theta * kept) / (1 + theta);
 }
 
-// The first surface, without its weight. s is 2 c h, which the facet law is written for.
+// Computes the first-surface term without its weight. s is 2 c h, as the distribution expects.
 real first_surface(vec3 u, vec3 v, real omega, real tau, real nreal, real nimag, real sigma) {
   vec3 s = u + v;
   real c = cosine_at_half(u, v);

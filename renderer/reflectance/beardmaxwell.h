@@ -22,8 +22,8 @@ struct BeardMaxwellFormula {
 namespace reflectance {
 
 /// Painted surfaces: a rough first surface over a scattering volume, in the form of the NEF data base
-/// (Westlund and Meyer 2002), whose volume functions are 1. Two terms differ from the thesis' print, which
-/// divides the first surface by the cosines twice and has the volume over their product instead of their sum.
+/// (Westlund and Meyer 2002), with volume functions of 1. Two terms differ from the thesis' print, which
+/// divides the first surface by the cosines twice and the volume by their product instead of their sum.
 struct BeardMaxwell : CosineAndLobe<BeardMaxwell> {
   float omega = 1;
   float tau = 0;
@@ -52,18 +52,19 @@ struct BeardMaxwell : CosineAndLobe<BeardMaxwell> {
              reflectance_parameter(&Self::rd, "Rd", "albedo of the diffuse part"),
              reflectance_parameter(&Self::rv, "Rv",
                                    "reflectance factor of the volume at normal incidence and view"),
-             number_parameter(&Self::sigma, "sigma", 1e-3F, 10,
-                              "width of the facets' law: the tangent at which D cos has fallen to half",
-                              Logarithmic)},
+             number_parameter(
+                 &Self::sigma, "sigma", 1e-3F, 10,
+                 "width of the microfacet distribution: the tangent at which D cos has fallen to half",
+                 Logarithmic)},
         .not_conserving =
             "the first surface grows as 1/(cos cos) towards grazing, as published, and the volume reflects "
             "1.227 Rv at normal and up to 4 Rv at grazing incidence",
         .about =
-            "Painted surfaces, as those of the NEF data base: a rough first surface, light that the paint's "
-            "volume scatters, and a Lambertian rest. Rs, Rv and Rd are their weights and sigma the width of "
-            "the highlight, whose tails are long. omega and tau say how much facets shadow each other away "
-            "from the mirror direction. It has no shadowing in the mirror direction, so it outshines the "
-            "light towards grazing.",
+            "Painted surfaces, as in the NEF data base: a rough first surface, volume scattering in the "
+            "paint, and a Lambertian part. Rs, Rv and Rd are their weights and sigma the width of the "
+            "highlight, whose tails are long. omega and tau control shadowing and obscuration away from the "
+            "mirror direction. There is no masking-shadowing in the mirror direction, so it gains energy "
+            "towards grazing.",
         .formula = R"(
 f = Rs F(u.h) D S/(4 cu cv) + Rd/pi + Rv/pi 2/(cu + cv)        F = Fresnel(u.h) of nreal + i nimag
 D = B/(cos(delta) (sigma^2 + tan(delta)^2)), B such that the integral of D cos(delta) over h is 1
@@ -85,12 +86,12 @@ S = (1 + delta/omega exp(-2 beta/tau))/(1 + delta/omega), beta: the angle of u a
   float matte_albedo(const Vec3f&) const { return mean(rd); }
   float lobe_share(const Vec3f& u) const { return surface_albedo(u) + volume_albedo(); }
 
-  // Facets, or the volume, which is 1/(cos + cos) and so drawn uniformly over the hemisphere.
+  // Samples the facets, or the volume lobe 1/(cos + cos), for which uniform directions suffice.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const float phi = 2 * Pi * xi.direction.y;
     const float x = xi.direction.x;
     if (xi.choice >= surface_probability(u)) return from_angles(1 - x, std::sqrt(x * (2 - x)), phi);
-    // D cos has no closed inverse. This has its tails: density sigma/(2 pi (sigma^2 + tan^2)^(3/2) cos^3).
+    // D cos has no closed inverse. This pdf has its tails: sigma/(2 pi (sigma^2 + tan^2)^(3/2) cos^3).
     const float tangent = sigma * std::sqrt(x * (2 - x)) / (1 - x);
     const float cosine = 1 / std::sqrt(1 + tangent * tangent);
     return reflected(u, from_angles(cosine, tangent * cosine, phi));
@@ -106,7 +107,7 @@ S = (1 + delta/omega exp(-2 beta/tau))/(1 + delta/omega), beta: the angle of u a
 
  private:
   float volume_albedo() const { return 1.2F * mean(rv); }
-  // Grows towards grazing as the model does.
+  // The estimate grows towards grazing as the model does.
   float surface_albedo(const Vec3f& u) const {
     const float c = 0.5F + 0.5F * u.z;
     return mean(rs) * glsl::BeardMaxwellFormula<float>().fresnel(c, nreal, nimag) *

@@ -1,6 +1,6 @@
-// Facets of Gaussian slopes with Smith's shadowing.
+// Beckmann's microfacet distribution (Gaussian slopes) with Smith's masking-shadowing.
 
-// Smith's shadowing over the cosine, S(w) / w.z, which is never 0/0 at grazing.
+// Returns Smith's masking over the cosine, S(w) / w.z, which is never 0/0 at grazing.
 real smith_over_cosine(vec3 w, real ax, real ay) {
   real x = ax * w.x;
   real y = ay * w.y;
@@ -9,8 +9,7 @@ real smith_over_cosine(vec3 w, real ax, real ay) {
   return 1 / (w.z * (1 - erfc(a) / 2) + s * exp(-a * a) / (2 * sqrt(PI)));
 }
 
-// D S(u) S(v) / (4 cos(theta_u) cos(theta_v)); the rms slopes along x and y are ax / sqrt(2) and ay /
-// sqrt(2).
+// Returns D S(u) S(v) / (4 cos(theta_u) cos(theta_v)); rms slopes are ax / sqrt(2) and ay / sqrt(2).
 real beckmann(vec3 u, vec3 v, real ax, real ay) {
   vec3 h = u + v;
   real x = h.x / (ax * h.z);

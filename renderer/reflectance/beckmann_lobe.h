@@ -1,4 +1,5 @@
-// Half vectors with Beckmann's law of Gaussian slopes: the sampler that all such facets share.
+// Importance sampling of Beckmann's microfacet distribution (Gaussian slopes), shared by the models that use
+// it.
 #pragma once
 
 #include <cmath>
@@ -7,7 +8,7 @@
 
 namespace reflectance {
 
-/// u reflected at a facet whose slopes along x and y are Gaussian, with rms ax/sqrt(2) and ay/sqrt(2).
+/// Reflects u at a microfacet whose slopes along x and y are Gaussian, with rms ax/sqrt(2) and ay/sqrt(2).
 inline Vec3f beckmann_direction(const Vec3f& u, float ax, float ay, const Vec2f& xi) {
   const float psi = 2 * Pi * xi.y;
   const float radius = std::sqrt(-std::log1p(-xi.x));
@@ -15,7 +16,7 @@ inline Vec3f beckmann_direction(const Vec3f& u, float ax, float ay, const Vec2f&
   return reflected(u, h.normalized());
 }
 
-/// Its density per solid angle of v: D cos(theta_h) / (4 u.h).
+/// Returns its solid-angle pdf, D cos(theta_h) / (4 u.h).
 inline float beckmann_density(const Vec3f& u, const Vec3f& v, float ax, float ay) {
   const Vec3f h = u + v;
   const float x = h.x / (ax * h.z);

@@ -19,7 +19,7 @@ struct BlinnFormula {
 
 namespace reflectance {
 
-/// The lobe (n.h)^n, not normalised; Blinn's own model of 1977, with facets and Fresnel, is `torrance`.
+/// Blinn-Phong: the lobe (n.h)^n, not normalised. Blinn's own microfacet model of 1977 is `torrance`.
 struct Blinn : DiffuseAndLobe<Blinn> {
   float n = 100;
   Rgb ks = Rgb(0.4F);
@@ -35,14 +35,11 @@ struct Blinn : DiffuseAndLobe<Blinn> {
                        reflectance_parameter(&Blinn::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
                        reflectance_parameter(&Blinn::kd, "kd", "albedo of the diffuse part")},
         .not_conserving =
-            "reflects more than it receives where kd + 8 pi ks (n+2^(-n/2))/((n+2)(n+4)) > 1: the lobe is "
-            "not "
-            "normalised",
+            "the albedo exceeds 1 for kd + 8 pi ks (n+2^(-n/2))/((n+2)(n+4)) > 1: the lobe is not normalised",
         .about =
-            "Phong's lobe, measured by the half vector: its highlights grow longer towards grazing, as those "
-            "of real surfaces do. For the same n it is twice as wide as `phong` and reflects four times as "
-            "much; ks is again the height of the lobe. Blinn's own model of 1977, with facets and Fresnel, "
-            "is `torrance`.",
+            "Phong's lobe, as a function of the half vector: its highlights stretch towards grazing, as "
+            "those of real surfaces do. For the same n it is twice as wide as `phong` and reflects four "
+            "times as much; ks is again the lobe's peak. Blinn's own microfacet model of 1977 is `torrance`.",
         .formula = "f = kd/pi + ks cos(delta)^n",
         .example = "blinn n=100 ks=1 kd=0.67",
     };

@@ -31,7 +31,7 @@
 
 namespace reflectance {
 
-/// The models that are a formula: the one list that a new model is added to.
+/// The analytic models: the only list that a new model is added to.
 using FormulaBrdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren,
                                  Torrance, Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell,
                                  Kajiya, Hanrahan, Westin, Granier, Poulin, He>;
@@ -43,11 +43,11 @@ struct Extended<std::variant<Types...>, More...> {
   using Type = std::variant<Types..., More...>;
 };
 
-/// All models: data and sums besides.
+/// All BRDFs: the analytic models, measured data and weighted sums.
 using AnyBrdf = Extended<FormulaBrdf, Measured, Combine>::Type;
 
-/// One of them. It is a class so that copying, which takes long to compile for so many types, is compiled
-/// once.
+/// A BRDF of any model. It is a class so that copying, which takes long to compile for so many types, is
+/// compiled once.
 class Brdf : public AnyBrdf {
  public:
   using AnyBrdf::AnyBrdf;
@@ -59,7 +59,7 @@ class Brdf : public AnyBrdf {
   Brdf& operator=(Brdf&& other) noexcept;
 };
 
-/// One term of a sum.
+/// One term of a weighted sum.
 struct CombinedBrdf {
   float weight = 0;
   Brdf brdf;
@@ -68,20 +68,19 @@ struct CombinedBrdf {
 };
 struct CombinedBrdfs : std::vector<CombinedBrdf> {};
 
-/// The BRDF that a model of the scene describes, or nothing if no BRDF has its keyword. Values are taken to
-/// have been checked against the catalogue. What else a BRDF is made of, such as data, is BrdfMaker's
-/// business.
+/// Makes the BRDF that a scene's model describes, or returns nothing if no BRDF has its keyword. Values must
+/// have been checked against the catalogue. BrdfMaker also loads measured data and resolves sums.
 std::optional<Brdf> make_brdf(const grf::Model& data);
 
-/// What a face without a BRDF has: diffuse with kd = 0.5.
+/// Returns the BRDF of a face that has none: diffuse with kd = 0.5.
 Brdf default_brdf();
-/// The same as a scene writes it.
+/// Returns the default BRDF as a scene's model.
 grf::BrdfModel default_model();
 
-/// f(u, v) in 1/sr, without the Dirac part.
+/// Evaluates f(u, v) in 1/sr, without the delta part.
 Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
-/// The weight of the Dirac part of a model, 0 for those that have none.
+/// Returns the weight of a model's delta part, 0 if it has none.
 template <class Model>
 Rgb mirror_of(const Model& model, const Vec3f& u) {
   if constexpr (requires { model.mirror(u); }) {
@@ -92,31 +91,30 @@ Rgb mirror_of(const Model& model, const Vec3f& u) {
 }
 Rgb mirror(const Brdf& brdf, const Vec3f& u);
 
-/// A direction by the closed-form sampler of the model itself, and its density.
+/// Draws a direction with the model's own closed-form sampler, with its pdf.
 std::optional<DirectionSample> own_sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi);
 float own_density(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
-// What a BRDF is made of, with the parameters that it has. A model that has a member of the same name says so
-// itself; the others are guessed, so that a part is rather assumed than overlooked.
+// The queries below tell the lobes that a BRDF has with its parameters. A model may have a member of the same
+// name; else the answer is inferred, so that a lobe is rather assumed than missed.
 
-/// True if there is a Dirac part: guessed from `mirror`.
+/// Returns true if there is a delta part. Inferred from `mirror`.
 bool has_mirror(const Brdf& brdf);
 
-/// True if there is anything besides a Dirac part.
+/// Returns true if there is anything besides a delta part.
 bool has_density(const Brdf& brdf);
 
-/// True if there is a matte part, which cosine-distributed directions serve: guessed from `kd`.
+/// Returns true if there is a diffuse lobe, which suits cosine-weighted sampling. Inferred from `kd`.
 bool has_diffuse_part(const Brdf& brdf);
 
-/// True if there is a lobe: a part that is neither matte nor a Dirac part. Guessed from `ks`, and for a model
-/// without, true.
+/// Returns true if there is a glossy lobe, neither diffuse nor delta. Inferred from `ks`; true without it.
 bool has_glossy_part(const Brdf& brdf);
 
-/// True if turning both directions about the normal changes the value: guessed from the table.
+/// Returns true if rotating both directions about the normal changes the value. Inferred from the table.
 bool is_anisotropic(const Brdf& brdf);
 
-/// The exponents of a BRDF's cosine lobe, or nothing if it has none: guessed from `ex` and `ey`, or from `n`,
-/// as of a lobe about the half vector. Of a sum, those of its widest lobe.
+/// Returns the exponents of a BRDF's cosine lobe, or nothing if it has none. Inferred from `ex` and `ey`, or
+/// from `n` as a half-vector lobe. For a sum, those of its widest lobe.
 std::optional<LobeExponents> lobe_exponents(const Brdf& brdf);
 
 std::vector<grf::ModelInfo> brdf_infos();

@@ -25,7 +25,7 @@ std::optional<Brdf> BrdfMaker::make(const grf::BrdfModel& data, const grf::Scope
     auto brdf = make_summand(*summand.model);
     if (!brdf) return std::nullopt;
     if (!std::isfinite(summand.weight)) {
-      diagnostics_.error(data.location, "the weights of BRDFs multiply to more than a float can hold");
+      diagnostics_.error(data.location, "the product of the BRDFs' weights overflows a float");
       return std::nullopt;
     }
     parts->push_back({summand.weight, *std::move(brdf)});
@@ -68,8 +68,8 @@ std::optional<Brdf> BrdfMaker::make_summand(const grf::BrdfModel& data) {
   auto* from_data = std::get_if<Measured>(&*brdf);
   if ((from_data == nullptr) != data.data_file.empty()) {
     diagnostics_.error(data.location, from_data == nullptr
-                                          ? fmt::format("'{}' reads no file", data.keyword)
-                                          : "'measured' needs the name of a file with its data");
+                                          ? fmt::format("'{}' takes no data file", data.keyword)
+                                          : "'measured' needs the name of a data file");
     return std::nullopt;
   }
   if (from_data == nullptr) return brdf;

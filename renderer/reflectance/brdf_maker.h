@@ -12,21 +12,22 @@
 
 namespace reflectance {
 
-/// Makes the BRDFs that a scene describes. Each file of measurements is loaded once.
+/// Makes the BRDFs of a scene. Each file of measured data is loaded once.
 class BrdfMaker {
  public:
   explicit BrdfMaker(grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  /// The BRDF, whose names mean what they mean in that scope, or nothing after an error.
+  /// Makes a BRDF, with names looked up in the scope, or returns nothing after an error.
   std::optional<Brdf> make(const grf::BrdfModel& data, const grf::Scope& scope);
 
-  /// What a sum adds up, without sums, or the model itself; those of weight 0 are left out. Reads no data.
+  /// Returns the terms of a sum, nested sums expanded and weights of 0 left out, or the model itself. Reads
+  /// no data.
   std::vector<const grf::BrdfModel*> models_of(const grf::BrdfModel& data, const grf::Scope& scope);
 
-  /// The paths of the files that a BRDF is made of.
+  /// Returns the paths of the data files that a BRDF uses.
   std::vector<std::string> data_files_of(const grf::BrdfModel& data, const grf::Scope& scope);
 
-  /// A text that is the same for the same BRDFs.
+  /// Returns a cache key that is equal for equal BRDFs.
   std::string identity(const grf::BrdfModel& data, const grf::Scope& scope);
 
  private:

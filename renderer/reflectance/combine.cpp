@@ -19,7 +19,7 @@ bool any_part(const std::shared_ptr<const CombinedBrdfs>& parts, Condition condi
          });
 }
 
-/// Of each part, in order. Estimates can cost as much as the BRDFs themselves, so they are made once.
+/// Albedo estimates of the terms, in order. They can cost as much as the BRDFs, so are made once.
 using Albedos = boost::container::small_vector<float, 8>;
 
 Albedos albedos_of(const CombinedBrdfs& parts, const Vec3f& u) {
@@ -30,7 +30,7 @@ Albedos albedos_of(const CombinedBrdfs& parts, const Vec3f& u) {
   return albedos;
 }
 
-// One visit for all that is asked of a part, since dispatch costs as much as a simple model.
+// Evaluates value and pdf of each term in one visit, since dispatch costs as much as a simple model.
 Reflection reflection_of(const CombinedBrdfs& parts, const Albedos& albedos, const Vec3f& u, const Vec3f& v) {
   Reflection sum = {Rgb(0), 0};
   float total = 0;

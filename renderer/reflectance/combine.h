@@ -9,8 +9,8 @@ namespace reflectance {
 
 struct CombinedBrdfs;
 
-/// A weighted sum of other BRDFs, none of which is a sum itself. Without any it is black. One that is drawn
-/// from is picked in proportion to its share of the albedo.
+/// A weighted sum of other BRDFs, none of which is a sum itself. An empty sum is black. Sampling picks a term
+/// with a probability proportional to its albedo.
 struct Combine {
   std::shared_ptr<const CombinedBrdfs> parts;
 
@@ -18,15 +18,14 @@ struct Combine {
     return {
         .keyword = "combine",
         .title = "Weighted sum",
-        .not_isotropic = "isotropic where all of its BRDFs are",
-        .not_reciprocal = "reciprocal where all of its BRDFs are",
+        .not_isotropic = "isotropic if all of its BRDFs are",
+        .not_reciprocal = "reciprocal if all of its BRDFs are",
         .not_conserving = "reflects the sum of its weights times each BRDF's albedo",
         .takes = grf::ModelInfo::Takes::Terms,
         .about =
-            "Any number of BRDFs in one: behind the keyword stand weights of 0 or more and names of BRDFs "
-            "that "
-            "are defined before, `combine 0.3 clay, 0.7 varnish`. Sums of sums are one sum. Sampling picks a "
-            "term in proportion to its weight times its albedo.",
+            "A sum of any number of BRDFs: the keyword is followed by weights of 0 or more and names of "
+            "BRDFs defined before, `combine 0.3 clay, 0.7 varnish`. Nested sums are expanded. Sampling picks "
+            "a term with a probability proportional to its weight times its albedo.",
     };
   }
 

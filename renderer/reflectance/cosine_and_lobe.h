@@ -8,14 +8,14 @@
 
 namespace reflectance {
 
-/// The sampler of models that are a matte part and a lobe: cosine-distributed directions and the lobe's own,
-/// each picked in proportion to its estimated albedo. A model derives from it and gives
-///   float matte_albedo(u)         what is to be drawn by cosine,
-///   float lobe_share(u)           what by the lobe: estimates both,
-///   Vec3f lobe_direction(u, xi)   xi a Vec2f, or Uniforms where a third number is needed; drawn with
-///   float lobe_density(u, v)      per solid angle,
-/// and, where weights have a closed form,
-///   Rgb matte_weight(u, v)        matte part * pi,
+/// The sampler of models with a diffuse part and a lobe: cosine-weighted directions and the lobe's own, each
+/// picked with a probability proportional to its estimated albedo. A model derives from it and provides
+///   float matte_albedo(u)         estimated albedo of what is cosine-weighted,
+///   float lobe_share(u)           estimated albedo of what the lobe samples,
+///   Vec3f lobe_direction(u, xi)   with xi a Vec2f, or Uniforms if a third number is needed, and its
+///   float lobe_density(u, v)      solid-angle pdf,
+/// and, if the weights have a closed form,
+///   Rgb matte_weight(u, v)        diffuse part * pi,
 ///   Rgb lobe_weight(u, v)         lobe cos(theta_v) / lobe_density.
 template <class Model>
 struct CosineAndLobe {
@@ -50,8 +50,8 @@ struct CosineAndLobe {
     }
   }
 
-  // f cos(theta_v) / density; in closed form with the lobe as its ratio times its density, so that no large
-  // value is divided by another.
+  // Returns f cos(theta_v) / pdf. In closed form the lobe is its ratio times its pdf, so that no large value
+  // is divided by another.
   Rgb weight(const Vec3f& u, const Vec3f& v, float lobe_density, float density) const {
     if constexpr (requires { model().lobe_weight(u, v); }) {
       return model().matte_weight(u, v) * (cosine_density(v) / density) +
@@ -63,8 +63,7 @@ struct CosineAndLobe {
 
   static constexpr float LeastProbability = 0.05F;
 
-  // Never under 5 %, so that no direction in which the BRDF reflects is left out where the lobe's own density
-  // vanishes.
+  // The probability is at least 5 %, so that directions where the lobe's own pdf vanishes are still sampled.
   float cosine_probability(const Vec3f& u) const {
     const float matte = model().matte_albedo(u);
     if (!(matte > 0)) return LeastProbability;

@@ -1,4 +1,4 @@
-// The lobe (v . r_u)^n about the mirror direction, on the whole sphere: what `phong` and `lewis` share.
+// The lobe (v . r_u)^n about the mirror direction, on the whole sphere, shared by `phong` and `lewis`.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ struct CommonFormulas {
 
 namespace reflectance {
 
-/// A direction with density (n+1)/(2 pi) (v . r_u)^n; it may be under the horizon.
+/// Samples a direction with pdf (n+1)/(2 pi) (v . r_u)^n; it may be below the horizon.
 inline Vec3f cosine_lobe_direction(const Vec3f& u, float n, const Vec2f& xi) {
   return Frame(mirrored(u)).to_world(power_direction(n, xi));
 }

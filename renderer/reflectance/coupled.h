@@ -20,8 +20,8 @@ struct CoupledFormula {
 
 namespace reflectance {
 
-/// Polished matte, such as paint and plastic: a mirror of Fresnel reflectance R, and under it a matte part
-/// that has the rest. With Rm = 1 both sum to 1 at every angle.
+/// Polished diffuse surfaces such as paint and plastic: a mirror of Fresnel reflectance R over a diffuse part
+/// that reflects the rest. With Rm = 1 they sum to 1 at every angle.
 struct Coupled {
   Rgb rm = Rgb(0.5F);
   Rgb r0 = Rgb(0.05F);
@@ -29,17 +29,17 @@ struct Coupled {
   static ModelTable<Coupled> table() {
     return {
         .keyword = "coupled",
-        .title = "Polished matte",
+        .title = "Polished diffuse",
         .paper = "Shirley, Hu, Smits and Lafortune 1997",
-        .parameters = {reflectance_parameter(&Coupled::rm, "Rm", "reflectance of the matte part"),
+        .parameters = {reflectance_parameter(&Coupled::rm, "Rm", "reflectance of the diffuse part"),
                        rgb_parameter(&Coupled::r0, "R0", 0, 0.999F,
-                                     "reflectance of the polish at normal incidence",
-                                     grf::ParameterScale::Linear, {"Ro"})},
+                                     "specular reflectance at normal incidence", grf::ParameterScale::Linear,
+                                     {"Ro"})},
         .about =
-            "Glossy paint, glazed ceramics and varnished wood: a clear mirror over a matte part. Towards "
-            "grazing the mirror strengthens and the matte part fades by as much, so that with Rm = 1 both "
-            "reflect exactly 1 at every angle. Rm is the matte part's colour, R0 the mirror's strength at "
-            "the normal (0.03 to 0.06 for what is not metal).",
+            "Glossy paint, glazed ceramics and varnished wood: a smooth dielectric coat over a diffuse base. "
+            "Towards grazing the specular reflection strengthens and the diffuse part fades by as much, so "
+            "that with Rm = 1 they reflect exactly 1 at every angle. Rm is the diffuse colour, R0 the "
+            "specular reflectance at normal incidence (0.03 to 0.06 for dielectrics).",
         .formula = R"(
 f = 21 (1-R0)/(20 pi) Rm (1 - (1-cu)^5) (1 - (1-cv)^5)
 mirror(u) = R0 + (1-R0) (1-cu)^5)",

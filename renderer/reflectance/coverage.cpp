@@ -9,13 +9,13 @@
 namespace reflectance {
 namespace {
 
-/// One direction that carries light: how much of it, and the weight that it has under the scheme.
+/// A sampled direction: the light that it carries, and its weight under the scheme.
 struct Carried {
   float light = 0;
   float weight = 0;
 };
 
-/// Drawn by the BRDF's own sampler, which misses nothing.
+/// Samples with the BRDF's own sampler, whose pdf is above 0 everywhere.
 std::optional<Carried> carried(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::uint32_t index) {
   const auto drawn = OwnScheme().sample(brdf, u, even_point(index));
   if (!drawn || !(mean(drawn->weight) > 0)) return std::nullopt;

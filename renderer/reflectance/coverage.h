@@ -4,9 +4,9 @@
 
 namespace reflectance {
 
-/// The largest share of the light that a BRDF reflects, over view angles, which a scheme with its tables
-/// draws never, or so rarely that an estimate that lacks it would be taken for right: where f cos / density
-/// is over 100 times the albedo. 0 to 1.
+/// Returns the largest fraction of reflected light, 0 to 1 over view angles, that a scheme with its tables
+/// samples never or so rarely that an estimate would converge to a wrong value: where f cos / pdf exceeds 100
+/// times the albedo.
 float missed_share(const Scheme& scheme, const Brdf& brdf);
 
 }  // namespace reflectance

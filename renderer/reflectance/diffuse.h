@@ -17,7 +17,7 @@ struct DiffuseFormula {
 
 namespace reflectance {
 
-/// Lambert: the same radiance in all directions.
+/// Lambertian reflection: the same radiance in all directions.
 struct Diffuse {
   Rgb kd = Rgb(0.5F);
 
@@ -28,8 +28,8 @@ struct Diffuse {
         .paper = "Lambert 1760",
         .parameters = {reflectance_parameter(&Diffuse::kd, "kd", "albedo")},
         .about =
-            "The ideal matte surface: it looks equally bright from everywhere, whatever the light's "
-            "direction. kd is its albedo. Faces without a BRDF have it, with kd = 0.5.",
+            "The ideal diffuse surface: it looks equally bright from everywhere, whatever the light's "
+            "direction. kd is its albedo. It is the BRDF of faces without one, with kd = 0.5.",
         .formula = "f = kd/pi",
         .example = "diffuse kd=0.5",
     };

@@ -4,12 +4,12 @@
 
 namespace reflectance {
 
-/// The sampler of models that are kd/pi + ks * lobe. A model derives from it, has `kd` and `ks`, and gives,
-/// for its lobe with ks = 1:
-///   Vec3f lobe_direction(u, xi)   as in CosineAndLobe, drawn with
-///   float lobe_density(u, v)      per solid angle,
+/// The sampler of models of the form kd/pi + ks * lobe. A model derives from it, has `kd` and `ks`, and
+/// provides for its lobe with ks = 1
+///   Vec3f lobe_direction(u, xi)   as in CosineAndLobe, and its
+///   float lobe_density(u, v)      solid-angle pdf,
 ///   float lobe_ratio(u, v)        lobe cos(theta_v) / lobe_density, in closed form,
-///   float lobe_albedo(u)          an estimate.
+///   float lobe_albedo(u)          estimated albedo.
 template <class Model>
 struct DiffuseAndLobe : CosineAndLobe<Model> {
   Rgb matte_weight(const Vec3f&, const Vec3f&) const { return model().kd; }

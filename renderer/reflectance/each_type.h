@@ -9,7 +9,7 @@
 
 namespace reflectance {
 
-/// Calls a function with a default of each type of a variant, until one call returns true.
+/// Calls a function with a default-constructed value of each type of a variant, until one call returns true.
 template <class Variant>
 struct EachType;
 
@@ -21,8 +21,8 @@ struct EachType<std::variant<Types...>> {
   }
 };
 
-/// The type of the variant whose keyword a model has, with the model's values, as a class made of it; nothing
-/// if none has it.
+/// Makes a Class that holds the variant's type with that keyword and the model's values, or returns nothing
+/// if no type has the keyword.
 template <class Class, class Variant>
 std::optional<Class> make_any(const grf::Model& data) {
   std::optional<Class> made;
@@ -35,7 +35,7 @@ std::optional<Class> make_any(const grf::Model& data) {
   return made;
 }
 
-/// The descriptors of all types of the variant.
+/// Returns the descriptors of all types of the variant.
 template <class Variant>
 std::vector<grf::ModelInfo> infos_of() {
   std::vector<grf::ModelInfo> infos;

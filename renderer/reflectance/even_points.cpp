@@ -5,7 +5,7 @@
 namespace reflectance {
 namespace {
 
-/// The digits of the index, mirrored at the point.
+/// Computes the radical inverse: the digits of the index, mirrored at the point.
 float mirrored_digits(std::uint32_t index, std::uint32_t base) {
   double value = 0;
   for (double place = 1.0 / base; index > 0; place /= base, index /= base) value += place * (index % base);
@@ -15,7 +15,7 @@ float mirrored_digits(std::uint32_t index, std::uint32_t base) {
 }  // namespace
 
 Uniforms even_point(std::uint32_t index) {
-  ++index;  // the first is 0 in all coordinates
+  ++index;  // index 0 is 0 in all coordinates
   return {{mirrored_digits(index, 2), mirrored_digits(index, 3)}, mirrored_digits(index, 5)};
 }
 

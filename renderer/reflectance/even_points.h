@@ -6,7 +6,7 @@
 
 namespace reflectance {
 
-/// The `index`-th of the points that fill the unit cube evenly (Halton 1960). Additive recurrences are
+/// Returns a point of a low-discrepancy sequence in the unit cube (Halton 1960). Additive recurrences are
 /// simpler, but that of Roberts 2018 stays off by up to a thousandth.
 Uniforms even_point(std::uint32_t index);
 

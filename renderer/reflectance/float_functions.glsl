@@ -1,7 +1,7 @@
-// Elementary functions in float that are the same to the last bits in GLSL and in C++. A driver's log and
-// pow may be off by several per cent near 1, which is where lobes are narrow.
+// Elementary functions in float that agree to the last bits in GLSL and C++. A driver's log and pow may be
+// off by several per cent near 1, which matters for narrow lobes.
 
-// log(2^e (1 + f)), for 1 + f from sqrt(1/2) to sqrt(2): log(1 + f) = 2 atanh(f / (2 + f)).
+// Returns log(2^e (1 + f)), for 1 + f from sqrt(1/2) to sqrt(2): log(1 + f) = 2 atanh(f / (2 + f)).
 real log_of_parts(int e, real f) {
   real s = f / (2.0f + f);
   real s2 = s * s;

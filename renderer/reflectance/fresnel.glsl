@@ -1,7 +1,7 @@
-// The reflectance of unpolarised light that comes from air upon n + ik; k = 0 is a dielectric, n = 0 a perfect
-// conductor. c is the cosine of incidence and s2 the sine's square. With a + ib = sqrt((n + ik)^2 - s2), every term
-// is a sum of squares; a - c comes from a^2 - c^2 = m + b^2, since the difference has lost its digits where n is
-// near 1. For the same reason t = n^2 - k^2 - s2 is m + c^2 there.
+// Computes the Fresnel reflectance of unpolarised light from air at n + ik; k = 0 is a dielectric, n = 0 a
+// perfect conductor. c is the cosine of incidence and s2 the squared sine. With a + ib = sqrt((n + ik)^2 -
+// s2), every term is a sum of squares. a - c comes from a^2 - c^2 = m + b^2 and t = n^2 - k^2 - s2 from m +
+// c^2, since near n = 1 the differences cancel.
 real fresnel(real c, real s2, real n, real k) {
   if (n == 1 && k == 0) return real(0);
   if (n <= 0 || c <= 0) return real(1);
@@ -27,18 +27,18 @@ real fresnel(real c, real s2, real n, real k) {
 }
 real fresnel(real c, real n, real k) { return fresnel(c, (1 - c) * (1 + c), n, k); }
 
-// At the facet that reflects v to u. Where the two are near, their difference has the digits of the sine.
+// Computes Fresnel at the microfacet that reflects v to u. u - v gives the sine without cancellation.
 real fresnel_at_half(vec3 u, vec3 v, real n, real k) {
   vec3 e = u - v;
   return fresnel(cosine_at_half(u, v), min(real(1), (e.x * e.x + e.y * e.y + e.z * e.z) / 4), n, k);
 }
 
-// Schlick's approximation, from the reflectance at normal incidence and 1 - c.
+// Computes Schlick's approximation from the reflectance at normal incidence and 1 - c.
 vec3 schlick_fresnel(vec3 normal, real below_one) {
   return normal + (vec3(1) - normal) * fifth_power(below_one);
 }
 
-// What that leaves, from c: without the difference, which cancels at grazing.
+// Computes 1 minus Schlick's approximation from c, without the difference, which cancels at grazing.
 vec3 schlick_transmittance(vec3 normal, real c) { return (vec3(1) - normal) * one_minus_fifth_power(c); }
 
 real schlick_fresnel(real normal, real below_one) {

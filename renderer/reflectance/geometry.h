@@ -1,4 +1,4 @@
-// Directions in the local frame (z along the normal), and ways to draw them.
+// Directions in the local frame (z along the normal), and functions that sample them.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace reflectance {
 using grf::Vec2f;
 using grf::Vec3f;
 
-/// Linear RGB reflectance, BRDF value or weight.
+/// A linear RGB reflectance, BRDF value or weight.
 using Rgb = Imath::V3f;
 
 constexpr float Pi = std::numbers::pi_v<float>;
@@ -21,28 +21,28 @@ inline float mean(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 inline float largest(const Rgb& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
 inline bool is_black(const Rgb& rgb) { return rgb.x <= 0 && rgb.y <= 0 && rgb.z <= 0; }
 
-/// The mirror direction of u.
+/// Returns the mirror direction of u.
 inline Vec3f mirrored(const Vec3f& u) { return {-u.x, -u.y, u.z}; }
 
-/// u reflected at a facet whose normal is h: unit if both are.
+/// Reflects u at a microfacet whose normal is h. The result is a unit vector if both are.
 inline Vec3f reflected(const Vec3f& u, const Vec3f& h) { return 2 * u.dot(h) * h - u; }
 
-/// u.h = v.h, h being the unit vector half-way between u and v.
+/// Returns u.h = v.h, where h is the unit half vector of u and v.
 inline float cosine_of_half(const Vec3f& u, const Vec3f& v) { return (u + v).length() / 2; }
 
-/// The direction at an angle to the axis whose cosine and sine are given, at azimuth phi about it.
+/// Returns the direction with that cosine and sine of the polar angle, at azimuth phi.
 inline Vec3f from_angles(float cosine, float sine, float phi) {
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
-/// A direction with density (n+1)/(2 pi) cos(theta)^n. By way of 1 - cos, so that n = 1e6 keeps its shape.
+/// Samples a direction with pdf (n+1)/(2 pi) cos(theta)^n. Computes 1 - cos, so that n = 1e6 keeps its shape.
 inline Vec3f power_direction(float n, const Vec2f& xi) {
   const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
   const float sine = std::sqrt(below_one * (2 - below_one));
   return from_angles(1 - below_one, sine, 2 * Pi * xi.y);
 }
 
-/// An orthonormal frame about a unit vector, without the poor digits of crossing with a fixed axis
+/// An orthonormal basis about a unit vector, without the cancellation of a cross product with a fixed axis
 /// (Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin 2017, "Building an orthonormal basis,
 /// revisited").
 struct Frame {
@@ -56,8 +56,8 @@ struct Frame {
     y = {b, sign + z.y * z.y * a, -z.y};
   }
 
-  /// With x along the tangent, as far as the normal lets it; as without one where the tangent is 0 or
-  /// parallel to the normal.
+  /// Makes a frame with x along the tangent's projection, or any x if the tangent is 0 or parallel to the
+  /// normal.
   Frame(const Vec3f& normal, const Vec3f& tangent) : Frame(normal) {
     const Vec3f along = tangent - normal * normal.dot(tangent);
     if (!(along.length2() > 1e-12F * tangent.length2())) return;
@@ -69,8 +69,8 @@ struct Frame {
   Vec3f to_world(const Vec3f& local) const { return local.x * x + local.y * y + local.z * z; }
 };
 
-/// Sine and cosine of an angle of at most pi/4 either way, to the last digit or the one before: in a path's
-/// inner loop, where reducing larger angles would cost more than the two.
+/// Sine and cosine of an angle from -pi/4 to pi/4, within 1 ulp. Made for a path's inner loop, where the
+/// range reduction of the library functions would cost more than the series.
 struct SineAndCosine {
   float sine, cosine;
 
@@ -83,12 +83,12 @@ struct SineAndCosine {
 
 struct DiscPoint {
   Vec2f point;
-  float height2 = 1;  ///< of the unit hemisphere above it, squared
+  float height2 = 1;  ///< squared height of the unit hemisphere above the point
 };
 
-/// Two uniform numbers in [0,1) to a point of the unit disc, keeping areas and neighbourhoods
-/// (Shirley and Chiu 1997, "A low distortion map between disk and square"). Not quite to the rim, over which
-/// there is no height.
+/// Maps two uniform numbers in [0,1) to the unit disc by concentric mapping, which keeps areas and
+/// neighbourhoods (Shirley and Chiu 1997, "A low distortion map between disk and square"). Stays just inside
+/// the rim, where the height is 0.
 inline DiscPoint disc_point(const Vec2f& xi) {
   constexpr float Rim = 1 - 0x1p-24F;
   const float a = 2 * xi.x - Rim;
@@ -102,12 +102,12 @@ inline DiscPoint disc_point(const Vec2f& xi) {
 }
 inline Vec2f to_disc(const Vec2f& xi) { return disc_point(xi).point; }
 
-/// A direction with density cos(theta)/pi.
+/// Samples a direction with pdf cos(theta)/pi.
 inline Vec3f cosine_direction(const Vec2f& xi) {
   const auto [point, height2] = disc_point(xi);
   return {point.x, point.y, std::sqrt(height2)};
 }
-/// A direction with density 1/(2 pi) over the hemisphere.
+/// Samples a direction with the uniform pdf 1/(2 pi) over the hemisphere.
 inline Vec3f uniform_direction(const Vec2f& xi) {
   return from_angles(1 - xi.x, std::sqrt(xi.x * (2 - xi.x)), 2 * Pi * xi.y);
 }

@@ -1,5 +1,6 @@
-// The names that formulas use and GLSL 3.30 lacks, or has with too few digits. glsl_functions.h is the other
-// half, for C++; in a shader this file, float_functions.glsl and what formulas share go before the formulas.
+// The names that formulas use and GLSL 3.30 lacks, or computes with too few digits. glsl_functions.h is the
+// other half, for C++. In a shader this file, float_functions.glsl and the shared functions precede the
+// formulas.
 #define real float
 #define PI 3.14159265358979323846
 #define EPSILON 1.1920929e-7

@@ -1,5 +1,5 @@
-// What formulas may use besides arithmetic: the functions and types of GLSL 3.30, under GLSL's names, for
-// C++ in float and in double. glsl_functions.glsl is the other half. A formula is a struct of this namespace
+// GLSL compatibility for C++: the functions and types of GLSL 3.30 that formulas may use, under GLSL's names,
+// in float and in double. glsl_functions.glsl is the other half. A formula is a struct of this namespace
 // whose template parameter is called `real`, with `vec3` and `PI` beside it, that includes common.glsl and
 // the model's text as its member functions.
 #pragma once
@@ -35,8 +35,7 @@ Imath::Vec3<Real> min(const Imath::Vec3<Real>& a, Real b) {
   return {min(a.x, b), min(a.y, b), min(a.z, b)};
 }
 
-/// Functions that GLSL lacks or has with too few digits, written in it: in float both languages run this
-/// text.
+/// Functions that GLSL lacks or computes with too few digits. In float, C++ and GLSL both run this text.
 struct FloatFunctions {
   using real = float;
 #include "renderer/reflectance/float_functions.glsl"

@@ -1,4 +1,4 @@
-// The .glsl files of this folder, as they were when the library was built.
+// The .glsl files of this folder, embedded when the library was built.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 namespace reflectance {
 
 struct GlslText {
-  std::string_view name;  ///< of the file, without its ending
+  std::string_view name;  ///< file name without extension
   std::string_view text;
 };
 

@@ -1,20 +1,21 @@
-// Along the half vector of both directions inside. What is along the surface is summed outside, where no rounding
-// is between the two.
+// Returns the half vector of both directions inside the film. Tangential components are summed outside, where
+// they are not rounded between.
 vec3 half_inside(vec3 u, vec3 v, real nreal) {
   vec3 h = u + v;
   real m = (nreal - 1) * (nreal + 1);
   return vec3(h.x, h.y, sqrt(m + u.z * u.z) + sqrt(m + v.z * v.z));
 }
 
-// (normal . h)^n, the normal being (normal.x, 0, normal.y) and h of any length; from the tangent, as half_power.
+// Returns (normal . h)^n for the normal (normal.x, 0, normal.y) and h of any length, by the tangent.
 real tilted_power(vec3 h, real n, vec2 normal) {
   real x = h.x * normal.y - h.z * normal.x;
   real z = h.x * normal.x + h.z * normal.y;
   return z > 0 ? exp(-n / 2 * log1p((x * x + h.y * h.y) / (z * z))) : real(0);
 }
 
-// |sqrt(r) + exp(i 2 pi order) sqrt(t)|^2, as a sum that cannot cancel. Fringes of an order over 20 fade, and
-// are averaged from 100 on: three wavelengths cannot show them, and a float has no phase left.
+// Returns |sqrt(r) + exp(i 2 pi order) sqrt(t)|^2, as a sum without cancellation. Fringes above order 20
+// fade, and are averaged from 100 on: three wavelengths cannot resolve them, and the phase exceeds float
+// precision.
 real two_beams(real r, real t, real order) {
   real a = sqrt(r);
   real b = sqrt(t);
@@ -25,8 +26,8 @@ real two_beams(real r, real t, real order) {
   return seen * fringes + (1 - seen) * (r + t);
 }
 
-// What the channels have in common: the exponent and the normal of the inner lobe, both lobes without what
-// depends on the index of refraction, 1 - u.h, and the path in the film over that index.
+// Terms common to all channels: exponent and normal of the inner lobe, both lobes without factors that depend
+// on the index of refraction, 1 - u.h, and the path length in the film over that index.
 struct Film {
   real m;
   vec2 inner_normal;

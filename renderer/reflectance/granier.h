@@ -28,10 +28,10 @@ struct GranierFormula {
 
 namespace reflectance {
 
-/// Old metal, or dirt under an oily film: two beams, from the film's surface and from its base, interfere.
-/// The base may be tilted against the surface, so that dispersion spreads its peak. The surface's lobe is
-/// about h and has Schlick's reflectance at u.h; the thesis' print, about n.v, is neither a reflection nor
-/// reciprocal.
+/// Old metal, or dirt under an oily film: thin-film interference of two beams, from the film's surface and
+/// its base. The base may be tilted against the surface, so that dispersion spreads its peak. The surface's
+/// lobe is about h with Schlick's reflectance at u.h; the thesis' print, about n.v, is neither a reflection
+/// nor reciprocal.
 struct Granier : CosineAndLobe<Granier> {
   Rgb nreal = Rgb(1.50F, 1.51F, 1.52F);
   float d = 400;
@@ -59,17 +59,16 @@ struct Granier : CosineAndLobe<Granier> {
                        reflectance_parameter(&Self::ks, "ks", "weight of the film's surface"),
                        reflectance_parameter(&Self::kt, "kt", "reflectance of the base"),
                        reflectance_parameter(&Self::kd, "kd", "albedo of the diffuse part")},
-        .not_isotropic = "isotropic where tilt = 0",
-        .not_conserving = "where the beams are in phase they reflect up to twice their sum, as published",
+        .not_isotropic = "isotropic if tilt = 0",
+        .not_conserving = "beams in phase reflect up to twice their sum, as published",
         .not_continuous =
-            "in the dark middle of a fringe of two equal beams nothing is left but rounding, some 1e-9 of "
-            "the peak",
+            "in the dark middle of a fringe of two equal beams only rounding is left, some 1e-9 of the peak",
         .about =
-            "Old metal, lacquer and dirt under a film of oil: the beams from the film's surface and from its "
-            "base interfere, so that colours change with the angle. d is the film's thickness, from the "
-            "first colours (100 nm) to a pale rainbow (over 1000), n and m the exponents of the two lobes, "
-            "kt the base's reflectance. tilt turns the base against the surface, and an index that differs "
-            "from channel to channel then spreads its highlight.",
+            "Old metal, lacquer and dirt under a film of oil: thin-film interference of the beams from the "
+            "film's surface and its base, so that colours change with the angle. d is the film's thickness, "
+            "from the first colours (100 nm) to a pale rainbow (over 1000), n and m the exponents of the two "
+            "lobes, kt the base's reflectance. tilt rotates the base against the surface, and an index that "
+            "differs per channel then spreads its highlight (dispersion).",
         .formula = R"(
 f = kd/pi + R + T + 2 cos(4 pi nreal d cos(delta)/lambda) sqrt(R T)        lambda = 645, 525, 445 nm
 R = ks F(u.h) C(n) cos(delta)^n;  T = kt (1-F(cu)) (1-F(cv)) C(m) max(0, b.h')^m/nreal^2
@@ -91,7 +90,7 @@ C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
   float matte_albedo(const Vec3f&) const { return mean(kd); }
   float lobe_share(const Vec3f& u) const { return outer_albedo(u) + inner_albedo(u); }
 
-  // The inner lobe is drawn inside, for one of the three indices of refraction.
+  // Samples the inner lobe inside, for one of the three indices of refraction.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f h = power_direction(xi.choice < outer_probability(u) ? n : m, xi.direction);
     if (xi.choice < outer_probability(u)) return reflected(u, h);
@@ -121,7 +120,7 @@ C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
            inside_per_outside(v, b, index);
   }
 
-  // From Schlick's reflectance at u, as if the facets were flat.
+  // Schlick's reflectance at u, as if the facets were flat.
   float outer_reflectance(const Vec3f& u) const {
     const float index = mean(nreal);
     return 1 - 4 * index / ((index + 1) * (index + 1)) * Formula().one_minus_fifth_power(u.z);

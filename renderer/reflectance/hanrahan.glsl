@@ -1,5 +1,5 @@
-// Henyey and Greenstein's phase function of light that comes along v and is scattered towards u, both
-// pointing away. The denominator 1 + g^2 - 2 g cos is written as sums, for lobes that are narrow.
+// Evaluates the Henyey-Greenstein phase function for light along v scattered towards u, both pointing away.
+// The denominator 1 + g^2 - 2 g cos is written as sums, for narrow lobes.
 real henyey_greenstein(vec3 u, vec3 v, real g) {
   vec3 forward = u + v;
   vec3 backward = u - v;
@@ -9,7 +9,7 @@ real henyey_greenstein(vec3 u, vec3 v, real g) {
   return (1 - g) * (1 + g) / (4 * PI * q * sqrt(q));
 }
 
-// Light scattered once in the layer: the law of Lommel and Seeliger, refracted in and out.
+// Computes single scattering in the layer: the Lommel-Seeliger law, refracted in and out.
 real scattered_once(vec3 u, vec3 v, real nreal, real g, real depth) {
   vec3 a = refracted(u, nreal);
   vec3 b = refracted(v, nreal);

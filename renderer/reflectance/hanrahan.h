@@ -25,8 +25,8 @@ struct HanrahanFormula {
 
 namespace reflectance {
 
-/// Layered matter, such as skin and leaves: a rough surface, first-order scattering in one layer, and the
-/// rest of the scattering as a Lambertian part. The thesis mentions it without formula; this is the paper's
+/// Layered materials such as skin and leaves: a rough surface, single scattering in one layer, and the
+/// multiple scattering as a Lambertian part. The thesis mentions it without a formula; this is the paper's
 /// first order.
 struct Hanrahan : CosineAndLobe<Hanrahan> {
   float nreal = 1.4F;
@@ -46,21 +46,20 @@ struct Hanrahan : CosineAndLobe<Hanrahan> {
         .paper = "Hanrahan and Krueger 1993",
         .parameters = {number_parameter(&Self::nreal, "nreal", 1, 100, "index of refraction of the layer"),
                        number_parameter(&Self::g, "g", -0.99F, 0.99F,
-                                        "mean cosine of scattering, positive is forward"),
+                                        "mean cosine of the phase function, positive is forward"),
                        reflectance_parameter(&Self::albedo, "albedo", "single-scattering albedo"),
                        number_parameter(&Self::depth, "depth", 0, 1e6F,
                                         "optical thickness; 10 is as good as infinite", Logarithmic),
                        number_parameter(&Self::rough, "rough", 1e-3F, 10, "Beckmann roughness of the surface",
                                         Logarithmic),
                        reflectance_parameter(&Self::ks, "ks", "weight of the surface reflection"),
-                       reflectance_parameter(&Self::kd, "kd",
-                                             "reflectance of the light scattered many times")},
+                       reflectance_parameter(&Self::kd, "kd", "reflectance of multiple scattering")},
         .about =
-            "Skin, leaves and other matter that light enters: a rough, clear surface over a layer that "
-            "scatters. albedo is what one scattering keeps, g whether it goes on forwards (over 0) or back, "
-            "depth how thick the layer is for light, and kd the colour of what was scattered many times; "
-            "rough and nreal make the sheen. It is flatter than Lambert, and brighter towards grazing where "
-            "g is over 0.",
+            "Subsurface scattering in layered materials such as skin and leaves: a rough dielectric surface "
+            "over a scattering layer. albedo is the single-scattering albedo, g the mean cosine of the phase "
+            "function (above 0 is forward), depth the optical thickness, and kd the colour of multiple "
+            "scattering; rough and nreal make the sheen. It is flatter than Lambert, and brighter towards "
+            "grazing for g above 0.",
         .formula = R"(
 f = ks F B + albedo T p (1 - exp(-depth (1/u'z + 1/v'z)))/(nreal^2 (u'z + v'z)) + kd T/pi
 u', v': refracted into the layer;  F = Fresnel(u.h);  T = (1 - Fresnel(cu)) (1 - Fresnel(cv))
@@ -79,8 +78,8 @@ B: the facets of `kajiya`, of roughness rough)",
 
   bool has_glossy_part() const { return !is_black(ks) || !is_black(albedo); }
 
-  // Scattering is drawn by its phase function where that or a layer of index 1 shapes the lobe. Elsewhere it
-  // is nearly Lambertian outside, and most directions inside would be totally reflected.
+  // Scattering is sampled by its phase function if that or a layer of index 1 shapes the lobe. Else it is
+  // nearly Lambertian outside, and most directions inside would be totally reflected.
   float matte_albedo(const Vec3f& u) const {
     return mean(kd) * Formula().transmittance(u.z, nreal) + (1 - phase_share()) * scattering_albedo(u);
   }

@@ -23,9 +23,9 @@ struct HeFormula {
 
 namespace reflectance {
 
-/// Physical optics of a Gaussian rough surface: a mirror, a directional-diffuse (diffraction) and a
-/// Lambertian part. The paper's formulas for unpolarised light, where the thesis has only an expansion of
-/// them. Rough in wavelengths it tends to Beckmann facets of slope 2 sigma/tau, smooth to a mirror.
+/// Physical optics of a Gaussian rough surface: ideal specular, directional-diffuse (diffraction) and
+/// Lambertian parts. The paper's formulas for unpolarised light, of which the thesis has only an expansion.
+/// For roughness large in wavelengths it tends to Beckmann facets of slope 2 sigma/tau, else to a mirror.
 struct He : KirchhoffLobe<He> {
   static ModelTable<He> table() {
     return {
@@ -34,14 +34,14 @@ struct He : KirchhoffLobe<He> {
         .paper = "He, Torrance, Sillion and Greenberg 1991",
         .parameters = kirchhoff_parameters<He>(),
         .not_continuous =
-            "in float the series ends at 1e-38: values under 1e-15, of surfaces that are smooth to 1e-5 of a "
+            "in float the series underflows at 1e-38: values below 1e-15, of surfaces smooth to 1e-5 of a "
             "wavelength, lose digits",
         .about =
-            "Metals, glass and plastics by wave optics, the most complete of the models here: a mirror, a "
-            "lobe of diffraction and a Lambertian part, whose shares follow from the heights (sigma) and "
-            "widths (tau) of the surface's bumps and from the wavelength. Smooth against the wavelength it "
-            "is a mirror, rough the facets of Beckmann with slope 2 sigma/tau; in between it turns from one "
-            "to the other with angle and colour.",
+            "Metals, glass and plastics by wave optics, the most complete of the models here: ideal "
+            "specular, directional-diffuse (diffraction) and Lambertian parts, whose weights follow from the "
+            "rms height (sigma) and correlation length (tau) of the surface and from the wavelength. If the "
+            "roughness is small against the wavelength it is a mirror, if large Beckmann microfacets of "
+            "slope 2 sigma/tau; in between it changes from one to the other with angle and colour.",
         .formula = R"(
 f = ks F(u.h) S(u) S(v)/(cu cv) 4 ((u.h)/cos(delta))^2 D/pi + kd/pi;  mirror(u) = ks F(cu) S(u)^2 exp(-g)
 D = (pi tau/(2 lambda))^2 sum over m >= 1 of g^m e^-g/(m! m) exp(-b/m)
@@ -58,7 +58,7 @@ W(x) + ln W(x) = x;  S: shadowing by the surface itself)",
                                       Real(nimag), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
-  /// By the surface itself, of light along u.
+  /// Returns the masking-shadowing factor for light along u.
   float shadowing(const Vec3f& u) const {
     return u.z * glsl::HeFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
   }

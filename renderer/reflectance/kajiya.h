@@ -22,8 +22,8 @@ struct KajiyaFormula {
 namespace reflectance {
 
 /// Anisotropic rough metal: the Kirchhoff approximation in the limit of stationary phase, for a Gaussian
-/// surface with correlation exp(-x^2/taux^2 - y^2/tauy^2). The thesis mentions it without formula. The paper
-/// has no shadowing and diverges at grazing; Smith's keeps it conserving.
+/// surface with correlation exp(-x^2/taux^2 - y^2/tauy^2). The thesis has no formula. The paper has no
+/// masking-shadowing and diverges at grazing; Smith's keeps it energy conserving.
 struct Kajiya : DiffuseAndLobe<Kajiya> {
   float sigma = 0.2F;
   float taux = 1;
@@ -40,7 +40,7 @@ struct Kajiya : DiffuseAndLobe<Kajiya> {
         .title = "Kajiya",
         .paper = "Kajiya 1985",
         .parameters = {number_parameter(&Kajiya::sigma, "sigma", 0, 1e3F,
-                                        "rms height; only its ratio to taux and tauy matters", Logarithmic),
+                                        "rms height; only its ratios to taux and tauy matter", Logarithmic),
                        number_parameter(&Kajiya::taux, "taux", 1e-3F, 1e6F, "correlation length along x",
                                         Logarithmic),
                        number_parameter(&Kajiya::tauy, "tauy", 1e-3F, 1e6F, "correlation length along y",
@@ -50,12 +50,12 @@ struct Kajiya : DiffuseAndLobe<Kajiya> {
                        number_parameter(&Kajiya::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
                        reflectance_parameter(&Kajiya::ks, "ks", "weight of the lobe"),
                        reflectance_parameter(&Kajiya::kd, "kd", "albedo of the diffuse part")},
-        .not_isotropic = "isotropic where taux = tauy",
+        .not_isotropic = "isotropic if taux = tauy",
         .about =
-            "Brushed and rolled metal by wave theory where the roughness is large against the wavelength: "
-            "the facets of a Gaussian surface that is longer in one direction than in the other. sigma/taux "
-            "and sigma/tauy are the roughness along x and y: the highlight is long where it is larger. The "
-            "index of refraction is as for `torrance`; nreal = 0 reflects all.",
+            "Brushed and rolled metal by wave theory, for roughness large against the wavelength: "
+            "microfacets of an anisotropic Gaussian surface. sigma/taux and sigma/tauy are the roughness "
+            "along x and y: the highlight is long in the rougher direction. The index of refraction is as "
+            "for `torrance`; nreal = 0 is a perfect conductor.",
         .formula = R"(
 f = ks F D S(u) S(v)/(4 cu cv) + kd/pi        F = Fresnel(u.h)
 D = exp(-tan(delta)^2 (cos(phi)^2/ax^2 + sin(phi)^2/ay^2))/(pi ax ay cos(delta)^4), phi: the azimuth of h

@@ -1,7 +1,7 @@
-// Wave optics of a Gaussian rough surface (He, Torrance, Sillion and Greenberg 1991): what `he` and `westin`
-// share. Heights and lengths in micrometres, wavelengths in nanometres.
+// Wave optics of a Gaussian rough surface (He, Torrance, Sillion and Greenberg 1991), shared by `he` and
+// `westin`. Heights and lengths are in micrometres, wavelengths in nanometres.
 
-// The w > 0 with w + log(w) = x: Lambert's W of exp(x). Newton's steps rise to it from below.
+// Solves w + log(w) = x for w > 0, Lambert's W of exp(x). Newton's iterates rise to it from below.
 real lambert_w(real x) {
   if (x < -40) return exp(x);
   real w = x > 1 ? x - log(x) : exp(x - 1);
@@ -14,7 +14,7 @@ real lambert_w(real x) {
   return w;
 }
 
-// lgamma(m + 1) less Stirling's approximation of it. The series is good to 1e-13 from 10 on.
+// Returns lgamma(m + 1) minus Stirling's approximation. The series is accurate to 1e-13 from 10 on.
 real stirling_error(real m) {
   real shift = real(0);
   while (m < 10) {
@@ -26,8 +26,8 @@ real stirling_error(real m) {
   return shift + (1 / real(12) - x2 * (1 / real(360) - x2 * series)) / m;
 }
 
-// m log(m/g) + g - m, where `excess` is g - m (Loader 2000, "Fast and accurate computation of binomial
-// probabilities"). Near m = g by the series of r - log(1 + r), r = excess / m.
+// Returns m log(m/g) + g - m, where `excess` is g - m (Loader 2000, "Fast and accurate computation of
+// binomial probabilities"). Near m = g by the series of r - log(1 + r), r = excess / m.
 real poisson_deviance(real m, real g, real excess) {
   real r = excess / m;
   if (r < real(-0.5)) return m * log(m / g) + excess;
@@ -39,13 +39,13 @@ real poisson_deviance(real m, real g, real excess) {
   return excess * s - 2 * m * s * s2 * series;
 }
 
-// One term g^m e^-g / (m! m) e^(-b/m) for any real m >= 1.
+// Returns a term g^m e^-g / (m! m) e^(-b/m) for any real m >= 1.
 real kirchhoff_term(real m, real g, real b, real excess) {
   real exponent = poisson_deviance(m, g, excess) + b / m + stirling_error(m);
   return exp(-exponent) / (sqrt(2 * PI * m) * m);
 }
 
-// The sum from its largest term both ways, by the ratios of neighbours.
+// Sums from the largest term both ways, by the ratios of neighbours.
 real sum_of_all_terms(real g, real b, real centre) {
   real largest = kirchhoff_term(centre, g, b, g - centre);
   real sum = largest;
@@ -62,8 +62,8 @@ real sum_of_all_terms(real g, real b, real centre) {
   return sum;
 }
 
-// The terms are smooth in m over many m, and so their sum is that of every step-th of them times the step, as
-// for the trapezoidal rule: exact to exp(-2 (pi width / step)^2), at a cost that does not grow with g.
+// Sums every step-th term times the step, as the terms are smooth in m over many m: the trapezoidal rule,
+// exact to exp(-2 (pi width / step)^2), at a cost independent of g.
 real sum_of_some_terms(real g, real b, real centre, real excess, real step) {
   real sum = kirchhoff_term(centre, g, b, excess);
   real term = sum;
@@ -79,7 +79,7 @@ real sum_of_some_terms(real g, real b, real centre, real excess, real step) {
   return sum * step;
 }
 
-// sum over m >= 1 of g^m e^-g / (m! m) e^(-b/m). The largest term is where m^2 log(m/g) = b.
+// Returns the sum over m >= 1 of g^m e^-g / (m! m) e^(-b/m). The largest term is where m^2 log(m/g) = b.
 real kirchhoff_sum(real g, real b) {
   if (!(g > real(1e-30))) return real(0);
   real y = b > real(1e-30) ? lambert_w(log(2 * b) - 2 * log(g)) / 2 : real(0);
@@ -91,7 +91,7 @@ real kirchhoff_sum(real g, real b) {
   return sum_of_some_terms(g, b, centre, excess, floor(real(0.8) * width));
 }
 
-// The paper's shadowing over the cosine, S(w) / w.z: its Lambda has no exp(-x^2), which is kept as published.
+// Returns the paper's shadowing over the cosine, S(w) / w.z: its Lambda has no exp(-x^2), as published.
 real kirchhoff_shadowing_over_cosine(vec3 w, real sigma, real tau) {
   real sine = sqrt(w.x * w.x + w.y * w.y);
   real k = real(1.7724538509055160) * tau *
@@ -99,7 +99,7 @@ real kirchhoff_shadowing_over_cosine(vec3 w, real sigma, real tau) {
   return k / (k * w.z + 2 * sigma * sine);
 }
 
-// The directional-diffuse part for one wavelength, without Fresnel, shadowing and geometry: D / pi.
+// Returns the directional-diffuse part for one wavelength, D / pi without Fresnel, shadowing and geometry.
 real kirchhoff_lobe(vec3 s, real sigma, real tau, real lambda) {
   real height = 2000 * PI * sigma / lambda * s.z;
   real length = 1000 * PI * tau / lambda;
@@ -113,8 +113,8 @@ vec3 kirchhoff(vec3 u, vec3 v, real sigma, real effective_sigma, real tau, vec3 
   vec3 lobe = vec3(kirchhoff_lobe(s, effective_sigma, tau, lambda.x));
   if (lambda.y != lambda.x) lobe.y = kirchhoff_lobe(s, effective_sigma, tau, lambda.y);
   if (lambda.z != lambda.x) lobe.z = kirchhoff_lobe(s, effective_sigma, tau, lambda.z);
-  // 4 (c/hz)^2, a factor with each direction's shadowing. The larger first: the whole might pass a float's
-  // range, and the same order for both ways keeps the model reciprocal down to denormal values.
+  // 4 (c/hz)^2 is split over the shadowing factors. The larger comes first, as the whole might overflow; the
+  // same order for both ways keeps the model reciprocal down to denormal values.
   real geometry = (s.x * s.x + s.y * s.y + s.z * s.z) / s.z;
   real to_u = kirchhoff_shadowing_over_cosine(u, sigma, tau) * geometry;
   real to_v = kirchhoff_shadowing_over_cosine(v, sigma, tau) * geometry;
@@ -122,7 +122,7 @@ vec3 kirchhoff(vec3 u, vec3 v, real sigma, real effective_sigma, real tau, vec3 
   return bounded(ks * (lobe * min(to_u, to_v)) + kd / PI);
 }
 
-// The weight of the Dirac part.
+// Returns the weight of the delta part.
 vec3 kirchhoff_mirror(vec3 u, real sigma, real effective_sigma, real tau, vec3 lambda, real nreal, real nimag,
                       vec3 ks) {
   if (below_horizon(u, u)) return vec3(0);

@@ -10,26 +10,26 @@
 
 namespace reflectance {
 
-/// The parameters that `he` and `westin` share.
+/// Returns the parameters that `he` and `westin` share.
 template <class Model>
 std::vector<Parameter<Model>> kirchhoff_parameters() {
   constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
-  return {
-      in_unit("um", number_parameter<Model>(&Model::sigma, "sigma", 0, 1e3F, "rms height", Logarithmic)),
-      in_unit("um", number_parameter<Model>(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length",
-                                            Logarithmic)),
-      in_unit("nm", rgb_parameter<Model>(&Model::lambda, "lambda", 1, 1e6F, "wavelength", Logarithmic)),
-      number_parameter<Model>(&Model::nreal, "nreal", 0, 100,
-                              "index of refraction; 0 is a perfect conductor"),
-      number_parameter<Model>(&Model::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
-      reflectance_parameter<Model>(&Model::ks, "ks", "weight of the mirror and the directional-diffuse part"),
-      reflectance_parameter<Model>(&Model::kd, "kd", "albedo of the diffuse part")};
+  return {in_unit("um", number_parameter<Model>(&Model::sigma, "sigma", 0, 1e3F, "rms height", Logarithmic)),
+          in_unit("um", number_parameter<Model>(&Model::tau, "tau", 1e-3F, 1e6F, "autocorrelation length",
+                                                Logarithmic)),
+          in_unit("nm", rgb_parameter<Model>(&Model::lambda, "lambda", 1, 1e6F, "wavelength", Logarithmic)),
+          number_parameter<Model>(&Model::nreal, "nreal", 0, 100,
+                                  "index of refraction; 0 is a perfect conductor"),
+          number_parameter<Model>(&Model::nimag, "nimag", 0, 100, "its imaginary part, for metals"),
+          reflectance_parameter<Model>(&Model::ks, "ks",
+                                       "weight of the specular and the directional-diffuse part"),
+          reflectance_parameter<Model>(&Model::kd, "kd", "albedo of the diffuse part")};
 }
 
-/// What `he` and `westin` share: their parameters and their sampler. Where the surface is rough in
-/// wavelengths the lobe is that of Beckmann facets. Where it is smooth, the series' first terms are Gaussians
-/// of v on the unit disc about the mirror direction. They share the samples by how rough it is; the tails,
-/// and lobes wider than the disc, are drawn by cosine.
+/// The parameters and sampler shared by `he` and `westin`. If the surface is rough in wavelengths the lobe is
+/// that of Beckmann facets. If it is smooth, the first terms of the series are Gaussians of v on the unit
+/// disc about the mirror direction. Roughness sets their probabilities; tails and lobes wider than the disc
+/// are cosine-weighted.
 template <class Model>
 struct KirchhoffLobe : CosineAndLobe<Model> {
   float sigma = 0.2F;
@@ -65,9 +65,9 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
 
   float slope() const { return std::max(1e-6F, 2 * sigma / tau); }
 
-  /// Width of the first term on the disc, for the longest wavelength.
+  /// The width of the first term on the disc, for the longest wavelength.
   float diffraction() const { return largest(lambda) / (1000 * Pi * tau); }
-  /// That of a later term, past the largest: the m-th is sqrt(m) times as wide.
+  /// The width of a later term than the largest: the m-th is sqrt(m) times as wide.
   float wider(const Vec3f& u) const { return diffraction() * std::sqrt(4 + 2 * typical_roughness(u)); }
   static float gaussian(const Vec3f& u, const Vec3f& v, float width) {
     const float x = (u.x + v.x) / width;
@@ -75,7 +75,7 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
     return std::exp(-(x * x + y * y)) / (Pi * width * width);
   }
 
-  /// The g of the series, for a v that is typical.
+  /// The g of the series, for a typical v.
   float typical_roughness(const Vec3f& u) const {
     const float v = std::min(1.0F, std::sqrt(u.z * u.z + 2 * diffraction()) + slope());
     const float height = 2000 * Pi * sigma / mean(lambda) * (u.z + v);
@@ -83,7 +83,7 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
   }
   float smooth_share(const Vec3f& u) const { return 4 / (4 + typical_roughness(u)); }
 
-  /// The share of what misses the disc, or is in the tails.
+  /// The fraction of the lobe that misses the disc, or is in its tails.
   float wide_share() const {
     const float width2 = diffraction() * diffraction();
     return std::max(0.1F, width2 / (1 + width2));

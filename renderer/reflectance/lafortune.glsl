@@ -1,7 +1,7 @@
-// c - b, over c, for b = Cx ux vx + Cy uy vy + Cz uz vz and c the largest of the C's magnitudes. With s the sign
-// and w = 1 - |C|/c of each axis it is the sum of (u - s v)^2/2 + w s u v, in which no term is negative: the
-// cosine itself has lost the digits that a large n asks for. (-1, -1, 1) gives half the squared distance from
-// the mirror direction, as in mirror_power.
+// Returns (c - b) / c for b = Cx ux vx + Cy uy vy + Cz uz vz and c the largest magnitude of the C's. With the
+// sign s and w = 1 - |C|/c of each axis it is the sum of (u - s v)^2/2 + w s u v, whose terms are all >= 0:
+// the cosine itself has lost the digits that a large n needs. (-1, -1, 1) gives half the squared distance
+// from the mirror direction, as in mirror_power.
 real lafortune_shortfall(real u, real v, real factor, real largest) {
   real s = factor < 0 ? real(-1) : real(1);
   real difference = u - s * v;
@@ -10,7 +10,7 @@ real lafortune_shortfall(real u, real v, real factor, real largest) {
 
 real lafortune_largest(real cx, real cy, real cz) { return max(abs(cx), max(abs(cy), abs(cz))); }
 
-// log(b / c); -1e30 where b is 0 or negative. Far from the lobe's axis b itself has more digits.
+// Returns log(b / c), or -1e30 if b <= 0. Far from the lobe's axis b itself is more accurate.
 real lafortune_log_cosine(vec3 u, vec3 v, real cx, real cy, real cz) {
   real largest = lafortune_largest(cx, cy, cz);
   if (!(largest > 0)) return real(-1e30f);
@@ -21,7 +21,7 @@ real lafortune_log_cosine(vec3 u, vec3 v, real cx, real cy, real cz) {
   return cosine > 0 ? log(cosine) : real(-1e30f);
 }
 
-// b^n, and 0 where b is not over 0, for n = 0 too.
+// Returns b^n, and 0 if b <= 0, also for n = 0.
 real lafortune_lobe(vec3 u, vec3 v, real n, real cx, real cy, real cz) {
   real log_cosine = lafortune_log_cosine(u, v, cx, cy, cz);
   return log_cosine > real(-1e29f) ? exp(n * (log_cosine + log(lafortune_largest(cx, cy, cz)))) : real(0);

@@ -22,9 +22,9 @@ struct LafortuneFormula {
 
 namespace reflectance {
 
-/// A cosine lobe about the direction (Cx ux, Cy uy, Cz uz): (-1, -1, 1) is Phong's, (1, 1, 1) reflects back,
-/// |Cz| < |Cx| is off-specular, Cx != Cy anisotropic. Not normalised: the C's carry the lobe's strength. The
-/// mirror direction of u is 2 (u.n) n - u; the print's points into the surface.
+/// A generalised cosine lobe about (Cx ux, Cy uy, Cz uz): (-1, -1, 1) is Phong's, (1, 1, 1) reflects back,
+/// |Cz| < |Cx| is off-specular, Cx != Cy anisotropic. Not normalised: the C's scale the lobe. The mirror
+/// direction of u is 2 (u.n) n - u; the print's points into the surface.
 struct Lafortune : CosineAndLobe<Lafortune> {
   float n = 20;
   Rgb kp = Rgb(0.5F);
@@ -44,26 +44,26 @@ struct Lafortune : CosineAndLobe<Lafortune> {
              number_parameter(&Lafortune::cx, "Cx", -10, 10, "factor of the lobe's direction along x"),
              number_parameter(&Lafortune::cy, "Cy", -10, 10, "factor of the lobe's direction along y"),
              number_parameter(&Lafortune::cz, "Cz", -10, 10, "factor of the lobe's direction along z")},
-        .not_isotropic = "isotropic where Cx = Cy",
+        .not_isotropic = "isotropic if Cx = Cy",
         .not_conserving = "the lobe is not normalised: its albedo at normal incidence is 2 pi Cz^n/(n+2)",
         .not_continuous =
-            "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
-            "differ within 1e-6 of it",
+            "at the lobe's boundary, for n = 0 it has a step and for n < 1 a steep slope: float, double and "
+            "GLSL differ within 1e-6 of it",
         .about =
-            "A cosine lobe that may point anywhere, over a matte part. (Cx, Cy, Cz) = (-1, -1, 1) is Phong's "
-            "mirror lobe, (1, 1, 1) reflects back to the light, |Cz| < |Cx| moves the peak towards the "
-            "horizon, and Cx != Cy makes it anisotropic. The C's carry the lobe's strength too. What is "
-            "fitted to measurements has several lobes: add them by `combine`.",
+            "A cosine lobe about any axis, over a diffuse part. (Cx, Cy, Cz) = (-1, -1, 1) is Phong's lobe, "
+            "(1, 1, 1) is retro-reflective, |Cz| < |Cx| moves the peak towards the horizon (off-specular), "
+            "and Cx != Cy makes it anisotropic. The C's also scale the lobe. Fits to measurements have "
+            "several lobes: add them by `combine`.",
         .formula = "f = kp/pi + max(0, Cx ux vx + Cy uy vy + Cz uz vz)^n",
         .example = "lafortune n=100 kp=0.96 Cx=-1 Cy=-1 Cz=1",
     };
   }
 
-  /// The lobe's peak is at most 1e30.
+  /// Returns an error unless the lobe's peak is at most 1e30.
   std::string wrong_together() const {
     const float largest = formula().lafortune_largest(cx, cy, cz);
     return largest > 0 && n * std::log(largest) > 69
-               ? "n log(max(|Cx|, |Cy|, |Cz|)) is over 69, and the lobe's peak over 1e30"
+               ? "n log(max(|Cx|, |Cy|, |Cz|)) must be at most 69: the lobe's peak exceeds 1e30"
                : "";
   }
 
@@ -81,7 +81,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
   Rgb matte_weight(const Vec3f&, const Vec3f&) const { return kp; }
   float matte_albedo(const Vec3f&) const { return mean(kp); }
 
-  // A lobe whose axis is not over the horizon is drawn by cosine.
+  // A lobe whose axis is not above the horizon is cosine-weighted.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     if (!(cz > 0)) return cosine_direction(xi);
     return Frame(Vec3f(cx * u.x, cy * u.y, cz * u.z).normalized()).to_world(power_direction(n, xi));
@@ -101,7 +101,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
  private:
   static glsl::LafortuneFormula<float> formula() { return {}; }
 
-  /// The logarithm of the axis' length, over the largest of the C's.
+  /// The logarithm of the axis' length relative to the largest of the C's.
   float log_length(const Vec3f& u) const {
     const float largest = formula().lafortune_largest(cx, cy, cz);
     const auto lack = [&](float factor, float component) {
@@ -110,7 +110,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
     };
     return glsl::log1p(-std::min(1.0F, lack(cx, u.x) + lack(cy, u.y) + lack(cz, u.z))) / 2;
   }
-  /// The axis' length to the power n: the lobe's peak.
+  /// The lobe's peak, the axis' length to the power n.
   float strength(const Vec3f& u) const {
     const float largest = formula().lafortune_largest(cx, cy, cz);
     return largest > 0 ? std::exp(n * (log_length(u) + glsl::log(largest))) : 0;

@@ -19,8 +19,8 @@ struct LewisFormula {
 
 namespace reflectance {
 
-/// The Phong lobe, normalised: reciprocal, with an albedo of at most kd + ks. About the mirror direction, and
-/// not about h as printed, where the same factor would reflect up to four times what is received.
+/// The normalised Phong lobe: reciprocal, with an albedo of at most kd + ks. It is about the mirror direction
+/// and not about h as printed, where the same factor would reflect up to four times the incident light.
 struct Lewis : DiffuseAndLobe<Lewis> {
   float n = 100;
   Rgb ks = Rgb(0.4F);
@@ -36,14 +36,13 @@ struct Lewis : DiffuseAndLobe<Lewis> {
                        reflectance_parameter(&Lewis::ks, "ks", "albedo of the lobe at normal incidence"),
                        reflectance_parameter(&Lewis::kd, "kd", "albedo of the diffuse part")},
         .not_continuous =
-            "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
-            "differ "
-            "within 1e-6 of it",
+            "at the lobe's boundary, for n = 0 it has a step and for n < 1 a steep slope: float, double and "
+            "GLSL differ within 1e-6 of it",
         .about =
-            "Phong's lobe, normalised: ks is the share of the light that it reflects at the normal, whatever "
-            "n is, so n sharpens the highlight and brightens it at once. It never reflects more than kd + "
-            "ks. For a sharp lobe the share falls as the cosine of the view, so that objects darken towards "
-            "their outline, where real ones brighten.",
+            "Phong's lobe, normalised: ks is the lobe's albedo at normal incidence for every n, so a larger "
+            "n makes the highlight both narrower and brighter. The albedo never exceeds kd + ks. For a "
+            "narrow lobe it falls as the cosine of the view, so that objects darken towards their "
+            "silhouette, where real ones brighten.",
         .formula = "f = kd/pi + ks (n+2)/(2 pi) max(0, u.r)^n        r: the mirror direction of v",
         .example = "lewis n=100 ks=1 kd=0",
     };

@@ -4,8 +4,8 @@
 
 namespace reflectance {
 
-/// Where a lobe is looked at in the plane of incidence, in degrees: everywhere, and closer and closer to the
-/// mirror direction and to the view's own, where a narrow lobe has its peak.
+/// Returns the angles in the plane of incidence, in degrees, at which to sample a lobe for a plot. They are
+/// denser towards the mirror direction and the view's own, where a narrow lobe peaks.
 std::vector<double> light_angles(double view_degrees);
 
 }  // namespace reflectance

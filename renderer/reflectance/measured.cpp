@@ -8,7 +8,7 @@ namespace reflectance {
 namespace {
 
 constexpr double RightAngle = Pi / 2;
-/// Rings beyond this angle of h are seen at grazing angles alone, where measurements are worst.
+/// Rings beyond this angle of h occur only at grazing angles, where measurements are worst.
 constexpr std::size_t RingsOfTheMatte = 73;  // 60 degrees
 
 double edge(std::size_t ring) {
@@ -16,7 +16,7 @@ double edge(std::size_t ring) {
   return RightAngle * share * share;
 }
 
-/// The mean value of the table at an angle of h, over directions not too far from it.
+/// Returns the mean of the table at an angle of h, over directions not too far from it.
 float mean_of_ring(const MerlTable& table, std::size_t ring) {
   constexpr std::size_t Farthest = 45;  // degrees
   float sum = 0;
@@ -42,8 +42,8 @@ MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std:
   for (std::size_t ring = 0; ring < values.size(); ++ring) {
     const double inner = std::sin(edge(ring));
     const double outer = std::sin(edge(ring + 1));
-    // The integral of (value - matte) cos(theta_h) over the ring; seen from the normal, light comes at twice
-    // the angle of h.
+    // The integral of (value - matte) cos(theta_h) over the ring; seen from the normal, the light's angle is
+    // twice that of h.
     const double share = std::max(0.0F, values[ring] - matte) * Pi * (outer * outer - inner * inner);
     sum += share;
     albedo += 4 * share * std::max(0.05, 1 - 2 * outer * outer);
@@ -75,7 +75,7 @@ float MeasuredData::lobe_density(const Vec3f& u, const Vec3f& v) const {
   return (cumulative_[ring + 1] - cumulative_[ring]) / (solid_angle * 4 * cosine_of_half(u, v));
 }
 
-// Never so small that what the lobe's rings leave out could weigh much.
+// The probability has a minimum, so that light outside the lobe's rings never has large weights.
 float Measured::cosine_probability() const {
   const float total = data->matte_albedo() + data->lobe_albedo();
   return total > 0 ? std::max(0.1F, data->matte_albedo() / total) : 1;

@@ -10,16 +10,16 @@
 
 namespace reflectance {
 
-/// A table of measurements, and a distribution of h about the normal that follows it.
+/// A table of measured values, with a distribution of h about the normal for importance sampling.
 class MeasuredData {
  public:
   explicit MeasuredData(std::shared_ptr<const MerlTable> table);
 
   const MerlTable& table() const { return *table_; }
-  float matte_albedo() const { return matte_albedo_; }  ///< estimates, of what the lobe stands on
-  float lobe_albedo() const { return lobe_albedo_; }    ///< and of the lobe
+  float matte_albedo() const { return matte_albedo_; }  ///< estimated albedo of the diffuse floor
+  float lobe_albedo() const { return lobe_albedo_; }    ///< estimated albedo of the lobe above it
 
-  /// Of light that h reflects, which can be under the horizon.
+  /// Samples a direction by reflecting u at a sampled h; it can be below the horizon.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const;
   float lobe_density(const Vec3f& u, const Vec3f& v) const;
 
@@ -27,16 +27,14 @@ class MeasuredData {
   static constexpr std::size_t Edges = MerlTable::HalfCount + 1;
 
   std::shared_ptr<const MerlTable> table_;
-  // 1 - cos of the rings' edges about the normal, from 0 to 1: near the normal a cosine has no digits for
-  // them.
+  // 1 - cos of the rings' edges about the normal, from 0 to 1: near the normal a cosine lacks the digits.
   std::array<float, Edges> versines_ = {};
-  std::array<float, Edges> cumulative_ = {};  // the share of the rings up to each edge, from 0 to 1
+  std::array<float, Edges> cumulative_ = {};  // cdf at the rings' edges, from 0 to 1
   float matte_albedo_ = 0;
   float lobe_albedo_ = 0;
 };
 
-/// A BRDF that was measured: a file of the MERL data base, shared by all that name it. Without data it is
-/// black.
+/// A measured BRDF: a file of the MERL data base, shared by all that name it. Without data it is black.
 struct Measured {
   bool linear = true;
   std::shared_ptr<const MeasuredData> data;
@@ -47,17 +45,14 @@ struct Measured {
         .title = "Measured data",
         .paper = "Matusik, Pfister, Brand and McMillan 2003; coordinates of Rusinkiewicz 1998",
         .parameters = {boolean_parameter(&Measured::linear, "linear",
-                                         "between cells, and not the nearest cell's value")},
-        .not_conserving = "as it was measured: cells at grazing angles were extrapolated",
+                                         "interpolate between cells instead of taking the nearest")},
+        .not_conserving = "as measured: cells at grazing angles were extrapolated",
         .takes = grf::ModelInfo::Takes::DataFile,
         .about =
-            "A real material, as the gonioreflectometer of the MERL data base saw it: behind the keyword "
-            "stands "
-            "the name of a file of that format, `measured \"gold-paint.binary\"`. Cells without a "
-            "measurement "
-            "are left out between others. `bpt brdf export` makes such files of any isotropic model without "
-            "a "
-            "mirror part. It is sampled by the half vector, after the table itself.",
+            "A measured material in the format of the MERL data base: the keyword is followed by the name of "
+            "a file, `measured \"gold-paint.binary\"`. Interpolation skips cells without a measurement. `bpt "
+            "brdf export` writes such files for any isotropic model without a delta part. Its half vectors "
+            "are importance-sampled from the table.",
     };
   }
 

@@ -21,11 +21,11 @@ constexpr double HalfPi = std::numbers::pi / 2;
 constexpr std::array<std::int32_t, 3> Dimensions = {90, 90, 180};
 constexpr std::size_t HeaderSize = sizeof(Dimensions);
 constexpr std::size_t FileSize = HeaderSize + 3 * sizeof(double) * MerlTable::CellCount;
-/// What the doubles of each channel are multiplied by.
+/// Scale factors of the doubles of each channel.
 constexpr std::array<double, 3> Scales = {1 / 1500.0, 1.15 / 1500, 1.66 / 1500};
 constexpr float Invalid = -1;
 
-/// Places between the centres of cells, in cells: the lower one's index and how far it is to the next.
+/// An interpolation position: the lower cell's index and the fraction of the way to the next.
 struct Position {
   std::ptrdiff_t lower = 0;
   float share = 0;
@@ -46,7 +46,7 @@ std::size_t clamped(std::ptrdiff_t index, std::size_t count) {
       std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(count) - 1));
 }
 
-/// Channels that are invalid have no weight.
+/// Accumulates a cell; invalid channels have weight 0.
 void add(const Rgb& cell, float weight, Rgb& sum, Rgb& weights) {
   for (int channel = 0; channel < 3; ++channel) {
     const float valid = cell[channel] >= 0 ? weight : 0;
@@ -82,10 +82,11 @@ std::shared_ptr<const MerlTable> MerlTable::load(const std::string& path, grf::D
   if (!bytes) return nullptr;
   const auto fail = [&](const std::string& what) {
     diagnostics.error(asked_for_at.file ? asked_for_at : grf::whole_file(path),
-                      fmt::format("'{}' is no file of the MERL data base: {}", path, what));
+                      fmt::format("'{}' is not a MERL BRDF file: {}", path, what));
     return nullptr;
   };
-  if (bytes->size() < HeaderSize) return fail(fmt::format("{} bytes are too few", bytes->size()));
+  if (bytes->size() < HeaderSize)
+    return fail(fmt::format("{} bytes are too few for its header", bytes->size()));
   std::array<std::int32_t, 3> dimensions = {};
   std::memcpy(dimensions.data(), bytes->data(), HeaderSize);
   if (dimensions != Dimensions) {

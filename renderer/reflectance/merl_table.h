@@ -16,11 +16,11 @@
 
 namespace reflectance {
 
-/// Angles about the vector h half-way between two directions (Rusinkiewicz 1998).
+/// Half-angle coordinates of two directions (Rusinkiewicz 1998).
 struct HalfAngles {
-  double theta_half = 0;        ///< of h, from the normal, 0 to pi/2
-  double theta_difference = 0;  ///< of both directions, from h, 0 to pi/2
-  double phi_difference = 0;    ///< about h, 0 to pi: those of u are a half turn away
+  double theta_half = 0;        ///< theta of h, from the normal, 0 to pi/2
+  double theta_difference = 0;  ///< theta of both directions, from h, 0 to pi/2
+  double phi_difference = 0;    ///< azimuth about h, 0 to pi: those of u are half a turn away
 };
 
 template <class Real>
@@ -31,10 +31,10 @@ HalfAngles half_angles(const Imath::Vec3<Real>& u, const Imath::Vec3<Real>& v) {
   const Real radius = std::sqrt(sum.x * sum.x + sum.y * sum.y);
   HalfAngles angles;
   angles.theta_half = glsl::atan2(radius, sum.z);
-  // From both lengths: the cosine has no digits left near h, and the sine none at a right angle.
+  // atan2 of both lengths: the cosine has no digits left near h, and the sine none at a right angle.
   angles.theta_difference = glsl::atan2(std::sqrt(difference.dot(difference)), length);
-  // In the frame of h: x down the meridian, y around the normal.
-  if (!(length > 0)) return angles;  // opposite directions have no h, and are never both over the horizon
+  // The frame of h has x down the meridian, y around the normal.
+  if (!(length > 0)) return angles;  // opposite directions have no h, and are never both above the horizon
   const bool is_upright = radius < Real(1e-12) * length;
   const Real cosine = is_upright ? 1 : sum.x / radius;
   const Real sine = is_upright ? 0 : sum.y / radius;
@@ -46,7 +46,7 @@ HalfAngles half_angles(const Imath::Vec3<Real>& u, const Imath::Vec3<Real>& v) {
   return angles;
 }
 
-/// A pair of directions that has these angles, h in the plane y = 0. They can be under the horizon.
+/// A pair of directions with these angles, h in the plane y = 0. They can be below the horizon.
 struct DirectionPair {
   Imath::V3d u, v;
 };
@@ -61,25 +61,24 @@ class MerlTable {
   static constexpr std::size_t AzimuthCount = 180;
   static constexpr std::size_t CellCount = HalfCount * DifferenceCount * AzimuthCount;
 
-  /// The table of a file, or nothing after an error: missing, of another size, of other dimensions. Negative
-  /// cells and those that are not finite are invalid.
+  /// Loads the table from a file, or returns nothing after an error: missing file, wrong size or dimensions.
+  /// Cells that are negative or not finite are invalid.
   static std::shared_ptr<const MerlTable> load(const std::string& path, grf::Diagnostics& diagnostics,
                                                const grf::SourceLocation& asked_for_at = {});
 
-  /// A table of a function's values at the cells' centres; those with a direction under the horizon are
-  /// invalid.
+  /// Tabulates a function at the cells' centres; cells with a direction below the horizon are invalid.
   explicit MerlTable(const std::function<Rgb(const Vec3f& u, const Vec3f& v)>& brdf);
 
-  /// Replaces a file by the table, or leaves it as it was and says why.
+  /// Writes the table to a file, or reports an error and leaves an existing file unchanged.
   bool write(const std::string& path, grf::Diagnostics& diagnostics) const;
 
-  /// The value of the cell, 0 if it is invalid: what the data base's own reader gives.
+  /// Looks up the nearest cell, 0 if it is invalid, as the data base's own reader does.
   Rgb nearest(const HalfAngles& angles) const;
 
-  /// Between the centres of the eight cells around, the invalid ones left out; 0 if all are.
+  /// Interpolates trilinearly between the eight cells' centres, without invalid ones; 0 if all are invalid.
   Rgb linear(const HalfAngles& angles) const;
 
-  /// The centre of a cell.
+  /// Returns the angles at the centre of a cell.
   static HalfAngles angles_of(std::size_t half, std::size_t difference, std::size_t azimuth);
 
  private:
@@ -88,7 +87,7 @@ class MerlTable {
     return cells_[azimuth + AzimuthCount * (difference + DifferenceCount * half)];
   }
 
-  std::vector<Rgb> cells_;  ///< in 1/sr; a channel under 0: invalid
+  std::vector<Rgb> cells_;  ///< in 1/sr; a negative channel is invalid
 };
 
 }  // namespace reflectance

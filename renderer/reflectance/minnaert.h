@@ -21,8 +21,7 @@ struct MinnaertFormula {
 namespace reflectance {
 
 /// Minnaert's law of the lunar surface: Lambert for k = 1, darker towards the limb for larger k. As
-/// published: nothing cuts it off at grazing, where k < 1 is unbounded, and no factor (k + 1)/2 normalises
-/// it.
+/// published, it is not clamped at grazing, where k < 1 is unbounded, and not normalised by (k + 1)/2.
 struct Minnaert {
   float k = 1;
   Rgb kd = Rgb(0.5F);
@@ -32,15 +31,15 @@ struct Minnaert {
         .keyword = "minnaert",
         .title = "Minnaert",
         .paper = "Minnaert 1941",
-        .parameters = {number_parameter(&Minnaert::k, "k", 0, 1000, "darkening of the limb: 1 is Lambert"),
+        .parameters = {number_parameter(&Minnaert::k, "k", 0, 1000, "limb darkening: 1 is Lambert"),
                        reflectance_parameter(&Minnaert::kd, "kd", "albedo for k = 1")},
         .not_conserving =
-            "for k < 1 the albedo 2 kd/(k+1) cos(theta)^(k-1) passes 1, and is unbounded towards grazing",
+            "for k < 1 the albedo 2 kd/(k+1) cos(theta)^(k-1) exceeds 1, and is unbounded towards grazing",
         .about =
-            "The law of the Moon's surface, whose full disc is as bright at its limb as in the middle. k = 1 "
-            "is Lambert, k = 0.5 a disc of one brightness, and over 1 the limb darkens. As published it is "
-            "not normalised: for k < 1 it reflects more than kd at every angle, without bound towards "
-            "grazing.",
+            "Minnaert's law of the Moon's surface, whose full disc is as bright at its limb as in the "
+            "middle. k = 1 is Lambert, k = 0.5 a disc of uniform brightness, and above 1 the limb darkens. "
+            "As published it is not normalised: for k < 1 it reflects more than kd at every angle, without "
+            "bound towards grazing.",
         .formula = "f = kd/pi (cu cv)^(k-1)",
         .example = "minnaert k=0.8 kd=1",
     };
@@ -54,7 +53,7 @@ struct Minnaert {
   bool has_glossy_part() const { return false; }
   float albedo_estimate(const Vec3f& u) const { return u.z > 1e-12F ? mean(kd) * relative_albedo(u) : 0; }
 
-  // Drawn with (k+1)/(2 pi) cos(theta_v)^k, which is the formula's own.
+  // The pdf is (k+1)/(2 pi) cos(theta_v)^k, which matches the formula.
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = power_direction(k, xi.direction);
     if (!(u.z > 1e-12F && v.z > 1e-12F)) return std::nullopt;

@@ -1,23 +1,23 @@
-// What every BRDF model is made of. A model is a pair of files: `ward.glsl` has its formula, written once for
-// GLSL and C++, and `ward.h` a struct like this:
+// The parts that every BRDF model consists of. A model is a pair of files: `ward.glsl` has its formula,
+// written once for GLSL and C++, and `ward.h` a struct like this:
 //
 //   struct Ward {
-//     float sx = 0.2F;                        // parameters, with their defaults
-//     static ModelTable<Ward> table();        // names, ranges, and in words what the model is
+//     float sx = 0.2F;                        // parameters with their defaults
+//     static ModelTable<Ward> table();        // parameter names and ranges, and the model's description
 //     template <class Real> Vec3<Real> evaluate(u, v) const;
-//     Rgb mirror(u) const;                    // only where there is a Dirac part
-//     std::string wrong_together() const;     // only where ranges alone do not say which values are right
-//     float albedo_estimate(u) const;         // mean reflectance without the Dirac part, for picking parts
-//     std::optional<DirectionSample> sample(u, xi) const;   // its own closed form
+//     Rgb mirror(u) const;                    // only if there is a delta (ideal specular) part
+//     std::string wrong_together() const;     // only if the ranges do not suffice to validate the values
+//     float albedo_estimate(u) const;         // mean albedo without the delta part, for choosing lobes
+//     std::optional<DirectionSample> sample(u, xi) const;   // importance sampling in closed form
 //     float density(u, v) const;
-//     bool is_anisotropic() const;            // and the others that brdf.h names, where it guesses wrong
+//     bool is_anisotropic() const;            // and the other queries of brdf.h whose default is wrong
 //   };
 //
-// The contract, which all models and sampling schemes keep: local frame, z = normal; u towards the eye, v
-// towards the light, both unit and pointing away from the surface. `evaluate` is f in 1/sr, finite and >= 0,
-// RGB, without cosine and without the Dirac part; 0 where a direction is at or under the horizon. `mirror(u)`
-// is the weight w of the Dirac part w delta(v - r_u)/cos(theta_v). `density` is per solid angle, of exactly
-// what `sample` draws. An empty sample is one that carries nothing.
+// All models and sampling schemes keep this contract. Directions are in the local frame, z = normal; u points
+// towards the eye, v towards the light, both unit vectors that point away from the surface. `evaluate`
+// returns f in 1/sr, RGB, finite and >= 0, without the cosine and the delta part; 0 if a direction is at or
+// below the horizon. `mirror(u)` returns the weight w of the delta part w delta(v - r_u)/cos(theta_v).
+// `density` is the solid-angle pdf of exactly what `sample` draws. An empty sample contributes nothing.
 #pragma once
 
 #include <optional>
@@ -37,13 +37,13 @@ namespace reflectance {
 template <class Real>
 using Vec3 = Imath::Vec3<Real>;
 
-/// Three independent uniform numbers in [0,1): one to choose a part with, two for a direction.
+/// Three independent uniform numbers in [0,1): one to choose a lobe, two for a direction.
 struct Uniforms {
   Vec2f direction;
   float choice = 0;
 };
 
-/// What is left of them when the choice fell on a part above `taken`.
+/// Rescales the choice to [0,1) once it fell above `taken`, so that it can be used again.
 inline Uniforms rest_of(Uniforms xi, float taken) {
   xi.choice = (xi.choice - taken) / (1 - taken);
   return xi;
@@ -51,11 +51,11 @@ inline Uniforms rest_of(Uniforms xi, float taken) {
 
 struct DirectionSample {
   Vec3f direction;
-  Rgb weight;  ///< f cos(theta_v) / density
+  Rgb weight;  ///< f cos(theta_v) / pdf
   float density = 0;
 };
 
-/// f in 1/sr without the Dirac part, and the density with which a sampler draws that direction.
+/// A BRDF value f in 1/sr, without the delta part, and the pdf with which a sampler draws that direction.
 struct Reflection {
   Rgb value;
   float density = 0;
@@ -66,20 +66,21 @@ struct LobeExponents {
   float x = 0;
   float y = 0;
 
-  /// Those of about the lobe (v.r)^n, r the mirror direction: h turns by half of what v does, so a quarter
-  /// of the exponent does for v.
+  /// Returns the exponents of a half-vector lobe about as wide as (v.r)^n, r the mirror direction: h turns by
+  /// half as much as v, so four times the exponent does.
   static LobeExponents about_mirror(float n) { return {4 * n, 4 * n}; }
   float about_mirror() const { return (x + y) / 8; }
 };
 
-/// One row of a model's table: the field, and all that is said of it but its default, which is the field's.
+/// One row of a model's parameter table: the field, and its description without the default, which is the
+/// field's.
 template <class Model>
 struct Parameter {
   std::variant<float Model::*, Rgb Model::*, bool Model::*, int Model::*> field;
   grf::ParameterInfo info;
 };
 
-/// See grf::ModelInfo.
+/// The descriptor table of a model; see grf::ModelInfo for the fields.
 template <class Model>
 struct ModelTable {
   std::string_view keyword;
@@ -92,7 +93,7 @@ struct ModelTable {
   std::string_view not_continuous = {};
   grf::ModelInfo::Takes takes = grf::ModelInfo::Takes::Parameters;
   std::string_view about = {};
-  std::string_view formula = {};  ///< a first line that is empty does not count
+  std::string_view formula = {};  ///< an empty first line is skipped
   std::string_view example = {};
 };
 
@@ -135,8 +136,8 @@ inline void assign(int& field, const grf::Value& value, const grf::ParameterInfo
   }
 }
 
-/// Calls visit(field) for the field of a row. What a model is too small for it has none of, and g++ 12 warns
-/// of an access that is never made.
+/// Calls visit(field) for the field of a row. Skips field types larger than the model, since g++ 12 warns of
+/// an access that never happens.
 template <class Model, class Visit>
 void visit_field(const Parameter<Model>& parameter, Visit visit) {
   std::visit(
@@ -146,7 +147,7 @@ void visit_field(const Parameter<Model>& parameter, Visit visit) {
       parameter.field);
 }
 
-/// A model from its data, which `grf::check` found right: values that are left out take their defaults.
+/// Makes a model from data that `grf::check` found valid: omitted values take their defaults.
 template <class Model>
 Model make(const grf::Model& data) {
   Model model;
@@ -168,7 +169,7 @@ Model make(const grf::Model& data) {
   return model;
 }
 
-/// The descriptor of a model for those who do not know its type.
+/// Returns the type-erased descriptor of a model.
 template <class Model>
 grf::ModelInfo info_of() {
   const ModelTable<Model> table = Model::table();
@@ -196,7 +197,7 @@ grf::ModelInfo info_of() {
   return info;
 }
 
-// Rows of tables.
+// The functions below make rows of parameter tables.
 
 template <class Model>
 Parameter<Model> reflectance_parameter(Rgb Model::*field, std::string_view name, std::string_view help,
@@ -208,7 +209,7 @@ Parameter<Model> reflectance_parameter(Rgb Model::*field, std::string_view name,
   return {field, std::move(info)};
 }
 
-/// A number that may differ from channel to channel, such as a wavelength.
+/// Makes the row of a number that may differ per channel, such as a wavelength.
 template <class Model>
 Parameter<Model> rgb_parameter(Rgb Model::*field, std::string_view name, float minimum, float maximum,
                                std::string_view help, grf::ParameterScale scale = grf::ParameterScale::Linear,
@@ -228,7 +229,7 @@ Parameter<Model> boolean_parameter(bool Model::*field, std::string_view name, st
   return {field, std::move(info)};
 }
 
-/// One of some words; the field is its index.
+/// Makes the row of an enumeration of keywords; the field is the keyword's index.
 template <class Model>
 Parameter<Model> word_parameter(int Model::*field, std::string_view name,
                                 std::vector<std::string_view> choices, std::string_view help) {
@@ -254,7 +255,7 @@ Parameter<Model> number_parameter(float Model::*field, std::string_view name, fl
   return {field, std::move(info)};
 }
 
-/// The same row with a unit of its values.
+/// Returns the row with a unit added.
 template <class Model>
 Parameter<Model> in_unit(std::string_view unit, Parameter<Model> parameter) {
   parameter.info.unit = unit;

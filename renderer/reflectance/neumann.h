@@ -21,9 +21,9 @@ struct NeumannFormula {
 
 namespace reflectance {
 
-/// A disc lobe: constant where v, seen from above on the unit disc, is in an ellipse about the mirror
-/// direction of u, or, for retro, about u. r = 2 is Lambert, r towards 0 a mirror. The edge is a step, at
-/// which float, double and GLSL may take different sides.
+/// A disc lobe: constant where v, projected to the unit disc, is in an ellipse about the mirror direction of
+/// u or, for retro, about u. r = 2 is Lambert, r towards 0 a mirror. The edge is a step, at which float,
+/// double and GLSL may take different sides.
 struct Neumann : DiffuseAndLobe<Neumann> {
   float r = 0.2F;
   float ry = 0.2F;
@@ -41,19 +41,19 @@ struct Neumann : DiffuseAndLobe<Neumann> {
         .title = "Disc lobe",
         .paper = "Neumann and Neumann 1996",
         .parameters = {number_parameter(&Neumann::r, "r", 1e-4F, 2,
-                                        "half axis of the lobe along x, on the unit disc",
+                                        "semi-axis of the lobe along x, on the unit disc",
                                         ParameterScale::Logarithmic),
                        y, boolean_parameter(&Neumann::retro, "retro", "whether the lobe is about u itself"),
                        reflectance_parameter(&Neumann::ks, "ks", "albedo of the lobe at normal incidence"),
                        reflectance_parameter(&Neumann::kd, "kd", "albedo of the diffuse part")},
-        .not_isotropic = "isotropic where r = ry",
+        .not_isotropic = "isotropic if r = ry",
         .not_continuous =
-            "a step at the edge of the ellipse, where float, double and GLSL may take different sides",
+            "it has a step at the edge of the ellipse, where float, double and GLSL may take different sides",
         .about =
-            "The simplest lobe that keeps the rules: constant inside a disc about the mirror direction, as "
-            "seen from above, and nothing outside. r goes from a mirror (towards 0) over a highlight with a "
-            "sharp rim to Lambert (2); ry, if it differs, makes it anisotropic, and retro turns it back to "
-            "the light. It reflects ks at the normal and never more.",
+            "The simplest reciprocal and energy-conserving lobe: constant inside a disc about the mirror "
+            "direction, projected to the unit disc, and 0 outside. r goes from a mirror (towards 0) over a "
+            "highlight with a sharp rim to Lambert (2); ry, if it differs, makes it anisotropic, and retro "
+            "makes it retro-reflective. Its albedo is ks at normal incidence and never more.",
         .formula = R"(
 f = kd/pi + (inside ? ks/A : 0)
 inside: ((vx+ux)/r)^2 + ((vy+uy)/ry)^2 <= 1, with - for + where retro is true
@@ -70,7 +70,7 @@ A: the area of the ellipse with half axes r and ry that lies in the unit disc)",
 
   bool is_anisotropic() const { return r != ry; }
 
-  // A point of the ellipse, or of the whole disc if that is smaller; the disc's points are the cosine's.
+  // Samples a point of the ellipse, or of the whole disc if that is smaller, which is cosine-weighted.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     if (is_wide()) return cosine_direction(xi);
     const Vec2f point = to_disc(xi);

@@ -1,6 +1,6 @@
-// The fit of Oren and Nayar 1994 (equations 31 to 34), with the light that facets reflect to each other. The sines
-// and tangents come from the directions' own components, and what vanishes at grazing is formed from the angle
-// over the horizon: tan(beta) is multiplied by it.
+// Evaluates the fit of Oren and Nayar 1994 (equations 31 to 34), with interreflection. Sines and tangents
+// come from the directions' components, and factors that vanish at grazing from the elevation: tan(beta) is
+// multiplied by it.
 vec3 oren(vec3 u, vec3 v, real s, vec3 r) {
   if (below_horizon(u, v)) return vec3(0);
   real su = sqrt(u.x * u.x + u.y * u.y);
@@ -10,8 +10,8 @@ vec3 oren(vec3 u, vec3 v, real s, vec3 r) {
   real cosine_alpha = u_is_lower ? u.z : v.z;
   real sine_beta = u_is_lower ? sv : su;
   real cosine_beta = u_is_lower ? v.z : u.z;
-  // The cosine of the azimuths' difference, and 1 less its magnitude. At the normal, where it has no meaning,
-  // beta = 0 takes its effect away.
+  // The cosine of the azimuths' difference, and 1 minus its magnitude. At the normal it is undefined and beta
+  // = 0 cancels it.
   real scale = su * sv;
   real cp = scale > real(1e-30f) ? max(real(-1), min(real(1), (u.x * v.x + u.y * v.y) / scale)) : real(0);
   real sp = scale > real(1e-30f) ? (u.x * v.y - u.y * v.x) / scale : real(1);
@@ -22,7 +22,7 @@ vec3 oren(vec3 u, vec3 v, real s, vec3 r) {
   real s2 = s * s;
   real c1 = 1 - s2 / (2 * (s2 + real(0.33)));
   real q = s2 / (s2 + real(0.09));
-  // sin(alpha) - (2 beta/pi)^3 as a difference of what both lack of 1.
+  // sin(alpha) - (2 beta/pi)^3, computed from 1 minus each.
   real back = sine_alpha;
   if (cp < 0) {
     back = over_horizon * (3 + over_horizon * (over_horizon - 3)) -

@@ -19,9 +19,9 @@ struct OrenFormula {
 
 namespace reflectance {
 
-/// Rough diffuse: Lambert facets in V-grooves, which brighten what lies in the light's own direction. The
-/// print has the integrals over the grooves; this is the fit that the paper gives for rendering. As
-/// published: unbounded for pairs that graze in the same direction, with a bounded albedo.
+/// Rough diffuse surfaces: Lambertian facets in V-grooves, which brighten towards the light's own direction
+/// (backscattering). The print has integrals over the grooves; this is the paper's fit for rendering. As
+/// published, unbounded for pairs that graze in the same direction, with a bounded albedo.
 struct Oren {
   float s = 0.3F;
   Rgb r = Rgb(0.5F);
@@ -37,13 +37,13 @@ struct Oren {
         .parameters = {slope, reflectance_parameter(&Oren::r, "r", "albedo of the facets")},
         .not_conserving = "the fit reflects up to 1.05 for r = 1, towards grazing",
         .not_continuous =
-            "where light grazes from the far side the fit falls under 0 and is cut; near that its "
+            "for light that grazes from the far side the fit falls below 0 and is clamped; near that its "
             "terms cancel, and differ by 1e-7 of the peak",
         .about =
-            "Rough matte surfaces such as plaster, clay and sand: Lambert facets that shade, hide and light "
-            "each other. s is the roughness, from Lambert (0) to very rough (0.5 and over), and r the albedo "
-            "of the facets. The rougher it is, the flatter an object looks and the brighter where one looks "
-            "along the light.",
+            "Rough diffuse surfaces such as plaster, clay and sand: Lambertian facets with shadowing, "
+            "masking and interreflection. s is the roughness, from Lambert (0) to very rough (0.5 and more), "
+            "and r the albedo of the facets. The rougher it is, the flatter an object looks and the brighter "
+            "towards the light's direction (backscattering).",
         .formula = R"(
 f = max(0, r/pi (L1 + L2))
 alpha, beta: the larger and the smaller of theta_u and theta_v;  c = cos(phi_u - phi_v);  q = s^2/(s^2 + 0.09)

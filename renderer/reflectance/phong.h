@@ -19,8 +19,8 @@ struct PhongFormula {
 
 namespace reflectance {
 
-/// The Phong lobe as published: its specular term is a BRDF value as it stands, neither normalised nor
-/// divided by the light's cosine (which the rendering equation has). `lewis` is the normalised one.
+/// The Phong lobe as published: the specular term is a BRDF value, neither normalised nor divided by the
+/// light's cosine (which the rendering equation has). `lewis` is the normalised one.
 struct Phong : DiffuseAndLobe<Phong> {
   float n = 100;
   Rgb ks = Rgb(0.4F);
@@ -35,17 +35,15 @@ struct Phong : DiffuseAndLobe<Phong> {
                                         grf::ParameterScale::Logarithmic),
                        reflectance_parameter(&Phong::ks, "ks", "peak of the lobe, in 1/sr: not normalised"),
                        reflectance_parameter(&Phong::kd, "kd", "albedo of the diffuse part")},
-        .not_conserving =
-            "reflects more than it receives where kd + 2 pi ks/(n+2) > 1: the lobe is not normalised",
+        .not_conserving = "the albedo exceeds 1 for kd + 2 pi ks/(n+2) > 1: the lobe is not normalised",
         .not_continuous =
-            "for n = 0 a step where the lobe ends, and for n < 1 a steep slope: float, double and GLSL "
-            "differ "
-            "within 1e-6 of it",
+            "at the lobe's boundary, for n = 0 it has a step and for n < 1 a steep slope: float, double and "
+            "GLSL differ within 1e-6 of it",
         .about =
-            "The first highlight of computer graphics, a lobe about the mirror direction, over a matte part. "
-            "A larger n makes it smaller and sharper. ks is the lobe's height and not its share of the "
-            "light: that is 2 pi ks/(n+2) at the normal and less elsewhere, so sharp highlights reflect next "
-            "to nothing. `lewis` has the same lobe with a share that n leaves alone.",
+            "The first highlight of computer graphics, a lobe about the mirror direction, over a diffuse "
+            "part. A larger n makes it smaller and sharper. ks is the lobe's peak and not its albedo: that "
+            "is 2 pi ks/(n+2) at normal incidence and less elsewhere, so sharp highlights reflect next to "
+            "nothing. `lewis` has the same lobe with an albedo independent of n.",
         .formula = "f = kd/pi + ks max(0, u.r)^n        r: the mirror direction of v",
         .example = "phong n=100 ks=0.4 kd=0.6",
     };

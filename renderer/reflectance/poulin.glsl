@@ -1,7 +1,8 @@
-// Parallel cylinders of radius 1 along x, their centres d apart, over a floor h above the centres. All is in
-// the cross-section: a direction has its elevation there, a point of a cylinder its angle a from the normal.
+// Parallel cylinders of radius 1 along x, their centres d apart, over a floor h above the centres. Functions
+// work in the cross-section: a direction has its elevation there, a point of a cylinder its angle a from the
+// normal.
 
-// What of a cylinder and of the floor beside it a direction sees.
+// The part of a cylinder and its floor visible from a direction.
 struct Seen {
   real low;
   real high;
@@ -17,9 +18,9 @@ real steepest(real d, real h) {
 real floor_width(real d, real h) { return max(real(0), d - 2 * cylinder_width(h)); }
 bool is_plane(real d, real h) { return d < real(1e-6) || cylinder_width(h) < real(1e-6); }
 
-// For a direction on the side of positive y; the other side is its mirror image. Under the steepest slope the
-// neighbour hides the arc from the angle psi - asin(1 - d cos(psi)) on, psi being the direction's own.
-// Everything is written with the elevation pi/2 - psi, so that the short arcs near the horizon keep their
+// Computes visibility for a direction with y > 0; the other side is its mirror image. Below the steepest
+// slope the neighbour hides the arc from the angle psi - asin(1 - d cos(psi)) on, psi being the direction's
+// own. All is written with the elevation pi/2 - psi, so that the short arcs near the horizon keep their
 // digits.
 Seen seen_from_right(real y, real z, real d, real h) {
   real slope = steepest(d, h);
@@ -33,7 +34,7 @@ Seen seen_from_right(real y, real z, real d, real h) {
   real clearance = min(real(1), d * z / (2 * radius));
   real edge = 2 * atan2(sqrt(clearance), sqrt(1 - clearance)) - elevation;
   seen.high = max(seen.low, min(slope, edge));
-  // (radius - h y) / z, less the half width.
+  // (radius - h y) / z, minus half the width.
   real hidden = z / (radius + y) + (1 - h) * y / z - cylinder_width(h);
   seen.hidden = min(floor_width(d, h), max(real(0), hidden));
   return seen;
@@ -48,14 +49,13 @@ Seen seen_from(vec3 w, real d, real h) {
   return seen;
 }
 
-// The floor's length that is both seen and lit: shadows on the same side overlap, on opposite ones they add
-// up.
+// Returns the floor length both visible and lit: shadows on the same side overlap, on opposite ones add.
 real floor_in_common(vec3 u, vec3 v, real hidden_u, real hidden_v, real d, real h) {
   real hidden = u.y * v.y > 0 ? max(hidden_u, hidden_v) : hidden_u + hidden_v;
   return max(real(0), floor_width(d, h) - hidden);
 }
 
-// sin(x) - x
+// Returns sin(x) - x.
 real sine_excess(real x) {
   if (abs(x) > 1) return sin(x) - x;
   real x2 = x * x;
@@ -63,7 +63,7 @@ real sine_excess(real x) {
   return -x * x2 / 6 * (1 - x2 / 20 * (1 - x2 / 42 * (1 - x2 / 72 * series)));
 }
 
-// The integral of (u.m)(v.m) over an arc, m being its normals, in closed form.
+// Integrates (u.m)(v.m) over an arc of normals m, in closed form.
 real arc_projected(vec3 u, vec3 v, real low, real high) {
   real length = max(real(0), high - low);
   real s = sin((low + high) / 2);
@@ -74,8 +74,8 @@ real arc_projected(vec3 u, vec3 v, real low, real high) {
   return max(real(0), length * um * vm + sine_excess(length) / 2 * (um * vm - across));
 }
 
-// An integrand over an arc, (u.m)(v.m)(m.h)^n, with the angle x from one of its points: u.m is u.x cos(x) +
-// u.y sin(x) and v.m that of v plus v.z. m.h is that of h, and where it is near 1 it comes from the half vector's
+// An integrand over an arc, (u.m)(v.m)(m.h)^n, of the angle x from one of its points: u.m is u.x cos(x) + u.y
+// sin(x) and v.m that of v plus v.z. m.h is that of h; where it is near 1 it comes from the half vector's
 // angle from that point, whose half has the tangent -offset.
 struct ArcLobe {
   vec2 u;
@@ -87,7 +87,7 @@ struct ArcLobe {
   real extent;
 };
 
-// At t = tan(x/2), which needs no trigonometry, with dx = 2 dt / (1 + t^2).
+// Evaluates at t = tan(x/2), which needs no trigonometry, with dx = 2 dt / (1 + t^2).
 real arc_lobe_at(ArcLobe arc, real t) {
   real q = 1 / (1 + t * t);
   real c = 1 - 2 * t * t * q;
@@ -105,7 +105,7 @@ real arc_lobe_pair(ArcLobe arc, real place, real weight) {
   return weight * (arc_lobe_at(arc, arc.centre - x) + arc_lobe_at(arc, arc.centre + x));
 }
 
-// Gauss and Legendre's rule of 32 points.
+// Integrates by 32-point Gauss-Legendre quadrature.
 real arc_lobe_integral(ArcLobe arc) {
   return arc.extent * (arc_lobe_pair(arc, real(0.0483076656877383162), real(0.0965400885147278006)) +
                        arc_lobe_pair(arc, real(0.1444719615827964934), real(0.0956387200792748594)) +
@@ -125,12 +125,12 @@ real arc_lobe_integral(ArcLobe arc) {
                        arc_lobe_pair(arc, real(0.9972638618494815635), real(0.0070186100094700966)));
 }
 
-// The tangent of half an angle within pi/2.
+// Returns the tangent of half an angle within pi/2.
 real half_tangent(real x) { return sin(x) / (1 + cos(x)); }
 
-// The integral of (u.m)(v.m)(m.h)^n over an arc, cut to where the lobe is above 1e-10 of its peak; with
-// `once` that of (u.m)(m.h)^n. Angles are from the arc's point that is nearest to h, which keeps the digits
-// of arcs that are short or whose lobe is narrow.
+// Integrates (u.m)(v.m)(m.h)^n over an arc, clipped to where the lobe exceeds 1e-10 of its peak; with `once`,
+// (u.m)(m.h)^n. Angles are from the arc's point nearest to h, which keeps the digits of arcs that are short
+// or have narrow lobes.
 real arc_lobe(vec3 u, vec3 v, real low, real high, real n, bool once) {
   vec3 h = u + v;
   real radius2 = h.y * h.y + h.z * h.z;

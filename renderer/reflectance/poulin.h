@@ -25,10 +25,10 @@ struct PoulinFormula {
 
 namespace reflectance {
 
-/// Brushed metal, cloth and hair: parallel cylinders along x over a floor, and what of both the eye sees and
-/// the light reaches. The mean over that of kd/pi and a Blinn lobe about each normal, by projected areas:
-/// reciprocal and conserving, where the thesis prints intensities of lobes that are not normalised. Light
-/// that meets a second cylinder is lost.
+/// Brushed metal, cloth and hair: parallel cylinders along x over a floor, with masking and shadowing. It
+/// averages kd/pi and a Blinn lobe about each visible and lit normal, weighted by projected area. Reciprocal
+/// and energy conserving, where the thesis prints intensities of unnormalised lobes. Light that meets a
+/// second cylinder is lost.
 struct Poulin : CosineAndLobe<Poulin> {
   float d = 2;
   float h = 0;
@@ -48,17 +48,17 @@ struct Poulin : CosineAndLobe<Poulin> {
                        number_parameter(&Poulin::h, "h", 0, 1, "height of the floor over the axes, in radii"),
                        number_parameter(&Poulin::n, "n", 0, 1e6F, "exponent of the lobe", Logarithmic),
                        reflectance_parameter(&Poulin::ks, "ks",
-                                             "albedo of the lobe of a plane at normal incidence"),
+                                             "albedo of the lobe at normal incidence, for a plane"),
                        reflectance_parameter(&Poulin::kd, "kd", "albedo of the diffuse part of a plane")},
-        .not_isotropic = "isotropic where d = 0 or h = 1, which is a plane",
+        .not_isotropic = "isotropic if d = 0 or h = 1, which is a plane",
         .not_continuous =
-            "where the shadows of two cylinders just meet, the floor between them is a small difference, and "
-            "ends",
+            "where the shadows of two cylinders just meet, the visible floor between them is a small "
+            "difference, and vanishes",
         .about =
-            "Brushed metal, satin and hair: parallel cylinders along x over a floor, and of both what the "
-            "eye sees and the light reaches. d is the distance of the cylinders (2 is side by side, more "
-            "shows the floor, less makes them overlap) and h the height of the floor, 1 covering them. n, ks "
-            "and kd are what cylinders and floor are made of. Highlights run across the cylinders.",
+            "Brushed metal, satin and hair: parallel cylinders along x over a floor, with masking and "
+            "shadowing. d is the distance of the cylinders (2 is side by side, more shows the floor, less "
+            "makes them overlap) and h the height of the floor, 1 covering them. n, ks and kd are the "
+            "Blinn-Phong material of cylinders and floor. Highlights run across the cylinders.",
         .formula = R"(
 f = 1/(d cu cv) (the integral over the arc of g(a) [u.a]+ [v.a]+ + L cu cv g(z))
 a: a normal of the cylinder, seen and lit;  L: the length of the floor that is seen and lit;  z: its normal
@@ -78,7 +78,7 @@ g(a) = kd/pi + ks C(n) max(0, a.h)^n with the half vector h;  C(n) = (n+2)(n+4)/
   float matte_albedo(const Vec3f&) const { return mean(kd); }
   float lobe_share(const Vec3f&) const { return mean(ks); }
 
-  // A half vector about the normal of a point that u sees, drawn in proportion to its projected area.
+  // Samples a half vector about the normal of a point visible from u, in proportion to projected area.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f half = Frame(seen_normal(u, xi.choice)).to_world(power_direction(n, xi.direction));
     return u.dot(half) > 0 ? reflected(u, half) : Vec3f(0);
@@ -94,7 +94,7 @@ g(a) = kd/pi + ks C(n) max(0, a.h)^n with the half vector h;  C(n) = (n+2)(n+4)/
  private:
   using Formula = glsl::PoulinFormula<float>;
 
-  /// The arc that u sees, and the projected lengths of it and of the floor: u.m integrated.
+  /// The arc visible from u, and the projected lengths of it and of the floor: u.m integrated.
   struct Arc {
     Formula::Seen seen;
     float psi, radius, sine_low, sine_high;  // psi is u's own angle in the cross-section

@@ -1,4 +1,4 @@
-// BRDFs that others can start from: those of the thesis' tables.
+// BRDF presets from the thesis' tables.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace reflectance {
 
 struct Preset {
   std::string_view name;
-  std::string_view brdf;  ///< GRF text of an instance
+  std::string_view brdf;  ///< GRF text of a BRDF instance
 };
 
 struct PresetTable {
@@ -17,15 +17,15 @@ struct PresetTable {
   std::vector<Preset> presets;
 };
 
-/// Table 5.5, by the names there: what the measurements of the thesis' chapter 5 are of.
+/// The BRDFs of table 5.5, by its names, which the measurements of the thesis' chapter 5 use.
 const PresetTable& thesis_models();
 
 /// The presets of table 5.5; then polished dielectrics with the indices of refraction of table 2.1 (without
 /// vacuum and air, which reflect nothing), and rough metals with those of table 2.2. The indices are means
-/// over the spectrum, so that colours are in ks.
+/// over the spectrum, so colours are in ks.
 const std::vector<PresetTable>& preset_tables();
 
-/// The GRF text of an entry of table 5.5, which has to be there.
+/// Returns the GRF text of an entry of table 5.5, which must exist.
 std::string thesis_model(std::string_view name);
 
 }  // namespace reflectance

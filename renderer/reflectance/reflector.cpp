@@ -7,14 +7,15 @@
 namespace reflectance {
 namespace {
 
-/// True if the scheme is the BRDF's own sampler, by name or by choice.
+/// Returns true if the scheme is the BRDF's own sampler, by name or by the choice of `auto`.
 bool is_own(const Scheme& scheme) {
   const auto* chosen = std::get_if<AutoScheme>(&scheme);
   return chosen != nullptr ? !chosen->is_adaptive() : std::holds_alternative<OwnScheme>(scheme);
 }
 
 float share_by_cosine(float missed) {
-  constexpr float LeastShare = 0.1F;  // less would leave what is missed to a few samples of large weight
+  constexpr float LeastShare =
+      0.1F;  // with less, the missed light would come from a few samples of large weight
   constexpr float MostShare = 0.9F;
   return std::clamp(missed, LeastShare, MostShare);
 }
@@ -70,7 +71,7 @@ std::optional<ScatterSample> Reflector::sample(const Vec3f& u, const Uniforms& x
   auto drawn = sample_density(u, rest_of(xi, share));
   if (!drawn) return std::nullopt;
   if (precision_ == Precision::Double) {
-    // Weights of closed form would do without the formula.
+    // Closed-form weights would bypass the formula.
     drawn->weight = evaluate_in_double(u, drawn->direction) * (drawn->direction.z / drawn->density);
   }
   return ScatterSample{drawn->direction, drawn->weight / (1 - share), drawn->density * (1 - share), false};

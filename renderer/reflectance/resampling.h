@@ -1,10 +1,10 @@
 // Resampled importance sampling (Talbot, Cline and Egbert 2005, "Importance resampling for global
-// illumination"; thesis section 5.5, algorithm 7): of M candidates that follow the BRDF, N are chosen that
-// follow its product with the incoming light, so that what is costly, such as their visibility, is found for
-// N directions alone.
+// illumination"; thesis section 5.5, algorithm 7). From M candidates that follow the BRDF it chooses N that
+// follow the product with the incoming light, so that costly factors such as visibility are evaluated for
+// only N directions.
 //
-// The thesis chooses by L; with candidates in proportion to f cos that is the same as by f L cos / p, which
-// is right for candidates of any scheme and is what stands here.
+// The thesis resamples by L. For candidates in proportion to f cos that equals f L cos / p, which is right
+// for candidates of any scheme and is used here.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace reflectance {
 
-/// How many directions are drawn, and how many of them are chosen; both 1 or more.
+/// Numbers of candidates and chosen directions, both 1 or more.
 struct Resampling {
   int candidates = 1;  ///< M
   int chosen = 1;      ///< N
@@ -26,16 +26,16 @@ class Resampler {
  public:
   void clear();
 
-  /// A candidate and the estimate of the whole integral that it is by itself, f L cos / p without visibility.
-  /// Those that carry nothing count too.
+  /// Adds a candidate with its single-sample estimate of the integral, f L cos / p without visibility.
+  /// Candidates that contribute nothing count too.
   void add(const Vec3f& direction, const Rgb& estimate);
 
-  /// Chooses `count` of the candidates, with replacement, in proportion to the mean of their estimates over
-  /// RGB, and calls use(direction, estimate) for each that was chosen, once. The sum of these estimates, each
-  /// times anything that depends on its direction (visibility), is an unbiased one of the integral with it.
+  /// Resamples `count` of the candidates, with replacement, in proportion to the RGB mean of their estimates,
+  /// and calls use(direction, estimate) once for each that was chosen. The sum of these estimates, each times
+  /// any function of its direction (visibility), is an unbiased estimate of the integral of the product.
   ///
-  /// The choice is stratified, with one number in [0,1) for all (systematic sampling): a candidate whose
-  /// share is s is chosen floor(count s) or ceil(count s) times.
+  /// The choice is stratified by one number in [0,1) (systematic resampling): a candidate of probability s is
+  /// chosen floor(count s) or ceil(count s) times.
   template <class Use>
   void choose(int count, float xi, const Use& use) const {
     if (!(total_ > 0)) return;
@@ -61,13 +61,12 @@ class Resampler {
   };
 
   std::vector<Candidate> candidates_;
-  double total_ = 0;  ///< of the weights, summed in order
+  double total_ = 0;  ///< sum of the weights, in order
 };
 
-/// Estimates reflected light. `draw(j)` gives candidate j, as Reflector::sample does, `radiance(v)` the light
-/// that comes from a local direction if nothing is in its way, and use(v, estimate) gets what was chosen: see
-/// Resampler::choose. Candidates may be those of the Dirac part. The resampler is there to be used again
-/// without new memory.
+/// Estimates reflected light by resampling. `draw(j)` returns candidate j as Reflector::sample does, delta
+/// directions included; `radiance(v)` is the unoccluded light from a local direction; use(v, estimate)
+/// receives the chosen ones, see Resampler::choose. Pass the same resampler again to reuse its memory.
 template <class Draw, class Radiance, class Use>
 void resample(Resampler& resampler, const Resampling& counts, float xi, const Draw& draw,
               const Radiance& radiance, const Use& use) {

@@ -22,21 +22,21 @@
 
 namespace reflectance {
 
-/// All sampling schemes: the one list that a new scheme is added to. A scheme is one file of `schemes` with
+/// All sampling schemes (`pdf` in a scene): the only list that a new scheme is added to. A scheme is a file
+/// of `schemes` with
 ///   table()           its keyword and parameters,
-///   refusal(brdf)     why it cannot serve a BRDF, and what can; empty if it does,
-///   sample(brdf, u, xi), density(brdf, u, v)    for all of the BRDF but its Dirac part,
-/// and where it keeps tables, which then serve that BRDF alone,
+///   refusal(brdf)     why it does not support a BRDF, and what does; empty if it does,
+///   sample(brdf, u, xi), density(brdf, u, v)    for the BRDF without its delta part,
+/// and if it keeps tables, which then serve only that BRDF,
 ///   build(brdf)       makes them, on all cores,
-///   bytes()           the memory that they hold.
-/// `MayMiss` says that some BRDFs reflect light into directions that the scheme draws never or hardly ever:
-/// Reflector mixes it with a cosine part for those. `sample_many` is there where many samples for one view
-/// cost less than as many single ones.
+///   bytes()           their memory.
+/// `MayMiss` means that its pdf is 0 or nearly so where some BRDFs reflect light: Reflector then mixes in
+/// cosine sampling. `sample_many` exists where a batch of samples for one view is cheaper than single ones.
 using AnyScheme =
     std::variant<AutoScheme, OwnScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
                  AnisotropicScheme, RejectScheme, AdaptiveScheme, FactoredScheme, CascadeScheme>;
 
-/// One of them. It is a class for the same reason as Brdf.
+/// A sampling scheme of any type. It is a class for the same reason as Brdf.
 class Scheme : public AnyScheme {
  public:
   using AnyScheme::AnyScheme;
@@ -48,36 +48,36 @@ class Scheme : public AnyScheme {
   Scheme& operator=(Scheme&& other) noexcept;
 };
 
-/// The scheme that a `pdf` of the scene describes, without its tables, or nothing if none has its keyword.
+/// Makes the scheme of a scene's `pdf`, without tables, or returns nothing if none has its keyword.
 std::optional<Scheme> make_scheme(const grf::Model& data);
 
-/// What a face without a `pdf` has: `auto`.
+/// Returns the scheme of a face without a `pdf`: `auto`.
 Scheme default_scheme();
 
 std::string refusal(const Scheme& scheme, const Brdf& brdf);
 
-/// Makes the tables of a scheme for a BRDF that it does not refuse.
+/// Builds the tables of a scheme for a BRDF that it supports.
 void build(Scheme& scheme, const Brdf& brdf);
 
-/// What the tables of a scheme hold, in bytes; 0 for schemes without.
+/// Returns the memory of a scheme's tables, in bytes; 0 if it has none.
 std::size_t bytes(const Scheme& scheme);
 
-/// True if the scheme may leave out part of what some BRDFs reflect.
+/// Returns true if the scheme's pdf may be 0 where some BRDFs reflect light.
 bool may_miss(const Scheme& scheme);
 
 std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
                                       const Uniforms& xi);
 float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
-/// Adds a sample for each xi, without those that are empty, all for one view: cheaper or spread more evenly
-/// than one by one with schemes that have a `sample_many`. Each alone has the scheme's density, and an
-/// estimate is their sum over the number of xi.
+/// Appends a sample per xi, without empty ones, all for one view: cheaper or better stratified than single
+/// samples for schemes that have a `sample_many`. Each sample has the scheme's pdf; an estimate is their sum
+/// over the number of xi.
 void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                  std::vector<DirectionSample>& out);
 
 std::vector<grf::ModelInfo> scheme_infos();
 
-/// All BRDFs and sampling schemes, for `grf::check`.
+/// Returns the catalogue of all BRDFs and sampling schemes, for `grf::check`.
 grf::Catalogue catalogue();
 
 }  // namespace reflectance

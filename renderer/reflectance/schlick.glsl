@@ -1,15 +1,15 @@
-// A roughness or an isotropy of a layer, kept from where the lobe is thinner than numbers.
+// Clamps a layer's roughness or isotropy to where the lobe is representable.
 real schlick_roughness(real r) { return max(r, real(1e-8f)); }
 real schlick_isotropy(real p) { return max(p, real(1e-4f)); }
 
-// Z, the facets whose normal is h: GGX with alpha^2 = r, without its 1/pi.
+// Returns Z, the distribution of microfacet normals h: GGX with alpha^2 = r, without its 1/pi.
 real schlick_zenith(vec3 h, real r) {
   real planar2 = h.x * h.x + h.y * h.y;
   real ratio = (planar2 + h.z * h.z) / (planar2 + r * (h.z * h.z));
   return r * ratio * ratio;
 }
 
-// A, the factor of the facets' azimuth: the argument is the cosine of h's projection with x, not its angle as the
+// Returns A, the azimuthal factor: the argument is the cosine of h's projection with x, not its angle as the
 // print has it.
 real schlick_azimuth(vec3 h, real p) {
   real planar2 = h.x * h.x + h.y * h.y;
@@ -17,15 +17,15 @@ real schlick_azimuth(vec3 h, real p) {
   return sqrt(p * planar2 / (p * p * (h.y * h.y) + h.x * h.x));
 }
 
-// c/G(c), where G is the part of the facets that is seen.
+// Returns c/G(c), where G is the masking of facets.
 real schlick_visible(real r, real c) { return r + (1 - r) * c; }
 
-// (1 - G(cu) G(cv))/(G(cu) G(cv)), the light scattered between facets, without the difference.
+// Returns (1 - G(cu) G(cv))/(G(cu) G(cv)), the light scattered between facets, without the difference.
 real schlick_between_facets(vec3 u, vec3 v, real r) {
   return r * ((1 - u.z) * schlick_visible(r, v.z) + u.z * (1 - v.z)) / (u.z * v.z);
 }
 
-// The D(r, p) of one layer; a layer of roughness 0 is a mirror, and no part of f.
+// Returns D(r, p) of one layer; a layer of roughness 0 is a mirror, which is not part of f.
 real schlick_layer(vec3 u, vec3 v, real roughness, real isotropy) {
   if (!(roughness > 0)) return real(0);
   real r = schlick_roughness(roughness);
@@ -35,7 +35,7 @@ real schlick_layer(vec3 u, vec3 v, real roughness, real isotropy) {
          (4 * PI * schlick_visible(r, u.z) * schlick_visible(r, v.z));
 }
 
-// The second layer gets what the first has not reflected; the print weights it with 1 - S'.
+// The second layer receives what the first does not reflect; the print weights it with 1 - S'.
 vec3 schlick_second(real c, vec3 sc, vec3 dc) { return schlick_transmittance(sc, c) * schlick_fresnel(dc, 1 - c); }
 
 vec3 schlick(vec3 u, vec3 v, vec3 sc, real sr, real sp, bool ly, vec3 dc, real dr, real dp) {
@@ -46,7 +46,7 @@ vec3 schlick(vec3 u, vec3 v, vec3 sc, real sr, real sp, bool ly, vec3 dc, real d
   return bounded(f);
 }
 
-// The weight of the mirror part.
+// Returns the weight of the delta part.
 vec3 schlick_mirror(vec3 u, vec3 sc, real sr, bool ly, vec3 dc, real dr) {
   vec3 weight = sr > 0 ? vec3(0) : schlick_fresnel(sc, 1 - u.z);
   if (ly && !(dr > 0)) weight += schlick_second(u.z, sc, dc);

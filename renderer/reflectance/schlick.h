@@ -22,10 +22,10 @@ struct SchlickFormula {
 
 namespace reflectance {
 
-/// What the sampler has to know of one layer, for a Fresnel factor of 1. It draws the facets as they are
-/// distributed. The light between facets it draws uniformly: its value grows as 1/cos(theta_v).
+/// The sampling data of one layer, for a Fresnel factor of 1. Facets are sampled by their distribution. Light
+/// scattered between facets is sampled uniformly: its value grows as 1/cos(theta_v).
 struct SchlickLayer {
-  float roughness = 0;  ///< 0: a mirror, which reflects nothing here
+  float roughness = 0;  ///< 0: a mirror, with no facets to sample
   float isotropy = 1;
 
   Vec3f facets_direction(const Vec3f& u, const Vec2f& xi) const {
@@ -43,12 +43,12 @@ struct SchlickLayer {
     const float azimuth = formula().schlick_azimuth(h, p());
     return formula().schlick_zenith(h, r()) * azimuth * azimuth * (u.z + v.z) / (8 * Pi * c * c);
   }
-  /// D cos(theta_v) / density of the facets.
+  /// Returns D cos(theta_v) / pdf of the facets.
   float facets_weight(const Vec3f& u, const Vec3f& v) const {
     const float c = cosine_of_half(u, v);
     return 2 * c * c * v.z / (u.z + v.z) / (formula().schlick_azimuth(u + v, p()) * visible(u) * visible(v));
   }
-  /// The same of the light between facets, for uniform directions.
+  /// Returns the same weight for light between facets, with uniform directions.
   float between_weight(const Vec3f& u, const Vec3f& v) const {
     if (!(roughness > 0)) return 0;
     return formula().schlick_between_facets(u, v, r()) * v.z / (2 * visible(u) * visible(v));
@@ -58,7 +58,7 @@ struct SchlickLayer {
   float between_albedo(const Vec3f& u) const {
     if (!(roughness > 0)) return 0;
     const float a = 1 - r();
-    // The integral of (1 - c)/(r + (1-r) c) over c, by its series where the closed form is a difference.
+    // The integral of (1 - c)/(r + (1-r) c) over c, as a series where the closed form would cancel.
     const float scattered = a < 0.1F ? 0.5F + a / 3 : (-std::log(r()) / a - 1) / a;
     return r() / (2 * visible(u)) * ((1 - u.z) / u.z + scattered);
   }
@@ -70,8 +70,7 @@ struct SchlickLayer {
   float visible(const Vec3f& w) const { return formula().schlick_visible(r(), w.z); }
 };
 
-/// One or two layers of facets, each anything from a mirror to rough, with Fresnel; between the facets light
-/// is scattered too.
+/// One or two layers of facets, each from a mirror to rough, with Fresnel and scattering between facets.
 struct Schlick {
   Rgb sc = Rgb(0.7F);
   float sr = 0.31F;
@@ -94,17 +93,16 @@ struct Schlick {
              reflectance_parameter(&Schlick::dc, "DC", "reflectance of the second layer at normal incidence"),
              number_parameter(&Schlick::dr, "Dr", 0, 1, "roughness of the second layer"),
              number_parameter(&Schlick::dp, "Dp", 0, 1, "isotropy of the second layer")},
-        .not_isotropic = "isotropic where Sp = Dp = 1",
+        .not_isotropic = "isotropic if Sp = Dp = 1",
         .not_conserving =
-            "the light between facets makes the albedo of a rough layer grow as 1/(2 cos(theta)) towards "
-            "grazing, as "
-            "published",
+            "light scattered between facets makes the albedo of a rough layer grow as 1/(2 cos(theta)) "
+            "towards grazing, as published",
         .about =
-            "One layer, or a clear one over another, from a mirror (roughness 0) over satin to matte (1), "
-            "with a strength that rises towards grazing. SC, Sr and Sp are the layer's reflectance at the "
-            "normal, its roughness and its isotropy; DC, Dr and Dp those of the second layer, which counts "
-            "where Ly is true and gets what the first lets through. The light that is scattered between "
-            "facets makes rough layers far too bright towards grazing.",
+            "One layer, or a clear one over another, from a mirror (roughness 0) over satin to diffuse (1), "
+            "with Fresnel. SC, Sr and Sp are the layer's reflectance at normal incidence, its roughness and "
+            "its isotropy; DC, Dr and Dp those of the second layer, which exists if Ly is true and receives "
+            "what the first transmits. The light scattered between facets makes rough layers far too bright "
+            "towards grazing.",
         .formula = R"(
 f = S D(Sr,Sp), and where Ly is true + (1-S) S' D(Dr,Dp)
 S = SC + (1-SC) (1-u.h)^5;  S' the same of DC
@@ -163,13 +161,13 @@ mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
  private:
   static constexpr float UniformDensity = 1 / (2 * Pi);
 
-  /// Of the three parts that are drawn: estimated albedos, or probabilities.
+  /// Estimated albedos or probabilities of the three sampled lobes.
   struct Shares {
     float first = 0;
     float second = 0;
     float between = 0;  ///< of both layers
 
-    // The light between facets has at least 5 %, since it is all there is far from the lobes.
+    // The light between facets gets at least 5 %, since far from the lobes there is nothing else.
     Shares probabilities() const {
       const float facets = first + second;
       if (!(facets > 0)) return {0, 0, between > 0 ? 1.0F : 0.0F};
@@ -195,7 +193,7 @@ mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
     return {upper * first().facets_albedo(u), lower * second().facets_albedo(u),
             upper * first().between_albedo(u) + lower * second().between_albedo(u)};
   }
-  /// D cos(theta_v) / density.
+  /// Returns D cos(theta_v) / pdf.
   static float weight_of(const SchlickLayer& layer, const Vec3f& u, const Vec3f& v, float density) {
     const float facets_density = layer.facets_density(u, v);
     const float facets = facets_density > 0 ? layer.facets_weight(u, v) * (facets_density / density) : 0;

@@ -13,10 +13,10 @@
 namespace reflectance {
 namespace {
 
-/// OpenGL 3.3 promises 1024 numbers, of which other uniforms want some.
+/// OpenGL 3.3 guarantees 1024 uniform components, some of which other uniforms need.
 constexpr std::size_t MostParameters = 224;
 
-/// The files that formulas share, each after those that it uses.
+/// The files shared by formulas, in order of dependency.
 constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",   "fresnel",
                                     "beckmann",       "refraction",      "kirchhoff"};
 
@@ -30,7 +30,7 @@ std::string_view text_of(std::string_view name) {
 
 std::string parameter_text(std::size_t k) { return fmt::format("brdf_parameters[{}]", k); }
 
-/// Terms of a sum, or a model alone, on their way to a text.
+/// Builds the text of a model or of the terms of a sum.
 class Maker {
  public:
   bool add(const Brdf& brdf) {

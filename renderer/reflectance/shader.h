@@ -1,4 +1,4 @@
-// BRDFs as GLSL, for pictures that a graphics processor makes. The formulas are the same text that C++ runs.
+// BRDFs as GLSL, for shaders on a GPU. The formulas are the same text that C++ runs.
 #pragma once
 
 #include <cstddef>
@@ -14,33 +14,33 @@
 
 namespace reflectance {
 
-/// GLSL 3.30 without `#version`, for a shader of any stage.
+/// Shader code in GLSL 3.30 without `#version`, for any stage.
 struct Shader {
-  /// Defines `vec3 brdf_value(vec3 u, vec3 v)`: f in 1/sr without the Dirac part, which is a function of one
-  /// cosine and better brought as a table of `mirror`. It is the same text for all parameters of a model.
+  /// Defines `vec3 brdf_value(vec3 u, vec3 v)`: f in 1/sr without the delta part, which depends on one cosine
+  /// and is better passed as a table of `mirror`. The text is the same for all parameters of a model.
   std::string text;
-  /// What the text's `uniform vec3 brdf_parameters[]` has to hold.
+  /// Values of the text's `uniform vec3 brdf_parameters[]`.
   std::vector<Rgb> parameters;
 };
 
-/// The shader of a BRDF, or nothing for measurements, which are no formula, and for sums that have any or
-/// have more terms than a shader takes.
+/// Returns the shader of a BRDF, or nothing for measured data and for sums that contain some or have more
+/// terms than a shader supports.
 std::optional<Shader> shader_of(const Brdf& brdf);
 
-/// What the formulas of these models share, and the formulas.
+/// Returns the formulas of these models with the functions that they share.
 std::string shader_functions(const std::vector<std::string_view>& keywords);
 
-/// The text of the k-th parameter's value, a vec3.
+/// Returns the GLSL expression of the k-th parameter's value, a vec3.
 using ParameterText = std::function<std::string(std::size_t)>;
 
-/// The GLSL of one model, for drawings that read the parameters of many BRDFs from a table.
+/// The GLSL of one model, for shaders that read the parameters of many BRDFs from a table.
 struct FormulaShader {
   std::string_view keyword;
-  std::string functions;  ///< they come first
-  std::string call;       ///< the value for directions `u` and `v`, a vec3
+  std::string functions;  ///< definitions, to be placed first
+  std::string call;       ///< expression of the value for directions `u` and `v`, a vec3
 };
 
-/// The shader of the model that stands at this index in `FormulaBrdf`.
+/// Returns the shader of the model at this index in `FormulaBrdf`.
 FormulaShader formula_shader(std::size_t formula, const ParameterText& parameter);
 
 namespace detail {
@@ -73,8 +73,8 @@ Rgb shader_value(const Value& value) {
 
 }  // namespace detail
 
-/// The call of a model's GLSL function for `u` and `v`: its arguments are its parameters in the order of its
-/// table.
+/// Returns the call of a model's GLSL function for `u` and `v`, with its parameters as arguments in table
+/// order.
 template <class Model>
 std::string shader_call(const ParameterText& parameter) {
   const auto table = Model::table();
@@ -86,7 +86,7 @@ std::string shader_call(const ParameterText& parameter) {
   return call + ")";
 }
 
-/// The values of a model's parameters in the order of its table: booleans are 0 or 1, words their index.
+/// Returns the values of a model's parameters in table order: booleans are 0 or 1, keywords their index.
 template <class Model>
 std::vector<Rgb> shader_values(const Model& model) {
   std::vector<Rgb> values;
@@ -96,10 +96,10 @@ std::vector<Rgb> shader_values(const Model& model) {
   return values;
 }
 
-/// A BRDF that is a formula has the same values; there are none for others.
+/// Returns the parameter values of an analytic BRDF; empty for others.
 std::vector<Rgb> shader_values(const Brdf& brdf);
 
-/// The BRDF whose shader has these values: of the model that stands at this index in `FormulaBrdf`.
+/// Makes the BRDF with these shader values, of the model at this index in `FormulaBrdf`.
 Brdf brdf_of_values(std::size_t formula, std::span<const Rgb> values);
 
 }  // namespace reflectance

@@ -8,7 +8,7 @@ namespace reflectance::glsl {
 template <class real>
 struct SpecularFormula {
   using vec3 = Imath::Vec3<real>;
-// GLSL asks for names of parameters that nobody reads, and C++ complains of them.
+// GLSL requires names of unused parameters, and C++ warns of them.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "renderer/reflectance/specular.glsl"
@@ -19,8 +19,8 @@ struct SpecularFormula {
 
 namespace reflectance {
 
-/// An ideal mirror: f is 0, and the Dirac part carries ks. The print's "ks where v = r" has no Dirac and no
-/// 1/cos, and would reflect nothing.
+/// An ideal mirror: f is 0, and the delta part has weight ks. The print's "ks where v = r" has no Dirac delta
+/// and no 1/cos, and would reflect nothing.
 struct Specular {
   Rgb ks = Rgb(1);
 
@@ -30,10 +30,10 @@ struct Specular {
         .title = "Ideal mirror",
         .parameters = {reflectance_parameter(&Specular::ks, "ks", "reflectance")},
         .about =
-            "An ideal mirror: all that it reflects is in the mirror direction, as a Dirac part, which "
-            "sampling picks by itself and which no lobe shows. ks is its reflectance at every angle. A "
-            "mirror that brightens towards grazing is `coupled` with Rm = 0, and one with a highlight's "
-            "width is `torrance`.",
+            "An ideal mirror: a delta distribution in the mirror direction, which sampling picks with its "
+            "own probability and which lobe plots do not show. ks is its reflectance at every angle. For a "
+            "mirror with Fresnel use `coupled` with Rm = 0, and for one with a highlight of some width "
+            "`torrance`.",
         .formula = R"(
 f = 0
 mirror(u) = ks)",

@@ -19,8 +19,8 @@ struct StraussFormula {
 
 namespace reflectance {
 
-/// Metals and plastics from few knobs: smoothness and metalness. The colour that Strauss gives a surface is
-/// kd's.
+/// Metals and plastics from two parameters, smoothness and metalness. kd is the colour that Strauss gives a
+/// surface.
 struct Strauss : CosineAndLobe<Strauss> {
   float s = 0.5F;
   float m = 0;
@@ -32,19 +32,19 @@ struct Strauss : CosineAndLobe<Strauss> {
         .keyword = "strauss",
         .title = "Strauss",
         .paper = "Strauss 1990",
-        .parameters = {number_parameter(&Strauss::s, "s", 0, 1, "smoothness: 0 is matte, 1 a mirror"),
+        .parameters = {number_parameter(&Strauss::s, "s", 0, 1, "smoothness: 0 is diffuse, 1 a mirror"),
                        number_parameter(&Strauss::m, "m", 0, 1,
                                         "metalness: 1 has no diffuse part and a coloured lobe"),
                        reflectance_parameter(&Strauss::ks, "ks", "factor of the lobe"),
                        reflectance_parameter(&Strauss::kd, "kd",
                                              "factor of the diffuse part, and the colour of a metal")},
-        .not_reciprocal = "its Fresnel factor takes the light's angle alone, as published",
+        .not_reciprocal = "its Fresnel factor depends only on the light's angle, as published",
         .not_conserving = "reflects up to 1.004 for ks = kd = 1 and m = 0",
         .about =
-            "Metals and plastics from two knobs: s goes from matte to mirror, m from plastic, with a white "
-            "highlight over a coloured body, to metal, which is its highlight and colours it. kd is the "
-            "surface's colour, ks the highlight's strength. It takes Fresnel from the light's angle alone, "
-            "so eye and light cannot be exchanged.",
+            "Metals and plastics from two parameters: smoothness s goes from diffuse to mirror, metalness m "
+            "from plastic, with a white highlight over a coloured body, to metal, with only a coloured "
+            "highlight. kd is the surface's colour, ks the highlight's strength. Fresnel depends only on the "
+            "light's angle, so the model is not reciprocal.",
         .formula = R"(
 f = kd (1 - m s) (1 - s^3)/pi + ks C rj (e+2)/(2 pi) max(0, u.r)^e        e = min(3/(1-s), 1e5)
 rj = min(1, s^3 + (s^3 + 0.1) F(theta_v) G(theta_v) G(theta_u));  r: the mirror direction of v

@@ -1,11 +1,11 @@
-// D of Beckmann, without its 1/pi.
+// Returns Beckmann's D without its 1/pi.
 real torrance_beckmann(vec3 u, vec3 v, real m) {
   real t2 = tan2_of_half(u + v);
   return exp(2 * log1p(t2) - t2 / (m * m)) / (m * m);
 }
 
-// V-grooves: G/(cu cv). With lo <= hi the two cosines it is min(1/(cu cv), (1 + lo/hi)/(u.h)^2), in which nothing
-// vanishes over something that vanishes.
+// Returns the V-groove masking-shadowing G/(cu cv). With the cosines lo <= hi it is min(1/(cu cv), (1 +
+// lo/hi)/(u.h)^2), which has no 0/0.
 real torrance_grooves(vec3 u, vec3 v, real c) {
   return min(1 / (u.z * v.z), (1 + min(u.z, v.z) / max(u.z, v.z)) / (c * c));
 }

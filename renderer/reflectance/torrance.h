@@ -21,9 +21,9 @@ struct TorranceFormula {
 
 namespace reflectance {
 
-/// Rough metals and dielectrics: Beckmann's facets in V-grooves, each reflecting after Fresnel. Its lobe is
-/// D F G/(4 pi cu cv), of which the two prints of the thesis have no 1/4 or no cu: the 4 cu cv is the
-/// Jacobian of reflection at a facet, and without it the surface reflects up to four times what it receives.
+/// Rough metals and dielectrics: microfacets of Beckmann's distribution in V-grooves, with Fresnel. The lobe
+/// is D F G/(4 pi cu cv). The two prints of the thesis lack the 1/4 or cu: 4 cu cv is the Jacobian of
+/// reflection at a facet, and without it the surface reflects up to four times the incident light.
 struct Torrance : DiffuseAndLobe<Torrance> {
   float rough = 0.35F;
   float nreal = 1.5F;
@@ -46,11 +46,11 @@ struct Torrance : DiffuseAndLobe<Torrance> {
                        reflectance_parameter(&Torrance::ks, "ks", "factor of the facets' reflection"),
                        reflectance_parameter(&Torrance::kd, "kd", "albedo of the diffuse part")},
         .about =
-            "Metals, plastics and ceramics as a surface of tiny mirrors in V-shaped grooves, each reflecting "
-            "after Fresnel. rough is the RMS slope: 0.05 is polished, 0.35 blasted. The index of refraction "
-            "makes a dielectric (1.5 is glass and plastic) or a metal (gold 0.37 and 2.82, silver 0.177 and "
-            "3.638, copper 0.617 and 2.63, iron 2.485 and 3.433). The highlight strengthens towards grazing "
-            "and lies beyond the mirror direction.",
+            "Metals, plastics and ceramics as specular microfacets in V-shaped grooves, with Fresnel. rough "
+            "is the RMS slope: 0.05 is polished, 0.35 blasted. The index of refraction makes a dielectric "
+            "(1.5 is glass and plastic) or a metal (gold 0.37 and 2.82, silver 0.177 and 3.638, copper 0.617 "
+            "and 2.63, iron 2.485 and 3.433). The highlight strengthens towards grazing and its peak lies "
+            "beyond the mirror direction (off-specular).",
         .formula = R"(
 f = kd/pi + ks D F G/(4 pi cu cv)        F = Fresnel(u.h)
 D = exp(-tan(delta)^2/rough^2)/(rough^2 cos(delta)^4)
@@ -65,9 +65,9 @@ G = min(1, 2 cos(delta) cu/(u.h), 2 cos(delta) cv/(u.h)))",
                                                   Vec3<Real>(kd));
   }
 
-  // The normals that can be seen from u (Heitz and d'Eon 2014, "Importance sampling microfacet-based BSDFs
-  // using the distribution of visible normals"): of the two sides of a groove, the one that faces u more is
-  // picked more.
+  // Samples visible normals (Heitz and d'Eon 2014, "Importance sampling microfacet-based BSDFs using the
+  // distribution of visible normals"): of a groove's two sides, the one that faces u more is picked more
+  // often.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const float slope = rough * std::sqrt(-std::log1p(-xi.direction.x));
     const float phi = 2 * Pi * xi.direction.y;
@@ -87,7 +87,7 @@ G = min(1, 2 cos(delta) cu/(u.h), 2 cos(delta) cv/(u.h)))",
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     glsl::TorranceFormula<float> formula;
     const float c = formula.cosine_at_half(u, v);
-    // G over G1, the part of it that u alone hides.
+    // G over G1, where G1 is the masking by u only.
     const float hidden_from_u = (u.z + v.z) * u.z / (c * c);
     const float hidden_from_v = (u.z + v.z) * v.z / (c * c);
     return formula.fresnel_at_half(u, v, nreal, nimag) *

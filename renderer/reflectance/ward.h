@@ -21,7 +21,7 @@ struct WardFormula {
 
 namespace reflectance {
 
-/// Ward's lobe of Gaussian slopes, fitted to measurements; isotropic where sx = sy.
+/// Ward's lobe of Gaussian slopes, fitted to measurements; isotropic if sx = sy.
 struct Ward : DiffuseAndLobe<Ward> {
   float sx = 0.2F;
   float sy = 0.2F;
@@ -42,15 +42,15 @@ struct Ward : DiffuseAndLobe<Ward> {
                        y,
                        reflectance_parameter(&Ward::ks, "ks", "albedo of a narrow lobe at normal incidence"),
                        reflectance_parameter(&Ward::kd, "kd", "albedo of the diffuse part")},
-        .not_isotropic = "isotropic where sx = sy",
+        .not_isotropic = "isotropic if sx = sy",
         .not_conserving =
             "the lobe's albedo grows without bound within about 0.3 degrees of grazing, as published",
         .about =
-            "Paint, plastic, paper and brushed metal by one Gaussian lobe over a matte part, fitted to "
+            "Paint, plastic, paper and brushed metal by one Gaussian lobe over a diffuse part, fitted to "
             "measurements. sx and sy are the RMS slopes along and across the tangent: 0.05 is polished, 0.2 "
-            "satin, 0.5 dull, and where they differ the highlight is long in the direction of the larger. "
-            "There is no Fresnel: reflection weakens towards grazing, until it grows without bound in the "
-            "last fraction of a degree.",
+            "satin, 0.5 dull, and if they differ the highlight is long in the rougher direction. There is no "
+            "Fresnel: reflection weakens towards grazing, until it grows without bound in the last fraction "
+            "of a degree.",
         .formula = R"(
 f = kd/pi + ks exp(-tan(delta)^2 (cos(phi)^2/sx^2 + sin(phi)^2/sy^2)) / (4 pi sx sy sqrt(cu cv))
 phi: the azimuth of h)",

@@ -23,8 +23,8 @@ struct WestinFormula {
 
 namespace reflectance {
 
-/// `he` without its effective roughness: cheaper, for surfaces that are not deeply shadowed. The thesis'
-/// print is not reciprocal and counts shadowing twice; this has the geometry and the shadowing of `he`.
+/// `he` without its effective roughness: cheaper, for surfaces with little self-shadowing. The thesis' print
+/// is not reciprocal and counts shadowing twice; this has the geometry and masking-shadowing of `he`.
 struct Westin : KirchhoffLobe<Westin> {
   static ModelTable<Westin> table() {
     return {
@@ -33,12 +33,12 @@ struct Westin : KirchhoffLobe<Westin> {
         .paper = "Westin, Arvo and Torrance 1992",
         .parameters = kirchhoff_parameters<Westin>(),
         .not_continuous =
-            "in float the series ends at 1e-38: values under 1e-15, of surfaces that are smooth to 1e-5 of a "
+            "in float the series underflows at 1e-38: values below 1e-15, of surfaces smooth to 1e-5 of a "
             "wavelength, lose digits",
         .about =
-            "`he` with the roughness that it has instead of the part of it that eye and light both see: "
-            "cheaper, for surfaces that hardly shadow themselves, such as varnish, lacquered wood and "
-            "polished metal. Parameters and looks are as there; both differ near grazing alone.",
+            "`he` without the effective roughness (the roughness of what is neither masked nor shadowed): "
+            "cheaper, for surfaces with little self-shadowing, such as varnish, lacquered wood and polished "
+            "metal. Parameters and appearance are as there; the two differ only near grazing.",
         .formula = "As `he`, with s = sigma.",
         .example = "westin sigma=0.1 tau=3 nreal=0.617 nimag=2.63",
     };
@@ -50,7 +50,7 @@ struct Westin : KirchhoffLobe<Westin> {
                                               Real(nimag), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
-  /// By the surface itself, of light along u.
+  /// Returns the masking-shadowing factor for light along u.
   float shadowing(const Vec3f& u) const {
     return u.z * glsl::WestinFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
   }

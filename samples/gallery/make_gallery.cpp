@@ -1,12 +1,12 @@
-// Writes the shapes of the gallery's scenes, the same on every machine. Their BRDF is `material`, which the
+// Writes the meshes of the gallery's scenes, identical on every machine. Their BRDF is `material`, which the
 // scene defines. They stand on y = 0 about the y axis.
 //   block, cushion  a box of side 1 with round edges and uv, and a stuffed one
 //   cubes           6 x 6 x 6 cubes of the thesis' scene Cube, in the order and disorder of Georg Nees'
 //                   "Schotter" (1968)
 //   pile_0 .. 3     84 touching spheres of radius 1 as a tetrahedron, in four files such that no two of one
 //                   file touch
-//   cove            a floor that rises behind into a wall, of a paper 60 wide
-//   ring, vase      a torus of height 1, and a turned vase of height 2
+//   cove            a paper backdrop 60 wide: a floor that curves up into a wall
+//   ring, vase      a torus of height 1, and a surface of revolution of height 2
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ using Imath::V3d;
 
 constexpr double Pi = std::numbers::pi;
 
-/// Rounded as exporters do, far above what libraries of functions differ by.
+/// Rounds as exporters do, far more coarsely than math libraries differ.
 grf::Vec3f rounded(const V3d& v) {
   const auto round = [](double x) { return static_cast<float>(std::round(x * 1e4) / 1e4 + 0.0); };
   return {round(v.x), round(v.y), round(v.z)};
@@ -42,10 +42,10 @@ struct Vertex {
   V3d normal;
 };
 
-/// A surface from outside: s to the right, t upwards, both from 0 to 1.
+/// A parametric surface seen from outside: s to the right, t upwards, both from 0 to 1.
 using Surface = std::function<Vertex(double s, double t)>;
 
-/// Quads over a surface, with corners at these places.
+/// Adds a grid of quads over a surface, with corners at these parameters.
 void add_grid(MeshDraft& mesh, const Surface& surface, const std::vector<double>& across,
               const std::vector<double>& up, bool has_uv) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -73,13 +73,13 @@ std::vector<double> steps(int count) {
   return values;
 }
 
-/// A box of side 1 that stands on y = 0, with round edges; its top and bottom may swell.
+/// A box of side 1 that stands on y = 0, with round edges; its top and bottom may bulge.
 class Box {
  public:
   Box(double radius, double bulge) : radius_(radius), bulge_(bulge) {}
 
   Mesh mesh(int arc_steps, int flat_steps) const {
-    // Along an edge: an arc of 45 degrees, the flat, and an arc again.
+    // Each edge has an arc of 45 degrees, the flat, and another arc.
     std::vector<double> places;
     for (int i = 0; i < arc_steps; ++i) places.push_back(radius_ * i / arc_steps);
     for (const double share : steps(flat_steps)) places.push_back(radius_ + 2 * flat_ * share);
@@ -101,7 +101,7 @@ class Box {
     V3d right, up, out;
   };
 
-  /// The tangent of the angle by which the surface turns away in the arc at an end.
+  /// Returns the tangent of the angle by which the surface turns away in the arc at an end.
   double lean(double place) const {
     const double into_arc = std::max(radius_ - place, radius_ - (1 - place)) / radius_;
     return std::copysign(std::tan(std::max(0.0, into_arc) * Pi / 4), place - 0.5);
@@ -111,7 +111,7 @@ class Box {
     const double x = std::clamp(s - 0.5, -flat_, flat_);
     const double y = std::clamp(t - 0.5, -flat_, flat_);
     const V3d direction = (side.right * lean(s) + side.up * lean(t) + side.out).normalized();
-    // 1 in the middle of a flat, and 0 with its slope where the arcs begin.
+    // The wave is 1 in the middle of a flat, and 0 with zero slope at the arcs.
     const double wave = Pi / (2 * flat_);
     const double across = std::pow(std::cos(wave * x), 2);
     const double up = std::pow(std::cos(wave * y), 2);
@@ -128,7 +128,7 @@ class Box {
   double flat_ = 0.5 - radius_;  ///< half of a side's flat part
 };
 
-/// Quads of a closed band around the y axis: `profile` is (radius, height) at t.
+/// Makes a surface of revolution about the y axis, as quads: `profile` is (radius, height) at t.
 Mesh turned(const std::function<std::array<double, 2>(double)>& profile, int around, int along) {
   const auto surface = [&](double s, double t) -> Vertex {
     constexpr double Step = 1e-5;
@@ -149,7 +149,7 @@ std::array<double, 2> ring_profile(double t) {
   return {1.2 + 0.5 * std::cos(angle), 0.5 + 0.5 * std::sin(angle)};
 }
 
-/// Smooth through points at even places, as Catmull and Rom have it.
+/// Evaluates a Catmull-Rom spline through evenly spaced points.
 std::array<double, 2> vase_profile(double t) {
   constexpr std::array<std::array<double, 2>, 13> Points = {{{0.0, 0.0},
                                                              {0.34, 0.0},
@@ -180,7 +180,7 @@ std::array<double, 2> vase_profile(double t) {
   return result;
 }
 
-/// A floor to z = -10 and a wall of height 30, with a quarter of a circle of radius 8 between them.
+/// Makes a floor to z = -10 and a wall of height 30, joined by a quarter circle of radius 8.
 Mesh cove() {
   constexpr int Steps = 24;
   constexpr double Radius = 8;
@@ -201,7 +201,7 @@ Mesh cove() {
   return mesh;
 }
 
-/// Numbers from -1 to 1: the standard's distributions differ from library to library.
+/// A generator of numbers from -1 to 1: the standard's distributions differ between libraries.
 class Random {
  public:
   double operator()() { return static_cast<double>(engine_()) / 2147483648.0 - 1; }
@@ -248,8 +248,8 @@ Mesh cubes() {
   return mesh;
 }
 
-/// The spheres of one of four files. i, j and the layer step along three edges of the tetrahedron; sums that
-/// differ by 1, 2 or 3 for neighbours keep those of one file apart.
+/// Writes the spheres of one of four files. i, j and the layer step along three edges of the tetrahedron;
+/// sums that differ by 1, 2 or 3 for neighbours separate those of one file.
 std::string pile(int file) {
   constexpr int Layers = 7;
   const double row = std::sqrt(3.0);

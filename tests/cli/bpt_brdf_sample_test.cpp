@@ -127,8 +127,8 @@ TEST_F(BptBrdfSample, ReportsMistakes) {
                  "BRDF:1:1: error: unknown BRDF 'wrad'");
   expect_failure(
       {"sample", "ward", "--pdf", "specular", "--u", "0"}, 1,
-      "PDF:1:1: error: the scheme 'specular' cannot sample the BRDF 'ward': it reflects nothing into "
-      "the mirror direction alone: use 'diffuse' or 'auto'");
+      "PDF:1:1: error: the scheme 'specular' cannot sample the BRDF 'ward': the BRDF has no mirror "
+      "(delta part): use 'diffuse' or 'auto'");
   const std::string nowhere = folder_.path("none/a.fit");
   expect_failure({"sample", "ward", "--pdf", "auto", "--u", "0", "--fit", nowhere}, 1, nowhere + ": error: ");
   expect_failure({"sample", "ward", "--u", "0"}, 2, "--pdf");

@@ -19,7 +19,7 @@ TEST_F(BptBrdf, ListsAllModelsAsText) {
   const std::string text = out({"list"});
   EXPECT_NE(text.find("\nward           Ward. Ward 1992\n    Paint, plastic"), std::string::npos) << text;
   EXPECT_NE(text.find("\n    sy       0.0001 to 10, sx by default: RMS slope along y\n"), std::string::npos);
-  EXPECT_NE(text.find("\n    not always isotropic: isotropic where sx = sy\n"), std::string::npos);
+  EXPECT_NE(text.find("\n    not always isotropic: isotropic if sx = sy\n"), std::string::npos);
   EXPECT_NE(text.find("\n    energy: "), std::string::npos);
   EXPECT_NE(text.find("\n    not reciprocal: "), std::string::npos);
   EXPECT_NE(text.find("\n    example: ward sx=0.2 sy=0.2 ks=0.5 kd=0.5\n"), std::string::npos);
@@ -93,7 +93,7 @@ TEST_F(BptBrdf, ReportsBadInstancesAtTheirPlace) {
       {"albedo", "ward\n sx=20", "--u", "0"}, 1,
       "BRDF:2:2: error: 'sx' of 'ward': 20 is out of range, expected a number from 0.0001 to 10\n");
   expect_failure({"plot", "ward sx=", "-o", folder_.path("a.svg")}, 1, "BRDF:1:");
-  expect_failure({"albedo", "lafortune n=1000 Cx=10", "--u", "0"}, 1, "the lobe's peak over 1e30");
+  expect_failure({"albedo", "lafortune n=1000 Cx=10", "--u", "0"}, 1, "the lobe's peak exceeds 1e30");
   expect_failure({"albedo", "", "--u", "0"}, 1, "error: ");
   EXPECT_TRUE(folder_.names().empty());
 }
@@ -171,7 +171,7 @@ TEST_F(BptBrdf, PlotsPng) {
 TEST_F(BptBrdf, RefusesOtherPictures) {
   for (const char* name : {"a.gif", "a", "a.svg.txt"}) {
     expect_failure({"plot", "diffuse", "-o", folder_.path(name)}, 1,
-                   "error: a picture's name ends in .svg or .png");
+                   "error: the picture's name must end in .svg or .png");
   }
   const std::string nowhere = folder_.path("none/a.svg");
   expect_failure({"plot", "diffuse", "-o", nowhere}, 1, nowhere + ": error: ");

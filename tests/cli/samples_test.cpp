@@ -227,7 +227,7 @@ TEST(SamplingStudy, WritesWholeFiles) {
 
   const std::string readme = test::bytes_of(folder.path("README.md"));
   for (const char* heading : {"(table 5.1)", "(table 5.2)", "(table 5.3)", "(table 5.6)",
-                              "## What a scheme costs", "### anywhere", "### environment", "## Targets"}) {
+                              "## Cost of a scheme", "### anywhere", "### environment", "## Targets"}) {
     EXPECT_NE(readme.find(heading), std::string::npos) << heading;
   }
   for (const char* picture : {"convergence.svg", "schemes.svg"}) {

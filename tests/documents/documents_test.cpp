@@ -141,8 +141,8 @@ std::string summary() {
 /// Returns the instances of table 5.5 of the thesis.
 std::string thesis_instances() {
   std::string text =
-      "The parameter sets that the thesis measures sampling with (its table 5.5):\n\n"
-      "| instance | albedo at 0 | 45 | 80 degrees |\n|---|---|---|---|\n";
+      "The parameter sets of the thesis' sampling measurements (its table 5.5):\n\n| instance | albedo at 0 "
+      "| 45 | 80 degrees |\n|---|---|---|---|\n";
   for (const char* instance :
        {"ashikhmin nu=25 nv=25 ks=0.39 kd=0.6",
         "beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.4 Rd=0.75 Rv=0.5", "blinn n=100 ks=1 kd=0.67",
@@ -177,9 +177,9 @@ std::string model_section(const grf::ModelInfo& model) {
   if (!model.parameters.empty()) text += parameter_rows(model) + "\n";
   text += property("Isotropic", model.not_isotropic);
   text += property("Reciprocal", model.not_reciprocal);
-  text += property("Conserves energy where its parts sum to at most 1", model.not_conserving);
+  text += property("Conserves energy if its parts sum to at most 1", model.not_conserving);
   if (!model.not_continuous.empty()) {
-    text += property("The same within 1e-3 in float, in double and in GLSL", model.not_continuous);
+    text += property("Equal within 1e-3 in float, double and GLSL", model.not_continuous);
   }
   if (!model.paper.empty()) text += fmt::format("- Paper: {}.\n", model.paper);
   if (!model.formula.empty()) {
@@ -213,10 +213,10 @@ std::string refusals_of(const grf::ModelInfo& scheme_info) {
     if (known == refused.end()) known = refused.insert(refused.end(), {reason, {}});
     known->second.emplace_back(model.keyword);
   }
-  if (refused.empty()) return "- Refuses no BRDF.\n";
+  if (refused.empty()) return "- Supports all BRDFs.\n";
   std::string text;
   for (const auto& [reason, keywords] : refused) {
-    text += fmt::format("- Refuses {}: {}.\n", fmt::join(keywords, ", "), reason);
+    text += fmt::format("- Does not support {}: {}.\n", fmt::join(keywords, ", "), reason);
   }
   return text;
 }
@@ -228,8 +228,9 @@ std::string scheme_section(const grf::ModelInfo& info) {
       fmt::format("\n## {}: {}\n\n{}\n\n{}\n", info.keyword, info.title, info.about, parameter_rows(info));
   text += refusals_of(info);
   text += reflectance::may_miss(reflectance::make_scheme(named).value())
-              ? "- May miss part of what a BRDF reflects: mixed with a cosine part where it does.\n"
-              : "- Draws every direction into which a BRDF reflects.\n";
+              ? "- Its pdf may be 0 where a BRDF reflects light: such BRDFs are sampled by a mixture with "
+                "the cosine.\n"
+              : "- Its pdf is above 0 wherever a BRDF reflects light.\n";
   if (!info.paper.empty()) text += fmt::format("- Paper: {}.\n", info.paper);
   return text;
 }

@@ -47,7 +47,7 @@ TEST(AlbedoCurve, IsThatOfTheModel) {
   EXPECT_EQ(albedo_chart(curve).series.size(), 3U) << "a line for each channel";
   const reflectance::Reflector gains(brdf_of("minnaert k=0.8 kd=1"), reflectance::OwnScheme());
   const Chart over_one = albedo_chart(albedo_curve(gains, 256));
-  EXPECT_NE(over_one.title.find("more than is received"), std::string::npos);
+  EXPECT_NE(over_one.title.find("above 1"), std::string::npos);
   ASSERT_EQ(over_one.series.size(), 2U) << "the albedo, and a line at 1";
   EXPECT_EQ(over_one.series.back().points.front(), Point(0, 1));
 }

@@ -31,7 +31,7 @@ Chart chart_of(const Axis& x, const Axis& y, const std::vector<plot::Point>& poi
   return {"title", x, y, {{{}, points, {}, {}}}};
 }
 
-/// The words of a chart's two axes, whose labels are empty.
+/// Returns the tick labels of a chart's two axes, whose titles are empty.
 std::vector<std::string> ticks(const Axis& x, const Axis& y, const std::vector<plot::Point>& points) {
   std::vector<std::string> words = test::texts(drawn(chart_of(x, y, points)));
   std::erase(words, "title");

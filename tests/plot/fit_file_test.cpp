@@ -29,7 +29,7 @@ std::string error_in(const std::string& text) {
   return diagnostics.to_text();
 }
 
-// As it is printed, on one line; its phi cannot be in radians.
+// The thesis' example on one line; its phi cannot be in radians.
 TEST(FitFile, OfTheThesisIsRead) {
   const std::string text =
       "ashikhmin nu = 25 nv = 25 ks =0.39 kd =0.6 viewer (1.33763, 344.888) begin "
@@ -40,7 +40,7 @@ TEST(FitFile, OfTheThesisIsRead) {
   const auto file = read_fit(text, "thesis.fit", diagnostics);
   ASSERT_TRUE(file);
   EXPECT_TRUE(diagnostics.to_text().starts_with(
-      "thesis.fit:1:61: warning: the view's phi, 344.888, is over a full turn: angles are in radians\n"))
+      "thesis.fit:1:61: warning: the view's phi, 344.888, is more than a full turn: angles are in radians\n"))
       << diagnostics.to_text();
   EXPECT_EQ(file->brdf, brdf_of("ashikhmin nu=25 nv=25 ks=0.39 kd=0.6"));
   EXPECT_EQ(file->theta, 1.33763F);
@@ -74,8 +74,8 @@ TEST(FitFile, HasFreeSpaceAndAnyCase) {
 
 TEST(FitFile, ReportsMistakesAtTheirPlace) {
   EXPECT_EQ(error_in(""),
-            "a.fit:1:1: error: found the end of the file, expected 'viewer' and the view behind "
-            "a BRDF\n");
+            "a.fit:1:1: error: found the end of the file, expected 'viewer' and the view "
+            "direction after the BRDF\n");
   const auto first_line = [](const std::string& text) {
     const std::string error = error_in(text);
     return error.substr(0, error.find('\n'));
@@ -96,16 +96,16 @@ TEST(FitFile, ReportsMistakesAtTheirPlace) {
   EXPECT_EQ(first_line("ward viewer (1, 2) begin\n (1, 2, 3)\n(1, 2, 3) 1 end"),
             "a.fit:3:1: error: found '(', expected a number");
   EXPECT_EQ(first_line("ward viewer (1, 2) begin (1, 2, 1e99) 1 end"),
-            "a.fit:1:33: error: found '1e99', expected a number that is not out of range");
+            "a.fit:1:33: error: found '1e99', expected a number in the range of a float");
   EXPECT_EQ(first_line("ward viewer (1, 2) begin"),
             "a.fit:1:25: error: found the end of the file, expected '(' and a direction, or 'end'");
   EXPECT_EQ(first_line("ward viewer (1, 2) begin end more"),
-            "a.fit:1:30: error: found 'more', expected nothing behind 'end'");
+            "a.fit:1:30: error: found 'more', expected nothing after 'end'");
   EXPECT_EQ(first_line("combine 1 a viewer (1, 2) begin end"),
             "a.fit:1:1: error: a 'combine' of names, but a single BRDF has no definitions");
 }
 
-// Whatever is cut off, there is an answer.
+// Reading must return for any truncation.
 TEST(FitFile, MayEndAnywhere) {
   const std::string text = "ward sx=0.1 viewer (1, 2) begin (0, 0, 1) 1 end";
   for (std::size_t length = 0; length < text.size(); ++length) {

@@ -1,4 +1,4 @@
-// Reads pictures back.
+// Parsing of SVG pictures.
 #pragma once
 
 #include <sstream>
@@ -14,7 +14,7 @@ namespace test {
 
 using Element = boost::property_tree::ptree;
 
-/// The root of a picture's tree. Throws where it is not XML.
+/// Returns the root of a picture's element tree. Throws if it is not XML.
 inline Element svg_of(const std::string& text) {
   std::istringstream stream(text);
   Element document;
@@ -22,7 +22,7 @@ inline Element svg_of(const std::string& text) {
   return document.get_child("svg");
 }
 
-/// All elements of that name, at whatever depth, in the order of the text.
+/// Returns all elements of that name, at any depth, in document order.
 inline std::vector<Element> elements(const Element& within, const std::string& name) {
   std::vector<Element> found;
   for (const auto& [child_name, child] : within) {
@@ -38,7 +38,7 @@ inline std::vector<std::string> texts(const Element& svg) {
   return words;
 }
 
-/// The points of a polyline.
+/// Returns the points of a polyline.
 inline std::vector<plot::Point> points(const Element& polyline) {
   std::istringstream stream(polyline.get<std::string>("<xmlattr>.points"));
   std::vector<plot::Point> points;
@@ -47,7 +47,7 @@ inline std::vector<plot::Point> points(const Element& polyline) {
   return points;
 }
 
-/// Those of lines that are not the grid's.
+/// Returns the polylines other than the grid's.
 inline std::vector<std::vector<plot::Point>> lines(const Element& svg) {
   std::vector<std::vector<plot::Point>> found;
   for (const Element& polyline : elements(svg, "polyline")) {

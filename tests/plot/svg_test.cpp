@@ -43,8 +43,7 @@ double distance_to_segment(const Point& point, const Point& from, const Point& t
   return (from + along * place - point).length();
 }
 
-// Without the points that nobody would miss, but never off the line by more than that, and what rounding to
-// hundredths adds.
+// Simplification drops points that cannot be seen, and stays within its tolerance plus rounding.
 TEST(Svg, SimplifiesLinesToWhatCanBeSeen) {
   std::vector<Point> wave;
   for (int i = 0; i <= 4000; ++i) wave.emplace_back(0.1 * i, 100 + 80 * std::sin(0.02 * i) / (1 + 0.001 * i));

@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// What a BRDF reflects of light from all directions, by quadrature and without the Dirac part.
+/// Computes the directional albedo by quadrature, without the delta part.
 inline double albedo(const Brdf& brdf, const Vec3f& u, double tolerance = 1e-8) {
   const auto integrand = [&](const Vec3f& v) { return evaluate(brdf, u, v).x * double(v.z); };
   return statistics::Quadrature(integrand, reflectance::mirrored(u), tolerance).over_hemisphere();

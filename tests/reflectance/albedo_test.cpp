@@ -50,7 +50,7 @@ TEST(Albedo, IsThatOfAQuadrature) {
   }
 }
 
-// In a lobe this narrow is all of the light in one direction.
+// Nearly all light of a lobe this narrow is in one direction.
 TEST(Albedo, OfNarrowLobesIsRightToo) {
   for (const double theta : {0.0, 45.0, 80.0}) {
     const double cosine = direction(theta, 25).z;
@@ -96,7 +96,7 @@ TEST(LargestAlbedo, IsAtMostOneWhereNothingIsGained) {
 
 TEST(LargestAlbedo, IsKnownToTheCatalogue) {
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
-    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;  // black without its data or its terms
+    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;  // without data or terms it is black
     ASSERT_NE(model.largest_albedo, nullptr) << model.keyword;
     grf::Model defaults;
     defaults.keyword = model.keyword;

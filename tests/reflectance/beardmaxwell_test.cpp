@@ -21,7 +21,7 @@ TEST(BeardMaxwell, VolumeReflectsItsFactorInCommonUnits) {
   EXPECT_FLOAT_EQ(evaluate(test::brdf_of(volume), normal, normal).x, 0.5F / reflectance::Pi);
 }
 
-// On all three branches of its scale. At u = v = h, f is F D / (4 cos^2), and the integral of D cos over h
+// Tests all three branches of its scale. At u = v = h, f is F D / (4 cos^2), and the integral of D cos over h
 // is 1.
 TEST(BeardMaxwell, FacetsAreNormalised) {
   for (const char* sigma : {"0.01", "0.05", "0.3", "0.94", "0.95", "1", "1.04", "1.05", "3", "10"}) {

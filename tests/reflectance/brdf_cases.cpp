@@ -21,7 +21,7 @@ std::string instance(const grf::ModelInfo& model, const std::string& only, bool 
   return text;
 }
 
-// False for values that are each in range and yet wrong together.
+// Returns false for values that are each in range but invalid together.
 bool is_right(const std::string& text) {
   grf::Diagnostics diagnostics;
   const auto model = grf::read_brdf(text, "test", diagnostics);
@@ -83,7 +83,7 @@ class PairGenerator {
  private:
   float uniform() { return std::uniform_real_distribution<float>(0, 1)(random_); }
 
-  // One in four is grazing, to within 1e-6 of the horizon, and some are under it or in the planes of x and y.
+  // One in four is grazing, to within 1e-6 of the horizon; some are below it or in the planes of x and y.
   Vec3f any_direction() {
     float z = uniform();
     const unsigned kind = random_() % 16;
@@ -103,7 +103,8 @@ class PairGenerator {
 
   Vec3f near(const Vec3f& v) {
     const float distance = std::pow(10.0F, -6 + 5 * uniform());
-    const Vec3f step{uniform() - 0.5F, uniform() - 0.5F, uniform() - 0.5F};  // in this order
+    const Vec3f step{uniform() - 0.5F, uniform() - 0.5F,
+                     uniform() - 0.5F};  // the order of the calls is fixed
     return (v + step * distance).normalized();
   }
 

@@ -13,8 +13,8 @@ namespace test {
 using reflectance::Brdf;
 using reflectance::Vec3f;
 
-/// The BRDF that a text such as `ward sx=0.1` describes; of `0.5 ward sx=0.1 + 0.2 specular` the weighted
-/// sum, and of `table of ward sx=0.1` measurements with its values.
+/// Makes a BRDF from a text such as `ward sx=0.1`; `0.5 ward sx=0.1 + 0.2 specular` is a weighted sum, and
+/// `table of ward sx=0.1` a measured table of its values.
 Brdf brdf_of(const std::string& text);
 
 inline grf::ModelInfo info_of(const Brdf& brdf) {
@@ -22,8 +22,8 @@ inline grf::ModelInfo info_of(const Brdf& brdf) {
                     brdf);
 }
 
-/// A BRDF of the thesis' table 5.5, which its measurements are of, and the kilobytes that its trees take
-/// there (table 5.3).
+/// A BRDF of the thesis' table 5.5, used for its measurements, with the kilobytes of its trees there (table
+/// 5.3).
 struct ThesisCase {
   std::string brdf;
   double kilobytes = 0;
@@ -42,7 +42,7 @@ inline const std::vector<ThesisCase>& thesis_cases() {
   return cases;
 }
 
-/// Instances whose lobes a grid can resolve: those of the thesis' table 5.5 among them.
+/// Returns instances whose lobes a grid can resolve, with those of the thesis' table 5.5.
 inline const std::vector<std::string>& plain_cases() {
   static const std::vector<std::string> cases = {
       "diffuse kd=1",
@@ -108,7 +108,7 @@ inline const std::vector<std::string>& plain_cases() {
   return cases;
 }
 
-/// The same, with steps that a quadrature may not see.
+/// Returns instances with steps that a quadrature may miss.
 inline const std::vector<std::string>& stepped_cases() {
   static const std::vector<std::string> cases = {
       "phong n=0 ks=0.2 kd=0",
@@ -122,7 +122,7 @@ inline const std::vector<std::string>& stepped_cases() {
   return cases;
 }
 
-/// Instances whose formulas lose their digits where they are not written with care.
+/// Returns numerically hard instances.
 inline const std::vector<std::string>& hard_cases() {
   static const std::vector<std::string> cases = {
       "phong n=100000",
@@ -153,10 +153,10 @@ inline const std::vector<std::string>& hard_cases() {
   return cases;
 }
 
-/// Both ends of every parameter's range, one at a time, and all at once.
+/// Returns instances with every parameter at both ends of its range, one at a time, and all at once.
 std::vector<std::string> extreme_cases();
 
-/// A direction at an angle from the normal, in degrees.
+/// Returns the direction at an angle from the normal, in degrees.
 inline Vec3f direction(double theta_degrees, double phi_degrees) {
   const double theta = theta_degrees * std::numbers::pi / 180;
   const double phi = phi_degrees * std::numbers::pi / 180;
@@ -164,7 +164,7 @@ inline Vec3f direction(double theta_degrees, double phi_degrees) {
                static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
 }
 
-/// Pairs of directions: random ones, and hard ones (grazing, equal, mirrored, nearly so, under the horizon).
+/// A pair of directions: random, or hard (grazing, equal, mirrored, nearly so, below the horizon).
 struct Pair {
   Vec3f u, v;
 };

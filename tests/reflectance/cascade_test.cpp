@@ -1,4 +1,4 @@
-// Curves of cumulative probability, plain and compressed, and the tables that are made of them.
+// Cumulative distribution curves, plain and compressed, and the tables made of them.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -121,7 +121,7 @@ TEST(CascadeTables, HaveDensitiesWhoseIntegralIsOne) {
 }
 
 TEST(CascadeTables, AreMuchSmallerCompressed) {
-  // Of doubles and with 16 views around, the thesis' tables of this size hold 33,792 KB.
+  // With doubles and 16 view azimuths, the thesis' tables of this size take 33,792 KB.
   for (const std::string brdf : {"diffuse kd=1", "ward sx=0.2 ks=0.5 kd=0.5", "lewis n=100 ks=1 kd=0",
                                  "table of torrance rough=0.3"}) {
     const CascadeTables plain(test::brdf_of(brdf), {256, 32}, false);
@@ -133,7 +133,7 @@ TEST(CascadeTables, AreMuchSmallerCompressed) {
   }
 }
 
-/// The mean over directions of |p - q| for the densities of plain and compressed tables.
+/// Returns the mean over directions of |p - q| for the pdfs of plain and compressed tables.
 double difference(const CascadeTables& a, const CascadeTables& b, const Vec3f& u) {
   double sum = 0;
   constexpr std::uint32_t Count = 20000;

@@ -1,4 +1,4 @@
-// Weighted sums of BRDFs, and what makes BRDFs of a scene's data.
+// Weighted sums of BRDFs, and BrdfMaker.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using reflectance::Combine;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-/// The BRDF of the only mesh of a scene with those definitions.
+/// Returns the BRDF of the only mesh of a scene with those definitions.
 std::optional<Brdf> brdf_in(const std::string& definitions, const std::string& attribute,
                             grf::Diagnostics& diagnostics) {
   const auto scene =
@@ -92,8 +92,7 @@ TEST(Combine, RefusesWeightsThatAreTooLarge) {
   grf::Diagnostics diagnostics;
   EXPECT_FALSE(
       brdf_in("def a = brdf diffuse b = brdf combine 1e30 a c = brdf combine 1e30 b", "c", diagnostics));
-  EXPECT_EQ(diagnostics.entries().at(0).message,
-            "the weights of BRDFs multiply to more than a float can hold");
+  EXPECT_EQ(diagnostics.entries().at(0).message, "the product of the BRDFs' weights overflows a float");
 }
 
 TEST(Combine, TakesNamesAsTheyAreMeantWhereItStands) {

@@ -11,8 +11,7 @@
 
 namespace test {
 
-/// Draws with a scheme from BRDFs that are black, a mirror, or a lobe narrower than any cell, and expects
-/// that no weight is negative, infinite or not a number.
+/// Samples BRDFs that are black, a mirror, or a lobe narrower than any cell, and expects finite weights >= 0.
 inline void expect_defined_for_degenerate_brdfs(const std::string& scheme) {
   for (const std::string brdf : {"diffuse kd=0", "specular", "lewis n=100000", "lafortune n=1000000"}) {
     const reflectance::Reflector subject(brdf_of(brdf), scheme_of(scheme));

@@ -1,4 +1,4 @@
-// Non-negative factorisations, the lobes that are made of them, and their files.
+// Non-negative factorisations, their lobes, and their files.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -33,7 +33,7 @@ using reflectance::Vec3f;
 
 MatrixXd product(const NonnegativeFactors& factors) { return factors.left.transpose() * factors.right; }
 
-/// Some matrix of that rank without zeros.
+/// Returns a matrix of that rank without zeros.
 MatrixXd matrix_of_rank(int rank) {
   MatrixXd left(rank, 20);
   MatrixXd right(rank, 30);
@@ -74,13 +74,13 @@ TEST(NonnegativeFactors, AreZeroWhereTheMatrixIs) {
   EXPECT_LT((product(factorised(spike, 2)) - spike).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-/// Two lobes over two rows and a column of cells: the first fills the upper row, the second the lower.
+/// Makes two lobes over two rows and a column of cells: the first fills the upper row, the second the lower.
 Factors of_two_rows(std::size_t view_angles, std::size_t view_azimuths, std::vector<float> weights) {
   return {
       {view_angles, view_azimuths, 2, 1, 2, 1, false}, std::move(weights), {0, 1, 1, 0, 1, 0, 0, 1, 0, 1}};
 }
 
-/// The first lobe's share of the light that a view sees, from the density in its row.
+/// Returns the first lobe's fraction of a view's light, from the pdf in its row.
 double first_share(const Factors& factors, const Vec3f& u) {
   const double solid_angle = 2 * M_PI * (1 - std::sqrt(0.5));
   const double even = Factors::Floor / (2 * M_PI);
@@ -111,7 +111,7 @@ TEST(Factors, AreInterpolatedAroundTheAzimuthsOfViews) {
 
 FactorSize size_of(std::size_t j, std::size_t k, bool by_half) { return {8, 1, 32, 16, j, k, by_half}; }
 
-/// The mean of |p - f cos / albedo| over directions, 0 to 2.
+/// Returns the mean of |p - f cos / albedo| over directions, 0 to 2.
 double error_of(const std::string& brdf_text, const FactorSize& size) {
   const Brdf brdf = test::brdf_of(brdf_text);
   FactoredScheme scheme;
@@ -133,13 +133,13 @@ double error_of(const std::string& brdf_text, const FactorSize& size) {
 }
 
 TEST(Factors, ReproduceABrdfThatIsAProduct) {
-  // What is left is the evenly spread share and the size of the cells.
+  // The uniform floor and the size of the cells remain.
   EXPECT_LT(error_of("diffuse kd=0.8", size_of(1, 1, false)), 0.05);
   EXPECT_LT(error_of("minnaert k=2 kd=1", size_of(1, 1, false)), 0.05);
 }
 
 TEST(Factors, ComeNearerWithMoreOfThem) {
-  // The lobe moves with u, so J counts; each of its places is no product, so K counts.
+  // The lobe moves with u, so J counts; at each position it is not a product, so K counts.
   const std::string brdf = "lewis n=10 ks=1 kd=0";
   const double one = error_of(brdf, size_of(1, 1, false));
   const double of_views = error_of(brdf, size_of(4, 1, false));
@@ -193,7 +193,7 @@ class Files : public testing::Test {
  protected:
   Files() { EXPECT_TRUE(files_.save(factors_, diagnostics_)) << diagnostics_.to_text(); }
 
-  /// Expects that loading fails and says so once, and gives back what it says and where.
+  /// Expects that loading fails with one error, which it returns.
   grf::Diagnostic failure(const FactorFiles& files) {
     grf::Diagnostics diagnostics;
     EXPECT_FALSE(files.load(diagnostics));
@@ -206,7 +206,7 @@ class Files : public testing::Test {
     std::ofstream(path, std::ios::binary) << bytes;
   }
 
-  /// With the first numbers of a line replaced.
+  /// Replaces the first numbers of a line.
   void change_line(const std::string& path, int line, const std::string& start) {
     std::string bytes = test::bytes_of(path);
     std::size_t begin = 0;
@@ -232,7 +232,7 @@ TEST_F(Files, AreOfOneBrdfAndSize) {
   FactorFiles others = files_;
   others.brdf_identity = "1 ward sx=0.3";
   EXPECT_EQ(failure(others).location.line, 2U);
-  EXPECT_EQ(failure(others).message, "this does not fit: expected 'brdf 1 ward sx=0.3'");
+  EXPECT_EQ(failure(others).message, "expected 'brdf 1 ward sx=0.3'");
   others = files_;
   others.size.view_factors = 3;
   EXPECT_EQ(failure(others).location.line, 3U);
@@ -256,7 +256,7 @@ TEST_F(Files, HaveNumbersThatMakeSense) {
   EXPECT_EQ(failure().location.line, 4U);
   EXPECT_EQ(failure().location.file->path, files_.curves_path());
   change_line(files_.curves_path(), 4, "0 0");
-  EXPECT_NE(failure().message.find("there is more"), std::string::npos) << failure().message;
+  EXPECT_NE(failure().message.find("there are more"), std::string::npos) << failure().message;
 }
 
 TEST_F(Files, ThatAreCutAreRefusedWhereverTheyAre) {
@@ -267,7 +267,7 @@ TEST_F(Files, ThatAreCutAreRefusedWhereverTheyAre) {
       ASSERT_GE(failure().location.line, 1U) << length;
     }
     replace(path, whole + "more");
-    EXPECT_EQ(failure().message, "there is more behind the end");
+    EXPECT_EQ(failure().message, "unexpected text after the end");
     replace(path, whole);
   }
 }

@@ -1,7 +1,6 @@
-// How near the densities of sampling schemes come to what they are to follow. A mistake in a table or in a
-// share makes no sample wrong, so that no other test sees it, but the picture noisy. The limits are about a
-// tenth over what the schemes reach; none of them can reach 0 but where its lobe is the BRDF's own times the
-// cosine.
+// How well the pdfs of sampling schemes match their targets. An error in a table or a probability keeps
+// estimates unbiased, so that no other test sees it, but makes the picture noisy. The limits are about 10 %
+// above the measured values; none can be 0 unless the lobe is the BRDF's own times the cosine.
 #include <cctype>
 #include <cmath>
 
@@ -20,10 +19,10 @@ using reflectance::Vec3f;
 struct FitCase {
   std::string scheme;
   std::string brdf;
-  double most;  ///< of the samples that are drawn where they should not be, for any of the views
+  double most;  ///< limit of the misplaced fraction, for any of the views
 };
 
-/// The share of samples that fall elsewhere than f cos(theta_v) asks for: half the integral of |p - f
+/// Returns the total variation distance of the pdf from f cos(theta_v): half the integral of |p - f
 /// cos/albedo|.
 double misplaced_share(const Reflector& reflector, const Vec3f& u) {
   constexpr std::uint32_t Count = 20000;

@@ -1,4 +1,4 @@
-// What every formula promises, over random and hard directions and parameters.
+// Properties of every formula, over random and hard directions and parameters.
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +41,7 @@ TEST_P(Formula, IsFiniteNotNegativeAndZeroUnderTheHorizon) {
   }
 }
 
-/// Of the cases whose table makes no exception: promises_test has what those are for.
+/// The cases without an exception in their table; promises_test covers the others.
 class ReciprocalFormula : public Formula {};
 
 TEST_P(ReciprocalFormula, IsTheSameBothWays) {
@@ -53,7 +53,7 @@ TEST_P(ReciprocalFormula, IsTheSameBothWays) {
   }
 }
 
-/// Of the isotropic cases.
+/// The isotropic cases.
 class IsotropicFormula : public Formula {};
 
 TEST_P(IsotropicFormula, StaysTheSameWhenTurned) {
@@ -93,7 +93,7 @@ std::string name_of_case(const testing::TestParamInfo<std::string>& instance) {
 std::vector<std::string> cases_that(bool (*is_wanted)(const Brdf&)) {
   std::vector<std::string> cases = all_cases();
   std::erase_if(cases, [&](const std::string& text) {
-    // A table takes long to make. Its model makes none of the exceptions.
+    // A table takes long to make, and its model makes none of the exceptions.
     return !text.starts_with("table") && !is_wanted(test::brdf_of(text));
   });
   return cases;

@@ -1,5 +1,5 @@
-// A surface in a white furnace: no model reflects more than it receives, unless its table says so. What those
-// do that say so is in promises_test.
+// White furnace test: no model reflects more than it receives, unless its table declares it. promises_test
+// covers those.
 #include <gtest/gtest.h>
 
 #include "tests/reflectance/albedo.h"

@@ -37,7 +37,7 @@ GLuint compile(GLenum kind, const std::string& source) {
 
 GLuint link(const std::string& fragment_source) {
   const GLuint program = glCreateProgram();
-  // One triangle that covers the image.
+  // One triangle covers the image.
   glAttachShader(program, compile(GL_VERTEX_SHADER,
                                   "#version 330 core\n"
                                   "void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1,"
@@ -61,7 +61,7 @@ GLuint texture_of(GLenum unit, GLint format, int width, int height, const Vec3f*
   return texture;
 }
 
-/// A texture of three floats a texel, as high as the values ask for.
+/// Makes a texture of three floats per texel, as high as needed.
 GLuint input_texture(GLenum unit, int width, std::vector<Vec3f> values) {
   const auto columns = static_cast<std::size_t>(width);
   const std::size_t height = (values.size() + columns - 1) / columns;
@@ -128,7 +128,7 @@ std::vector<Rgb> GlslContext::run(const std::string& functions, const std::strin
                                   const ShaderParameters& parameters) {
   const int height = static_cast<int>((u.size() + Width - 1) / Width);
   const GLuint program = link(fragment_shader(functions, expression));
-  // Targets that can be drawn to have four channels.
+  // Renderable formats have four channels.
   const GLuint target = texture_of(GL_TEXTURE3, GL_RGBA32F, Width, height, nullptr);
   const GLuint textures[] = {input_texture(GL_TEXTURE0, Width, u), input_texture(GL_TEXTURE1, Width, v),
                              input_texture(GL_TEXTURE2, parameters.width, parameters.values), target};

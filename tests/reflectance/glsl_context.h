@@ -8,15 +8,15 @@
 
 namespace test {
 
-/// Numbers and colours that a BRDF's shader takes besides directions: a row of `width` of them for each
-/// `pairs_each` pairs of directions. In a shader `parameter(k)` is the k-th of a pair's row.
+/// Shader inputs besides directions: numbers and colours in rows of `width`, one per `pairs_each` pairs of
+/// directions. In a shader, `parameter(k)` is the k-th of a pair's row.
 struct ShaderParameters {
   int width = 1;
   int pairs_each = 1;
   std::vector<reflectance::Rgb> values;
 };
 
-/// OpenGL 3.3 without a window (surfaceless EGL), to run a BRDF's shader over lists of directions.
+/// An OpenGL 3.3 context without a window (surfaceless EGL), to run a BRDF's shader over lists of directions.
 class GlslContext {
  public:
   GlslContext();
@@ -26,8 +26,8 @@ class GlslContext {
 
   std::string renderer() const;
 
-  /// For each pair of directions, `expression`, in which `u` and `v` are the two. The functions are GLSL
-  /// that comes before. Throws the compiler's log if it is not accepted.
+  /// Evaluates `expression` of `u` and `v` for each pair of directions. `functions` is the GLSL before it.
+  /// Throws the compiler's log on errors.
   std::vector<reflectance::Rgb> run(const std::string& functions, const std::string& expression,
                                     const std::vector<reflectance::Vec3f>& u,
                                     const std::vector<reflectance::Vec3f>& v,

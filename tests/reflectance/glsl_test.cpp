@@ -1,4 +1,4 @@
-// The formulas are one text for two languages: here both run it over the same directions and parameters.
+// Formulas are one text for two languages: both run it here over the same directions and parameters.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -16,18 +16,18 @@ using reflectance::Rgb;
 using reflectance::Vec3f;
 using test::Pair;
 
-/// A difference in 1/sr that no image shows: where the terms of a formula cancel, digits are lost in both.
+/// An invisible difference in 1/sr: where the terms of a formula cancel, digits are lost in both.
 constexpr float Unseen = 1e-7F;
 
-/// As the 3D view draws the model.
+/// Returns the shader that the 3D view uses for the model.
 template <class Model>
 reflectance::FormulaShader shader_of_model() {
   return reflectance::formula_shader(reflectance::FormulaBrdf(Model()).index(),
                                      [](std::size_t k) { return fmt::format("parameter({})", k); });
 }
 
-/// The call of the function for a model's Dirac part, for those whose formula is no constant: the model's
-/// own, without v and without the diffuse part, which is the last parameter.
+/// Returns the call of a model's delta part, unless it is constant: the model's arguments without v and the
+/// diffuse part, which is the last parameter.
 template <class Model>
 std::string mirror_call_of() {
   std::string call = shader_of_model<Model>().call;
@@ -36,7 +36,7 @@ std::string mirror_call_of() {
   return keyword + "_mirror(u" + call.substr(keyword.size() + 5) + ")";
 }
 
-/// What a model's shader is run over, and the models, for messages.
+/// The inputs of a model's shader, and the models, for messages.
 template <class Model>
 struct Triples {
   std::vector<Vec3f> u;
@@ -61,7 +61,7 @@ struct Triples {
   }
 };
 
-/// Long sums and integrals differ a little more.
+/// Sums and integrals with many terms differ a little more.
 float tolerance(std::string_view keyword) {
   return keyword == "he" || keyword == "westin" || keyword == "poulin" ? 1e-3F : 1e-4F;
 }
@@ -113,7 +113,7 @@ TYPED_TEST(Glsl, IsWhatCppIsForRandomParameters) {
   expect_same(triples);
 }
 
-/// So C++ can evaluate what a shader would.
+/// C++ can evaluate what a shader would.
 TYPED_TEST(Glsl, ValuesMakeTheModelAgain) {
   test::for_each_set<TypeParam>([](const TypeParam& model, std::span<const Pair> pairs) {
     const std::size_t formula = reflectance::FormulaBrdf(model).index();
@@ -151,7 +151,7 @@ TEST(GlslMirror, IsWhatCppsIs) {
   expect_mirror_is_what_cpp_is<reflectance::Westin>();
 }
 
-/// A file that formulas come to share and that is not listed would be missing in the window only.
+/// A shared file that is missing from the list would fail only in the window.
 TEST(GlslTexts, AreAModelsOrShared) {
   const std::string shared = reflectance::shader_functions({});
   for (const reflectance::GlslText& file : reflectance::glsl_texts()) {
@@ -162,7 +162,7 @@ TEST(GlslTexts, AreAModelsOrShared) {
   }
 }
 
-/// All formulas in one text, weighted: names of functions must not clash.
+/// All formulas in one weighted text: names of functions must not clash.
 TEST(GlslSum, IsWhatCppIs) {
   using reflectance::CombinedBrdfs;
   auto parts = std::make_shared<CombinedBrdfs>();

@@ -9,7 +9,7 @@ namespace {
 using test::albedo;
 using test::direction;
 
-// Isotropic scattering without a surface: the law of Lommel and Seeliger, whose albedo has a closed form.
+// Isotropic scattering without a surface is the Lommel-Seeliger law, whose albedo has a closed form.
 TEST(Hanrahan, WithoutSurfaceIsLommelAndSeeliger) {
   const std::string layer = "hanrahan nreal=1 g=0 albedo=1 depth=1000000 ks=1 kd=0";
   for (const double angle : {0.0, 45.0, 80.0}) {

@@ -1,5 +1,5 @@
-// What is known of models by other means: numbers of papers and of closed forms, limits in which one model is
-// another, and the formulas as they are printed in textbooks, where they hold their digits.
+// Known properties of models: published numbers, closed forms, limits in which one model equals another, and
+// textbook formulas where they keep their digits.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -18,7 +18,7 @@ using reflectance::Vec3f;
 using test::brdf_of;
 using test::Pair;
 
-/// Of the first channel, mirror part included.
+/// Returns the albedo of the first channel, with the delta part.
 double albedo_with_mirror(const std::string& text, double theta) {
   const Brdf brdf = brdf_of(text);
   const Vec3f u = test::direction(theta, 25);
@@ -29,7 +29,7 @@ double albedo_with_mirror(const std::string& text, double theta) {
   return quadrature.over_hemisphere() + mirror(brdf, u).x;
 }
 
-/// Pairs for which textbook forms have nothing to fear.
+/// Returns pairs for which textbook forms are accurate.
 std::vector<Pair> easy_pairs() {
   std::vector<Pair> pairs;
   for (const double theta_u : {5.0, 40.0, 75.0}) {
@@ -52,7 +52,7 @@ void expect_same(const std::string& one, const std::string& other, float toleran
   }
 }
 
-/// The first channel of a BRDF against a function of cu, cv, the unit vector h and u.h.
+/// Compares the first channel of a BRDF with a function of cu, cv, the unit vector h and u.h.
 template <class Function>
 void expect_printed(const std::string& text, Function printed) {
   const Brdf brdf = brdf_of(text);
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                     AlbedoRow{"ashikhmin nu=25 nv=25 ks=0.39 kd=0.6", 0.6889, 0.6314, 0.4353}),
     [](const auto& instance) { return instance.param.brdf.substr(0, instance.param.brdf.find(' ')); });
 
-// Lobes too narrow for quadrature, by their own samplers: in the limit they are mirrors.
+// Lobes too narrow for quadrature, by their own samplers: their limit is a mirror.
 TEST(NarrowLobe, ReflectsWhatAMirrorDoes) {
   constexpr double Cosine = 0.7660444431;
   const std::pair<std::string, double> rows[] = {
@@ -283,7 +283,7 @@ TEST(Lafortune, RefusesAPeakThatIsNoNumber) {
   const auto model = grf::read_brdf("lafortune n=31 Cz=10", "test", diagnostics);
   ASSERT_TRUE(model);
   EXPECT_FALSE(grf::check(*model, reflectance::brdf_infos(), "BRDF", diagnostics));
-  EXPECT_NE(diagnostics.to_text().find("n log(max(|Cx|, |Cy|, |Cz|)) is over 69"), std::string::npos)
+  EXPECT_NE(diagnostics.to_text().find("n log(max(|Cx|, |Cy|, |Cz|)) must be at most 69"), std::string::npos)
       << diagnostics.to_text();
   EXPECT_NO_THROW(brdf_of("lafortune n=29 Cz=10"));
 }
@@ -431,7 +431,7 @@ TEST(Neumann, ReflectsThePartOfItsDiscThatIsOverTheHorizon) {
   EXPECT_NEAR(albedo_with_mirror("neumann r=0.2", 80), 0.527, 1e-3);
 }
 
-// The part of an ellipse in the unit disc, by the midpoint rule.
+// The area of an ellipse within the unit disc, by the midpoint rule.
 TEST(Neumann, KnowsTheAreaOfEllipsesThatCrossTheHorizon) {
   for (const auto& [a, b] : {std::pair(0.5, 0.7), std::pair(1.5, 0.3), std::pair(0.9, 1.2),
                              std::pair(1.0, 1.3), std::pair(2.0, 0.0001), std::pair(1.1, 2.0)}) {

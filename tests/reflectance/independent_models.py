@@ -238,7 +238,7 @@ def granier(p, u, v):
     entering = (1 - schlick_fresnel(normal, u.theta)) * (1 - schlick_fresnel(normal, v.theta))
     inner = p.kt * entering * half_lobe_scale(p.m) * max(0, inner_cosine) ** p.m / p.nreal ** 2
     order = 2 * p.nreal * p.d * cos(delta) / wavelength_of(p.channel)
-    # Fringes of an order over 20 fade, and are averaged from 100 on: three wavelengths cannot show them.
+    # Fringes above order 20 fade, and are averaged from 100 on: three wavelengths cannot resolve them.
     shown = 1 if order <= 20 else 0 if order >= 100 else (100 - order) / 80
     beams = outer + inner + shown * 2 * cos(2 * pi * order) * sqrt(outer * inner)
     return p.kd / pi + max(0.0, beams)

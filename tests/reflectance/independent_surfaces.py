@@ -125,7 +125,7 @@ class Grooves:
             centre = (k * self.d - point[0], -point[1])
             along = centre[0] * ray[0] + centre[1] * ray[1]
             beside = abs(centre[0] * ray[1] - centre[1] * ray[0])
-            # The circle that the point is on, which a ray off it only touches, is not in its way.
+            # The circle that contains the point cannot occlude it: a ray only touches it.
             on_it = abs(hypot(*centre) - 1) < 1e-12
             if not on_it and along > 0 and beside < 1:
                 return False

@@ -1,5 +1,5 @@
-// All models against values and albedos of another program: independent_values.py, which has their papers'
-// formulas and a quadrature of its own.
+// All models against values and albedos of an independent program: independent_values.py, which has the
+// papers' formulas and its own quadrature.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ V3d in_double(double theta_degrees, double phi_degrees) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-/// A grey value is one number.
+/// Reads a grey value as one number.
 V3d channels_of(const json& value) {
   if (value.is_number()) return V3d(value.get<double>());
   return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
@@ -95,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Instances, Independent,
                            return text.substr(0, text.find(' ')) + "_" + std::to_string(instance.index);
                          });
 
-/// A file whose cells say where they are, by the index that the data base publishes: each channel has one of
-/// the cell's three places, and 1 more.
+/// Writes a file whose cells encode their own index, as the data base publishes it: each channel has one of
+/// the cell's three indices, plus 1.
 std::string merl_file_of_places() {
   const std::array<std::int32_t, 3> dimensions = {90, 90, 180};
   std::vector<double> cells(3 * 90 * 90 * 180);
@@ -125,7 +125,7 @@ TEST(IndependentTable, HasThePlacesOfPairsInMeasuredData) {
   for (std::size_t i = 0; i < independent_table()["pairs"].size(); ++i) {
     const json& pair = independent_table()["pairs"][i];
     const json& place = independent_table()["merl"][i];
-    if (place.is_null() || place[2] < 1 || place[2] > 179) continue;  // phi_d has no meaning, or comes round
+    if (place.is_null() || place[2] < 1 || place[2] > 179) continue;  // phi_d is undefined, or wraps around
     const V3d u = in_double(pair[0], pair[1]);
     const V3d v = in_double(pair[2], pair[3]);
     const V3d places = channels_of(place);

@@ -20,8 +20,8 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 TABLE = FOLDER / 'independent_values.json'
 DOCUMENT = FOLDER.parent.parent / 'renderer' / 'MODELS.md'
 
-# Angles of u and v in degrees: theta and phi of each. About the mirror direction, about u itself, across the plane of
-# incidence, and grazing.
+# Angles of u and v in degrees: theta and phi of each. They cover the mirror direction, retro-reflection,
+# directions across the plane of incidence, and grazing.
 PAIRS = [
     (0, 0, 0, 0), (0, 0, 35, 10), (20, 15, 22, 200), (20, 15, 31, 150), (33, 70, 30, 240), (33, 70, 48, 265),
     (45, 120, 40, 310), (45, 120, 52, 100), (45, 200, 15, 290), (50, 340, 50, 330), (57, 25, 63, 207), (57, 25, 20, 31),
@@ -46,7 +46,8 @@ DOCUMENTED = [
 ]
 DOCUMENTED_VIEWS = [(0, 0), (45, 0), (80, 0)]
 
-# Others, each with views for its albedo: no parameter at its default, 0 or 1, where that could hide a mistake.
+# Other instances, with view angles for the albedo: no parameter at its default, 0 or 1, where that could hide
+# a mistake.
 CHOSEN = [
     ('specular ks=(0.2, 0.6, 0.9)', [(30, 10), (70, 200)]),
     ('diffuse kd=(0.9, 0.4, 0.1)', [(30, 10), (70, 200)]),
@@ -128,7 +129,8 @@ def albedo(instance, view, resolution):
             sine, cosine = sin(theta * pi / 180), cos(theta * pi / 180)
             share = weight * (high - low) / 2 * pi / 180 * sine * cosine * 2 * pi / azimuths
             for k in range(azimuths):
-                # Ten times as dense about the mirror direction, where lobes are narrow towards grazing.
+                # The grid is ten times as dense about the mirror direction, where lobes are narrow towards
+                # grazing.
                 place = 2 * pi * (k + 0.5) / azimuths - pi
                 turn, density = place - 0.9 * sin(place), 1 - 0.9 * cos(place)
                 f = instance.value(u, Direction(theta, view[1] + 180 + turn * 180 / pi), **options)
@@ -166,7 +168,7 @@ def rounded(thing):
     if isinstance(thing, float):
         return float(f'{thing:.9g}')
     if isinstance(thing, (list, tuple)):
-        # A grey value is one number.
+        # A grey value is stored as one number.
         if len(thing) == 3 and all(isinstance(part, float) and part == thing[0] for part in thing):
             return rounded(thing[0])
         return [rounded(part) for part in thing]

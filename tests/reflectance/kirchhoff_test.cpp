@@ -1,4 +1,4 @@
-// Wave optics: the series of `he` and `westin`, and what the two models tend to.
+// Wave optics: the series of `he` and `westin`, and limits of the two models.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ long double log_of_term(long double m, long double g, long double b) {
   return m * std::log(g) - g - std::lgamma(m + 1) - std::log(m) - b / m;
 }
 
-/// The series term by term, 14 widths about its largest.
+/// Sums the series term by term, 14 widths about its largest.
 double long_sum(long double g, long double b) {
   long double low = 1;
   long double high = 2 * g + 2 * std::sqrt(b) + 10;
@@ -37,7 +37,7 @@ struct SeriesPoint {
   double g, b, sum;
 };
 
-/// From nearly smooth to very rough, on both branches of the sum, down to values that a float still has.
+/// Returns points from nearly smooth to very rough, on both branches of the sum, down to the smallest floats.
 std::vector<SeriesPoint> series_points() {
   std::vector<SeriesPoint> points;
   for (int quarter = -24; quarter <= 24; ++quarter) {
@@ -125,8 +125,8 @@ TEST(He, MirrorPartFallsWithTheHeightInWavelengths) {
   EXPECT_NEAR(brdf.mirror(u).x, shadowing * shadowing * std::exp(-g), 1e-5);
 }
 
-// Rough in wavelengths it is Beckmann facets of slope 2 sigma/tau, for all wavelengths, but for the
-// shadowing.
+// For roughness large in wavelengths it is Beckmann facets of slope 2 sigma/tau, for all wavelengths, except
+// for the shadowing.
 TEST(He, OfAVeryRoughSurfaceIsBeckmannFacets) {
   const auto rough = test::brdf_of("he sigma=100 tau=1000");
   const auto facets = test::brdf_of("kajiya sigma=100 taux=1000 tauy=1000");

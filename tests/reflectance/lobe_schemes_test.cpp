@@ -1,5 +1,5 @@
-// The schemes that draw from a lobe of given width: what their exponents are, the horizon's share of a lobe,
-// and the cosine part that they are mixed with.
+// The schemes that sample a lobe of given width: their exponents, the fraction of a lobe above the horizon,
+// and the cosine mixture.
 #include <cmath>
 
 #include <boost/math/special_functions/beta.hpp>

@@ -1,4 +1,4 @@
-// Files of the MERL data base: angles, reading, writing, and values between the cells.
+// Files of the MERL data base: angles, reading, writing, and interpolation.
 #include "renderer/reflectance/measured.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ MerlTable table_of(const std::string& instance) {
   return MerlTable([&](const Vec3f& u, const Vec3f& v) { return evaluate(brdf, u, v); });
 }
 
-/// What is said of a file with those bytes.
+/// Returns the message for a file with those bytes.
 std::string said_of(const std::string& bytes) {
   const test::TemporaryFolder folder;
   grf::Diagnostics diagnostics;
@@ -91,11 +91,11 @@ TEST(MerlTable, HasTheValuesOfTheBrdfAtTheCentresOfCells) {
   }
 }
 
-/// Of a pair of directions what is the same however they are turned together, but not for others, nor for
-/// their images in a mirror, nor swapped.
+/// Returns invariants of a pair of directions under common rotation, which differ for other pairs, mirror
+/// images, and swapped ones.
 Rgb invariants_of(const Vec3f& u, const Vec3f& v) { return {u.z, v.z, 1 + u.x * v.y - u.y * v.x}; }
 
-/// The same of the centre of a cell, by spherical trigonometry.
+/// Returns the invariants of a cell's centre, by spherical trigonometry.
 Rgb invariants_of_cell(int half, int difference, int azimuth) {
   const double theta_half = M_PI / 2 * std::pow((half + 0.5) / 90, 2);
   const double theta_difference = M_PI / 2 * (difference + 0.5) / 90;
@@ -128,7 +128,7 @@ TEST(MerlTable, IsMadeOfWhatABrdfIsAtEachCellsAngles) {
   }
 }
 
-// Index and scales as the data base publishes them.
+// Tests index and scales as the data base publishes them.
 TEST(MerlTable, IsWrittenInTheOrderOfTheDataBase) {
   const test::TemporaryFolder folder;
   grf::Diagnostics diagnostics;
@@ -182,7 +182,7 @@ TEST(MerlTable, ScalesTheChannelsAsTheDataBaseDoes) {
 }
 
 TEST(MerlTable, LeavesInvalidCellsOut) {
-  // Only where the light is at the left of the view is there a value.
+  // The value exists only where the light is at the left of the view.
   const MerlTable table([](const Vec3f& u, const Vec3f& v) { return v.y < u.y ? Rgb(-1) : Rgb(0.5F); });
   bool found_invalid = false;
   for (const test::Pair& pair : test::direction_pairs(5000, 4)) {
@@ -202,8 +202,7 @@ TEST(MerlTable, IsContinuousWhereTheAzimuthComesRound) {
 }
 
 TEST(MerlTable, SaysWhatIsWrongWithAFile) {
-  EXPECT_NE(said_of("short").find("is no file of the MERL data base: 5 bytes are too few"),
-            std::string::npos);
+  EXPECT_NE(said_of("short").find("is not a MERL BRDF file: 5 bytes are too few"), std::string::npos);
   EXPECT_NE(said_of(header(360)).find("its dimensions are 90 x 90 x 360, expected 90 x 90 x 180"),
             std::string::npos);
   EXPECT_NE(said_of(header(180) + "0").find("it has 13 bytes, expected 34992012"), std::string::npos);

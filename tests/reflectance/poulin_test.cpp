@@ -29,7 +29,7 @@ TEST(Poulin, OfNoDistanceOrFullHeightIsAPlane) {
   }
 }
 
-// Cylinders that nearly coincide are nearly a plane, and so are those that are far apart or drowned.
+// Cylinders that nearly coincide, are far apart or are covered by the floor tend to a plane.
 TEST(Poulin, TendsToAPlaneAtItsLimits) {
   const Vec3f u = direction(40, 30);
   const Vec3f v = direction(20, 250);
@@ -39,7 +39,7 @@ TEST(Poulin, TendsToAPlaneAtItsLimits) {
         << nearly;
 }
 
-// What a direction sees of arc and floor fills its view: the projected lengths sum to those of the plane.
+// Visible arc and floor fill the view: their projected lengths sum to those of the plane.
 TEST(Poulin, ArcAndFloorFillTheView) {
   for (const auto& [d, h] : Surfaces) {
     for (const double angle : {0.0, 30.0, 60.0, 80.0, 89.0, 89.999}) {
@@ -55,7 +55,7 @@ TEST(Poulin, ArcAndFloorFillTheView) {
   }
 }
 
-// Both integrals over an arc against a fine midpoint rule.
+// Compares both integrals over an arc with a fine midpoint rule.
 TEST(Poulin, ArcIntegralsAreThoseOfTheIntegrand) {
   constexpr int Steps = 200000;
   for (const auto& [d, h] : Surfaces) {
@@ -92,7 +92,7 @@ TEST(Poulin, ConservesEnergy) {
   }
 }
 
-// Cylinders that nearly coincide or are very far apart, floors at their feet and at their tops, lobes of all
+// Tests cylinders that nearly coincide or are very far apart, floors at their feet and tops, and lobes of all
 // widths.
 TEST(Poulin, IsInFloatWhatItIsInDoubleAtItsLimits) {
   const std::vector<test::Pair> pairs = test::direction_pairs(40, 12);

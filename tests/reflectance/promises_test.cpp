@@ -1,5 +1,5 @@
-// What models' tables say that they do not promise: for each such word there is an instance that breaks the
-// promise, so that no model excuses itself from the tests of all others for nothing.
+// The exceptions that models' tables declare: each has an instance that shows it, so that no model is exempt
+// from common tests for nothing.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 using reflectance::Brdf;
 using reflectance::Vec3f;
 
-/// Instances of models that make an exception, and where it is seen: the view's angle, where that matters.
+/// Instances of models with an exception, and the view angle at which it shows, if that matters.
 struct Exception {
   std::string brdf;
   double theta = 0;
@@ -48,7 +48,7 @@ bool reflects_more_than_it_receives(const Exception& exception) {
   return test::albedo(brdf, u, 1e-6) + mirror(brdf, u).x > 1.001;
 }
 
-/// Whether a float is further from a double than 1e-3.
+/// Returns true if float differs from double by more than 1e-3.
 bool differs_in_float(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
   const Imath::V3d a(u);
   const Imath::V3d b(v);
@@ -57,8 +57,8 @@ bool differs_in_float(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
          std::abs(evaluate(brdf, u, v).x - exact) > 1e-3 * exact;
 }
 
-/// The same on both sides of the place between two directions where the value falls to a share of its larger
-/// one.
+/// Returns true if they differ on both sides of the direction at which the value falls to a fraction of the
+/// larger one.
 bool differs_where_it_falls(const Brdf& brdf, const Vec3f& u, Vec3f above, Vec3f below, float share) {
   const auto value = [&](const Vec3f& v) { return evaluate(brdf, u, v).x; };
   if (value(above) < value(below)) std::swap(above, below);
@@ -71,11 +71,11 @@ bool differs_where_it_falls(const Brdf& brdf, const Vec3f& u, Vec3f above, Vec3f
   return differs_in_float(brdf, u, above) || differs_in_float(brdf, u, below);
 }
 
-/// The same at a minimum, which is found from some direction by random steps.
+/// Returns true if they differ at a minimum, which is found from some direction by random steps.
 bool differs_where_it_is_least(const Brdf& brdf, const Vec3f& u, Vec3f v, std::mt19937& random) {
   std::uniform_real_distribution<float> uniform(-1, 1);
   for (float step = 0.1F; step > 1e-6F;) {
-    const Vec3f offset{uniform(random), uniform(random), uniform(random)};  // in this order
+    const Vec3f offset{uniform(random), uniform(random), uniform(random)};  // the order of the calls is fixed
     const Vec3f next = (v + step * offset).normalized();
     const bool is_less = next.z > 0.1F && evaluate(brdf, u, next).x < evaluate(brdf, u, v).x;
     if (is_less) v = next;

@@ -15,7 +15,7 @@
 
 namespace test {
 
-/// The arguments of gtest's typed tests that make one of each type of a variant.
+/// The arguments of gtest's typed tests, one per type of a variant.
 template <class Variant>
 struct TypesOf;
 template <class... Models>
@@ -29,9 +29,8 @@ struct KeywordOf {
   }
 };
 
-/// Models with random parameters, from all of the ranges of their table: of nine values one is the least and
-/// one the greatest, two are near those, two are within ten times the default, one has any order of
-/// magnitude.
+/// Generates models with random parameters over their full ranges: of nine values one is the minimum and one
+/// the maximum, two are near those, two are within ten times the default, one has any order of magnitude.
 class ModelGenerator {
  public:
   explicit ModelGenerator(std::uint32_t seed) : random_(seed) {}
@@ -102,7 +101,7 @@ class ModelGenerator {
   std::mt19937 random_;
 };
 
-/// The instance that a model is in a scene, as in `ward sx=0.1 sy=0.2`.
+/// Returns a model's instance as GRF text, as in `ward sx=0.1 sy=0.2`.
 template <class Model>
 std::string instance_of(const Model& model) {
   const auto value = [](auto field) {
@@ -128,7 +127,7 @@ inline const std::vector<Pair>& million_pairs() {
   return pairs;
 }
 
-/// Calls a function with each random model and the pairs that it is to be tried with.
+/// Calls a function with each random model and the pairs to test.
 template <class Model, class Function>
 void for_each_set(Function function) {
   ModelGenerator generator(2);
@@ -138,7 +137,7 @@ void for_each_set(Function function) {
   }
 }
 
-/// How many triples fail, and the one that fails the most.
+/// Counts failing triples, and keeps the worst one.
 class Failures {
  public:
   template <class Model>
@@ -158,8 +157,8 @@ class Failures {
   std::string text_;
 };
 
-/// Where the table says that the model is not continuous: whether the formula has a step or a steep slope
-/// here, and the value is one that it takes within 1e-6 of v, and of its cosine.
+/// Returns true if the formula has a declared step or steep slope here, and the value is one that it takes
+/// within 1e-6 of v, and of its cosine.
 template <class Model>
 bool is_taken_nearby(const Model& model, const Pair& pair, int channel, double value) {
   if (Model::table().not_continuous.empty()) return false;

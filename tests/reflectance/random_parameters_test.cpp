@@ -1,4 +1,4 @@
-// What every formula promises, over a million random and hard triples of u, v and parameters a model.
+// Properties of every formula, over a million random and hard triples of u, v and parameters per model.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ using test::Pair;
 using test::PairsPerSet;
 using Vec3d = Imath::V3d;
 
-/// Under it, floats lose their digits.
+/// Below it, floats lose digits.
 constexpr double LeastFloat = std::numeric_limits<float>::min();
 
 template <class Model>
@@ -48,7 +48,7 @@ TYPED_TEST(RandomParameters, AreFiniteNotNegativeAndZeroUnderTheHorizon) {
   failures.expect_none();
 }
 
-// And not where it says otherwise.
+// Models with an exception in their table are skipped.
 TYPED_TEST(RandomParameters, AreReciprocalWhereTheTableSaysSo) {
   Failures failures;
   for_each_set<TypeParam>([&](const TypeParam& model, std::span<const Pair> pairs) {

@@ -1,4 +1,4 @@
-// Rejection trees: geometry of the disc, exact densities, the bounds of rejection, and degenerate tables.
+// Rejection trees: geometry of the disc, exact pdfs, the bounds of rejection, and degenerate tables.
 #include <cmath>
 #include <functional>
 
@@ -23,7 +23,7 @@ using reflectance::RejectionTrees;
 using reflectance::Uniforms;
 using reflectance::Vec3f;
 
-/// Area and bounds of what is inside the disc of a box, by points.
+/// Area and bounds of the part of a box inside the disc, by counting points.
 struct Counted {
   double area = 0;
   Box bounds = {2, 2, -2, -2};
@@ -43,7 +43,7 @@ Counted counted(const Box& box) {
 }
 
 TEST(Disc, KnowsAreasAndBoundsOfCutBoxes) {
-  // All eight codes of the thesis' figure 5.6, three corners, the middle of a side, all of it.
+  // All eight cases of the thesis' figure 5.6, three corners, the middle of a side, all of it.
   for (const Box& box :
        {Box{0.5, 0.5, 0.9, 0.9}, Box{-0.9, 0.5, -0.5, 0.9}, Box{0.5, -0.9, 0.9, -0.5},
         Box{-0.9, -0.9, -0.5, -0.5}, Box{0, 0.75, 0.25, 1}, Box{-0.25, 0.75, 0, 1}, Box{0, -1, 0.25, -0.75},
@@ -123,7 +123,7 @@ TEST(RejectionTree, DrawsCellsByTheirExactShare) {
   }
 }
 
-/// Tries in the mean, over leaves by their share.
+/// Returns the mean number of tries, with leaves weighted by probability.
 double mean_tries(const RejectionTree& tree) {
   double tries = 0;
   constexpr int Samples = 20000;
@@ -178,7 +178,7 @@ TEST(RejectionTree, OfNothingIsUniform) {
   EXPECT_EQ(tree.nodes().size(), 1U);
 }
 
-// Where rejection in the whole disc often meets its bound, the density has the mass of what is left.
+// If rejection in the whole disc often reaches its bound, the pdf integrates to the fraction accepted.
 TEST(RejectionTree, AccountsForItsBound) {
   const DiscGrid grid(200);
   std::vector<float> values(200 * 200);
@@ -240,7 +240,7 @@ TEST(RejectionTrees, ManySamplesAreSharedByTheDensity) {
   const auto density = [&](const Vec3f& v) { return double(reflectance::density(scheme, brdf, u, v)); };
   const statistics::ChiSquareTest test(density, reflectance::mirrored(u), 3);
   std::size_t next = 0;
-  // Counts vary less than those of independent samples: only what is off is found.
+  // Counts vary less than those of independent samples, so only deviations are detected.
   EXPECT_GT(test.p_value([&] { return std::optional(many[next++].direction); }, 100000), 1e-4);
   for (const auto& sample : many) ASSERT_EQ(sample.density, density(sample.direction));
 }
@@ -326,7 +326,7 @@ TEST(RejectionTrees, HaveAsManyAzimuthsAsTheBrdfNeeds) {
   EXPECT_EQ(RejectionTrees(test::brdf_of("diffuse kd=0"), small(3, 20)).trees().size(), 0U);
 }
 
-/// The albedo by samples and by quadrature.
+/// Compares the albedo by samples with quadrature.
 void expect_albedo(const std::string& brdf, const std::string& scheme, double degrees) {
   const Reflector subject(test::brdf_of(brdf), test::scheme_of(scheme));
   const Vec3f u = test::direction(degrees, 25);
@@ -359,7 +359,7 @@ TEST(Degenerate, OneTreeIsUnbiasedForAllViews) {
 }
 
 TEST(Degenerate, AGrazingViewThatTheBrdfIsBlackForIsDefined) {
-  // A lobe under the horizon for every view from above.
+  // The lobe is below the horizon for every view from above.
   expect_albedo("lafortune n=50 kp=0 Cx=-1 Cy=-1 Cz=-1", "adaptive nQT=5 res=50", 30);
   expect_albedo("lafortune n=4 kp=0 Cx=-1 Cy=-1 Cz=-0.5", "adaptive nQT=5 res=50", 80);
 }

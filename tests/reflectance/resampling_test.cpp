@@ -32,12 +32,12 @@ class RandomNumbers {
   std::mt19937 random_{21};
 };
 
-/// A smooth light that is narrow compared with a diffuse BRDF, and coloured.
+/// A smooth, coloured light that is narrow compared with a diffuse BRDF.
 Rgb light(const Vec3f& v) {
   const Vec3f centre = Vec3f(-0.6F, 0.3F, 0.7F).normalized();
   return Rgb(1, 0.5F, 0.25F) * (20 * std::exp(30 * (v.dot(centre) - 1))) + Rgb(0.1F);
 }
-/// What a wall leaves of it.
+/// Visibility behind a wall.
 float visibility(const Vec3f& v) { return v.x < -0.4F ? 1.0F : 0.0F; }
 
 struct Estimate {
@@ -93,7 +93,7 @@ TEST(Resampling, IsUnbiased) {
   }
 }
 
-// As many rays for visibility, N, and less variance: the point of it.
+// The purpose of resampling: less variance for equally many (N) visibility rays.
 TEST(Resampling, HasLessVarianceThanAsManySamples) {
   const Vec3f u = test::direction(40, 10);
   const Reflector diffuse(test::brdf_of("diffuse kd=0.7"), test::scheme_of("diffuse"));
@@ -102,7 +102,7 @@ TEST(Resampling, HasLessVarianceThanAsManySamples) {
   EXPECT_LT(resampled(diffuse, u, {64, 4}).variance, resampled(diffuse, u, {4, 4}).variance / 5);
 }
 
-// With a Dirac part among the candidates.
+// Includes a delta part among the candidates.
 TEST(Resampling, CountsMirrorsToo) {
   const Vec3f u = test::direction(40, 10);
   const Reflector coupled(test::brdf_of("coupled Rm=1 Ro=0.3"), test::scheme_of("auto"));

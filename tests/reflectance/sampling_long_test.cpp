@@ -1,4 +1,4 @@
-// 10^8 samples of the BRDFs of the thesis' table 5.5: by all schemes together, and by `adaptive` alone.
+// 10^8 samples of the BRDFs of the thesis' table 5.5: by all schemes together, and by only `adaptive`.
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Every sampling scheme on every BRDF: samples follow the density, weights are f cos / density, and the
-// Monte Carlo albedo is that of quadrature.
+// Every sampling scheme on every BRDF: samples follow the pdf, weights are f cos / pdf, and the Monte Carlo
+// albedo agrees with quadrature.
 #include <cctype>
 #include <cmath>
 #include <random>
@@ -24,7 +24,7 @@ using reflectance::Vec3f;
 
 const std::vector<double> Angles = {0, 30, 60, 85, 89.9};
 
-/// One of some angles for a case, another for the next instance of a model, or all in a long run.
+/// Returns one of the angles per case, alternating between instances, or all in a long run.
 std::vector<double> angles_for(std::size_t instance, const std::vector<double>& angles) {
   if (test::tries_all()) return angles;
   return {angles[instance % angles.size()]};
@@ -33,8 +33,8 @@ std::vector<double> angles_for(std::size_t instance, const std::vector<double>& 
 struct Case {
   std::string brdf;
   std::string scheme;
-  int depth = 0;       ///< that quadratures have at least
-  int resolution = 0;  ///< of the grid over the disc in whose cells the density is constant; 0: there is none
+  int depth = 0;                    ///< minimal depth of quadratures
+  int resolution = 0;               ///< of the disc grid in whose cells the pdf is constant; 0: none
   std::vector<double> angles = {};  ///< of the view, in degrees from the normal
 };
 
@@ -44,8 +44,8 @@ struct SchemeCase {
   int resolution = 0;
 };
 
-/// Both kinds of the table schemes in turns. Their cells are few, since each edge of one costs quadratures
-/// time.
+/// Returns both kinds of the table schemes in turn. Their cells are few, since quadratures take time at each
+/// edge.
 std::vector<SchemeCase> schemes_for(std::size_t brdf) {
   const bool is_even = brdf % 2 == 0;
   return {
@@ -96,7 +96,7 @@ class RandomNumbers {
   std::mt19937 random_;
 };
 
-/// Nothing for a mirror direction, which has no density.
+/// Returns nothing for a delta direction, which has no pdf.
 std::optional<Vec3f> direction_of(const Reflector& reflector, const Vec3f& u, const Uniforms& xi) {
   const auto sample = reflector.sample(u, xi);
   if (!sample || sample->is_mirror) return std::nullopt;
@@ -146,7 +146,7 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
       ASSERT_GT(v.z, 0);
       const float density = subject.density(u, v);
       if (std::abs(sample->density - density) > (GetParam().depth > 0 ? 1e-2F : 1e-3F) * density) {
-        // A direction that is rounded can be over the edge of a cell, where the density steps.
+        // A rounded direction can be over the edge of a cell, where the pdf steps.
         ASSERT_NEAR(sample->density, density, 0.3F * density);
         ++over_an_edge;
         continue;
@@ -177,7 +177,7 @@ void expect_albedo(const Reflector& subject, const Vec3f& u, double exact, const
   EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact) << scheme << u;
 }
 
-// By all schemes at once: the quadrature takes longest.
+// Tests all schemes at once: the quadrature takes longest.
 class Albedo : public testing::TestWithParam<BrdfCase> {};
 
 TEST_P(Albedo, IsThatOfQuadratureByAnyScheme) {
@@ -195,7 +195,7 @@ TEST_P(Albedo, IsThatOfQuadratureByAnyScheme) {
   }
 }
 
-/// The first word, which says the model best; what no name may have is left out.
+/// Returns the first word, which names the model, without characters that test names forbid.
 std::string first_word(const std::string& text) {
   std::string word;
   for (const char c : text) {
@@ -215,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, Albedo, testing::ValuesIn(brdf_cases()),
                            return first_word(brdf.param.text) + "_" + std::to_string(brdf.index);
                          });
 
-// The test of the test: a sampler that is a little off must not pass.
+// Tests the test: a slightly wrong sampler must not pass.
 TEST(ChiSquareTest, RejectsAWrongSampler) {
   const Vec3f u = test::direction(30, 25);
   const Reflector right(test::brdf_of("lewis n=20 ks=0.5 kd=0.5"), reflectance::OwnScheme());

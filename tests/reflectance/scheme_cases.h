@@ -6,7 +6,7 @@
 
 namespace test {
 
-/// The sampling scheme that a text such as `hemisphere exp=20` describes, without its tables.
+/// Makes the sampling scheme of a text such as `hemisphere exp=20`, without its tables.
 reflectance::Scheme scheme_of(const std::string& text);
 
 }  // namespace test

@@ -1,4 +1,4 @@
-// What the inversion of adaptive trees promises beyond what every scheme does (sampling_test.cpp).
+// Properties of the inversion of adaptive trees beyond those of every scheme (sampling_test.cpp).
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Warp, NinetyTreesTakeNoMoreMemoryThanTheThesisOwn) {
   }
 }
 
-/// The relative variance of f cos / density at the view, by independent samples.
+/// Returns the relative variance of f cos / pdf at the view, by independent samples.
 double relative_variance(const Brdf& brdf, const WarpTrees& trees, const Vec3f& u) {
   constexpr int Samples = 20000;
   test::Pairs random(9);
@@ -48,8 +48,8 @@ double relative_variance(const Brdf& brdf, const WarpTrees& trees, const Vec3f& 
   return squares * Samples / (sum * sum) - 1;
 }
 
-// Nine azimuths are of a quarter turn's eight gaps. In the midst of a gap the blend of its trees fits the
-// least.
+// Nine azimuths divide a quarter turn into eight gaps. In the middle of a gap the blend of its trees fits
+// worst.
 TEST(Warp, HasMoreAzimuthsWhereTheBlendOfTwoFitsBadlyBetweenThem) {
   constexpr double Quarter = reflectance::Pi / 2;
   int few_fit = 0;
@@ -86,7 +86,7 @@ TEST(Warp, DensityHasNoSeamBetweenTrees) {
   for (const std::string text : {"phong n=100 ks=0.4 kd=0.6", "ward sx=0.15 sy=0.4 ks=0.6 kd=0.3"}) {
     const Brdf brdf = test::brdf_of(text);
     const WarpTrees trees(brdf, WarpTreesSettings());
-    // The light turns with the view and stays at one place of the trees, so that only their blend changes.
+    // The light rotates with the view and stays at one position of the trees: only their blend changes.
     const auto density_at = [&](double theta) {
       const Vec3f u = test::direction(theta, 0);
       const reflectance::ViewColumns columns(reflectance::square_radius(u), !is_anisotropic(brdf));
@@ -106,7 +106,7 @@ TEST(Warp, KeepsEvenPointsEven) {
   constexpr int Repeats = 64;
   const WarpTrees trees(test::brdf_of("phong n=100 ks=0.4 kd=0.6"), WarpTreesSettings());
   const Vec3f u = test::direction(40, 25);
-  // Some light over half of the sky; any smooth function of the direction would do.
+  // A light over half of the sky; any smooth function of the direction would do.
   const auto light = [](const Vec3f& v) { return std::max(0.0F, v.x + 0.3F * v.y) + v.z * v.z; };
   const auto estimate = [&](auto pair_at) {
     double sum = 0;
@@ -123,7 +123,7 @@ TEST(Warp, KeepsEvenPointsEven) {
   for (int repeat = 0; repeat < Repeats; ++repeat) {
     test::Pairs random(static_cast<std::uint32_t>(repeat));
     random_error += std::pow(estimate([&](std::uint32_t) { return random.next_pair(); }) - exact, 2);
-    // Shifted over the torus.
+    // The points are shifted over the torus (Cranley-Patterson rotation).
     const Vec2f shift = random.next_pair();
     even_error += std::pow(estimate([&](std::uint32_t i) {
                              const Vec2f point = reflectance::even_point(i).direction + shift;
@@ -138,12 +138,12 @@ TEST(Warp, TakesNarrowLobesAndBlackBrdfs) {
   const WarpTrees black(test::brdf_of("diffuse kd=0"), WarpTreesSettings());
   EXPECT_FALSE(black.sample(test::direction(30, 0), {0.5F, 0.5F}));
   EXPECT_EQ(black.density(test::direction(30, 0), test::direction(10, 0)), 0);
-  // A lobe a quarter of a degree wide, where the trees' views are a degree apart.
+  // The lobe is a quarter of a degree wide, while the trees' views are a degree apart.
   const test::Weights narrow = test::weights_of(test::brdf_of("lewis n=100000"), 50, 2000, 4);
   EXPECT_TRUE(narrow.are_valid);
   EXPECT_LT(narrow.over_one_and_a_half, 1e-2);
   EXPECT_LT(narrow.largest, 20);
-  // One tree, which fits no view but its own.
+  // One tree fits only its own view.
   WarpTreesSettings one;
   one.theta_count = 1;
   const Brdf brdf = test::brdf_of("ward sx=0.2 ks=0.5 kd=0.5");
@@ -194,7 +194,7 @@ TEST(ViewSquare, KeepsAreas) {
     const Vec2f point = 2.0F * random.next_pair() - Vec2f(1);
     height += double(reflectance::from_square(point.x, point.y).z) / Count;
   }
-  EXPECT_NEAR(height, 0.5, 0.004);  // cos(theta) is even in solid angle
+  EXPECT_NEAR(height, 0.5, 0.004);  // cos(theta) is uniform in solid angle
 }
 
 TEST(AutoScheme, IsAdaptiveWhereTheBrdfsOwnSamplerIsPoor) {

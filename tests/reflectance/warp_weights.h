@@ -13,7 +13,7 @@
 
 namespace test {
 
-/// Independent uniform numbers.
+/// A generator of independent uniform numbers.
 class Pairs {
  public:
   explicit Pairs(std::uint32_t seed) : random_(seed) {}
@@ -27,9 +27,9 @@ class Pairs {
   std::mt19937 random_;
 };
 
-/// f cos / density in albedos, for random views up to 80 degrees.
+/// Weights f cos / pdf in albedos, for random views up to 80 degrees.
 struct Weights {
-  double over_one_and_a_half = 0;  ///< share
+  double over_one_and_a_half = 0;  ///< fraction
   double largest = 0;
   bool are_valid = true;
 };
@@ -62,7 +62,8 @@ inline Weights weights_of(const reflectance::Brdf& brdf, int views, int samples,
   return result;
 }
 
-/// For the BRDFs of the thesis' table 5.5: 99.9 % of the weights are within 1.5 albedos, and none is over 4.
+/// Expects for the BRDFs of the thesis' table 5.5: 99.9 % of the weights are within 1.5 albedos, none
+/// above 4.
 inline void expect_even_weights(int views, int samples) {
   for (const ThesisCase& one : thesis_cases()) {
     const Weights weights = weights_of(brdf_of(one.brdf), views, samples, 3);

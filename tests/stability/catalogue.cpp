@@ -1,4 +1,4 @@
-// The catalogue as a whole, and what each of its rows has to keep.
+// The whole catalogue, and the checks of each row.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ std::vector<HardCase> joined(std::initializer_list<std::vector<HardCase>> parts)
   return all;
 }
 
-/// The document's figures are those of one machine: another may round a little otherwise.
+/// Allows for rounding on other machines: the document's figures are from one.
 void expect_is_about(double measured, double documented, double factor) {
   if (documented == 0 || std::isinf(documented)) {
     EXPECT_EQ(measured, documented);

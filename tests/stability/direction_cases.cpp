@@ -1,4 +1,4 @@
-// Every model at the ends of its parameters, for directions that grazing, equality and opposition make hard.
+// Every model with extreme parameters, at grazing, equal and opposite directions.
 #include <functional>
 
 #include "renderer/reflectance/beardmaxwell.h"
@@ -15,7 +15,7 @@ namespace glsl = reflectance::glsl;
 using reflectance::Vec3f;
 using Vec3d = Imath::V3d;
 
-/// Of a model in float, where its value is over 1e-6 of its peak and where its table does not say otherwise.
+/// Compares float with double where the value exceeds 1e-6 of its peak and the table allows no exception.
 template <class Model>
 double error_of(const Model& model, const std::vector<Pair>& pairs) {
   static const std::vector<Pair> usual = direction_pairs(500, 1);
@@ -142,7 +142,7 @@ Errors smith_at_grazing() {
       });
 }
 
-/// Light from the side of the eye, where the fit is largest.
+/// Tests light from the eye's side, where the fit is largest.
 Errors oren_at_grazing() {
   Random random;
   std::vector<Directions> pairs;
@@ -182,17 +182,17 @@ Errors oren_at_grazing() {
 
 std::vector<HardCase> direction_cases() {
   return {
-      {"Every model, u and v from 1e-12 to 1e-6 over the horizon",
+      {"Every model, u and v from 1e-12 to 1e-6 above the horizon",
        "Beckmann's exp(-tan^2/m^2)/cos^4 is 0/0 where h grazes", "exp(2 log1p(tan^2) - tan^2/m^2)", INFINITY,
        1e-3, 2e-4, all_at_grazing},
-      {"Every model, u = v", "acos(u.h): the cosine is rounded past 1, or to where the angle is 3e-4",
+      {"Every model, u = v", "acos(u.h): the cosine is rounded beyond 1, or gives an angle of 3e-4",
        "atan2(|u - v|, |u + v|)", INFINITY, 1e-4, 4e-6, all_where_both_are_one},
       {"Every model, u + v = 0", "h = (u + v)/|u + v| is 0/0",
        "h is not normalised, and f = 0 at the horizon", INFINITY, 0, 0, all_where_both_are_opposite},
       {"Every model, every parameter at both ends", "a lobe of roughness 0 is 0/0 at h = n",
-       "roughness is kept from 0, or is a Dirac part", INFINITY, 1e-3, 8e-4, all_at_both_ends},
-      {"Smith's shadowing, to 1e-6 of grazing", "tan(acos(cos))", "sine over cosine, and S/cos in one", 0.05,
-       1e-5, 3e-7, smith_at_grazing},
+       "roughness is clamped above 0, or becomes a delta part", INFINITY, 1e-3, 8e-4, all_at_both_ends},
+      {"Smith's masking, to 1e-6 of grazing", "tan(acos(cos))", "sine over cosine, and S/cos as one function",
+       0.05, 1e-5, 3e-7, smith_at_grazing},
       {"Oren and Nayar's tan(beta), to 1e-6 of grazing", "tan(acos(cos)) of both directions",
        "the tangent from components, 1 - angle by atan2", 0.05, 1e-5, 4e-7, oren_at_grazing},
   };

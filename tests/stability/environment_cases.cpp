@@ -1,4 +1,4 @@
-// Environment maps with a sun, with black, and with what is no number in the file.
+// Environment maps with a sun, black texels, and NaN or infinity in the file.
 #include <cstring>
 #include <limits>
 #include <numbers>
@@ -25,7 +25,7 @@ double row_solid_angle(const Image& image, int y) {
   return 2 * std::numbers::pi / image.width * (std::cos(step * y) - std::cos(step * (y + 1)));
 }
 
-/// By the midpoint rule, with so many points along each side of a texel.
+/// Integrates by the midpoint rule, with so many points along each side of a texel.
 double irradiance(const Image& image, const Vec3f& normal, int points) {
   double sum = 0;
   for (int y = 0; y < image.height; ++y) {
@@ -44,7 +44,7 @@ double irradiance(const Image& image, const Vec3f& normal, int points) {
 
 constexpr int SamplesOfMap = 4096;
 
-/// From directions of the map and by cosine, weighted as paths weigh them.
+/// Combines map sampling and cosine sampling by multiple importance sampling, as paths do.
 double sampled_irradiance(const EnvironmentMap& map, const Vec3f& normal, std::uint32_t seed) {
   using transport::power_heuristic;
   const reflectance::Frame frame(normal);
@@ -90,7 +90,7 @@ Errors sun() {
   return errors;
 }
 
-/// One list of shares for all texels, summed up in float and searched by bisection.
+/// A naive table: one list of all texels' probabilities, summed in float and searched by bisection.
 class NaiveTable {
  public:
   explicit NaiveTable(const Image& image) : width_(static_cast<std::size_t>(image.width)) {
@@ -111,7 +111,8 @@ class NaiveTable {
   std::vector<float> sums_;
 };
 
-/// Beside a sun near the zenith: how many of a million directions point to within 10 degrees of the nadir.
+/// Tests the dim side of a map with a sun near the zenith: the fraction of samples near the nadir, within 10
+/// degrees.
 Errors ground_beside_a_sun() {
   constexpr std::uint32_t Draws = 1U << 20U;
   const Image image = image_of(2048, 1024, [](int x, int y) { return x == 700 && y == 400 ? 1e6F : 0.02F; });
@@ -138,7 +139,7 @@ Errors ground_beside_a_sun() {
           relative_error(by_naive / double(Draws), exact / total)};
 }
 
-/// Shares of a list, each over the sum of all, as one writes them first.
+/// Naive code: each weight over the sum of all.
 std::vector<float> naive_shares(const std::vector<float>& weights) {
   const float total = std::accumulate(weights.begin(), weights.end(), 0.0F);
   std::vector<float> shares;
@@ -147,13 +148,13 @@ std::vector<float> naive_shares(const std::vector<float>& weights) {
   return shares;
 }
 
-/// The first that is not under xi.
+/// Naive code: the first that is not below xi.
 std::size_t naive_index(const std::vector<float>& shares, float xi) {
   const auto found = std::lower_bound(shares.begin(), shares.end(), xi);
   return std::min(static_cast<std::size_t>(found - shares.begin()), shares.size() - 1);
 }
 
-/// A list for the rows, and one for the columns of each; gives a texel's luminance over the density.
+/// A naive list for the rows, and one for the columns of each; returns a texel's luminance over its pdf.
 class NaiveRows {
  public:
   explicit NaiveRows(const Image& image) : image_(image) {
@@ -183,7 +184,7 @@ class NaiveRows {
 
 constexpr int Side = 64;
 
-/// Pairs of which each number takes both ends of [0,1) too.
+/// Returns pairs in which each number also takes both ends of [0,1).
 std::vector<Vec2f> grid_with_ends() {
   const auto number = [](int i) { return std::min(static_cast<float>(i) / (Side - 1), 0x1.fffffep-1F); };
   std::vector<Vec2f> pairs;
@@ -191,7 +192,7 @@ std::vector<Vec2f> grid_with_ends() {
   return pairs;
 }
 
-/// A share of draws that give nothing: not finite, or in a black texel.
+/// Returns the fraction of invalid draws: not finite, or in a black texel.
 template <class Draw>
 double share_of_wrong(Draw draw) {
   int wrong = 0;
@@ -214,7 +215,7 @@ Errors black_texels() {
   return {share_of_wrong(ours), share_of_wrong([&](const Vec2f& xi) { return naive.weight(xi); })};
 }
 
-/// The bytes of a PFM file, whose rows start at the bottom.
+/// Formats a PFM file, whose rows start at the bottom.
 std::string pfm_of(const Image& image) {
   std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
   for (int y = image.height - 1; y >= 0; --y) {
@@ -230,7 +231,7 @@ std::string pfm_of(const Image& image) {
   return bytes;
 }
 
-/// The same but for three texels must light as if these were black.
+/// Tests that three invalid texels count as black.
 Errors texels_that_are_no_numbers() {
   const auto image_with = [](float nan, float infinity, float negative) {
     return image_of(64, 32, [=](int x, int y) {
@@ -263,18 +264,18 @@ Errors texels_that_are_no_numbers() {
 std::vector<HardCase> environment_cases() {
   constexpr std::string_view Irradiance = "relative error of the irradiance of 4096 samples";
   return {
-      {"Environment map with one texel of 1e6 (a sun)", "directions by cosine",
-       "by the map's own density too, and both weighted", 0.9, 0.02, 3e-3, sun, Irradiance, Kind::Noisy},
-      {"Dim ground beside a sun of 1e6", "one list of all texels' shares, summed in float",
-       "rows, then columns, summed in double", 1, 0.02, 2e-3, ground_beside_a_sun,
-       "relative error of the share of directions near the nadir", Kind::Noisy},
+      {"Environment map with one texel of 1e6 (a sun)", "cosine sampling",
+       "map sampling too, with multiple importance sampling", 0.9, 0.02, 3e-3, sun, Irradiance, Kind::Noisy},
+      {"Dim ground of a map with a sun of 1e6", "one cdf of all texels, summed in float",
+       "marginal and conditional cdfs, summed in double", 1, 0.02, 2e-3, ground_beside_a_sun,
+       "relative error of the fraction of samples near the nadir", Kind::Noisy},
       {"Map with black texels and rows, random numbers 0 and 1 - 2^-24",
-       "each row over its sum, which is 0/0; the first share that is not under xi",
-       "a black row is never chosen; the first share over xi", 0.05, 0, 0, black_texels,
-       "share of draws that are not finite or black"},
-      {"Map with NaN, infinity and -1e6 in its file", "sums of what is there",
-       "counts as 0, with a warning, before anything is summed", INFINITY, 0.02, 8e-4,
-       texels_that_are_no_numbers, Irradiance, Kind::Noisy},
+       "each row over its sum, which is 0/0; the first cdf value not below xi",
+       "a black row is never chosen; the first cdf value above xi", 0.05, 0, 0, black_texels,
+       "fraction of samples that are not finite or black"},
+      {"Map with NaN, infinity and -1e6 in its file", "sums of the values as they are",
+       "they count as 0, with a warning, before summing", INFINITY, 0.02, 8e-4, texels_that_are_no_numbers,
+       Irradiance, Kind::Noisy},
   };
 }
 

@@ -1,4 +1,4 @@
-// Fresnel's reflectance, and what it leaves.
+// Fresnel reflectance and transmittance.
 #include "renderer/reflectance/coupled.h"
 #include "renderer/reflectance/hanrahan.h"
 #include "renderer/reflectance/torrance.h"
@@ -11,7 +11,7 @@ namespace {
 namespace glsl = reflectance::glsl;
 using reflectance::Vec3f;
 
-/// As in textbooks, from eta and k with the sum of a^2 and b^2.
+/// The textbook formula, from eta and k with the sum of a^2 and b^2.
 template <class R>
 R textbook_fresnel(R c, R n, R k) {
   const R c2 = c * c;
@@ -88,7 +88,7 @@ Errors schlick_at_grazing() {
       [](auto c) { return 1 - std::pow(1 - c, decltype(c)(5)); });
 }
 
-/// All that a matte surface under a polish reflects of light along u, which is 1. The integral over v by the
+/// Returns the albedo of a diffuse surface under a specular coat, for u: exactly 1. Integrates over v by the
 /// midpoint rule in v.z.
 template <class Matte>
 double furnace(const reflectance::Coupled& coupled, float cosine, Matte matte) {
@@ -121,19 +121,20 @@ std::vector<HardCase> fresnel_cases() {
   return {
       {"Metals, n from 0.001 to 1 and kappa to 100",
        "a^2 from the sum of n^2 - k^2 - sin^2 and its magnitude, which cancel",
-       "the larger of a and b so, the other from a b = n k", 1e-4, 2e-5, 6e-6, metals},
+       "only the larger of a and b so, the other from a b = n k", 1e-4, 2e-5, 6e-6, metals},
       {"Dielectric with an index of 1.0001", "g - c, of g^2 = n^2 - 1 + c^2", "(n^2 - 1)/(g + c)", 9e-4, 1e-5,
        7e-7, index_near_1},
       {"Index of 0.001 + 1e-6i, u near v",
-       "sin^2 = 1 - c^2 has no digits left, and total reflection starts where it is 1e-6",
-       "sin^2 = |u - v|^2/4", 0.03, 1e-5, 9e-7, index_near_0},
-      {"What glass lets through, to 1e-6 of grazing", "1 - F",
-       "4 a c/(a + c)^2 and its like for the other polarisation", 0.03, 1e-5, 3e-7, grazing_transmittance},
+       "sin^2 = 1 - c^2 has no digits left, and total reflection starts at 1e-6", "sin^2 = |u - v|^2/4", 0.03,
+       1e-5, 9e-7, index_near_0},
+      {"Transmittance of glass, to 1e-6 of grazing", "1 - F",
+       "4 a c/(a + c)^2 and its equivalent for the other polarisation", 0.03, 1e-5, 3e-7,
+       grazing_transmittance},
       {"Schlick's 1 - (1 - c)^5, to 1e-6 of grazing", "the difference", "a polynomial c (5 - 10 c + ...)",
        0.03, 1e-5, 1e-7, schlick_at_grazing},
-      {"White furnace: matte under a polish, to 1e-6 of grazing",
-       "kd/pi + Fresnel's mirror reflects more than it receives",
-       "`coupled` gives the matte part what the mirror leaves", 1, 1e-5, 2e-7, white_furnace},
+      {"White furnace: diffuse under a specular coat, to 1e-6 of grazing",
+       "kd/pi + Fresnel reflection gains energy", "`coupled` gives the diffuse part what the coat transmits",
+       1, 1e-5, 2e-7, white_furnace},
   };
 }
 

@@ -1,5 +1,5 @@
-// A catalogue of cases that are hard in float, each measured with our code and with the code that one writes
-// first. renderer/STABILITY.md is made from it.
+// A catalogue of numerically hard cases, each measured with our code and with naive code.
+// renderer/STABILITY.md is generated from it.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace test {
 
-/// What a case measures, such as the worst relative error against our formula in double; infinite if a result
-/// is infinite or not a number.
+/// The errors of a case, such as the worst relative error against our formula in double; infinite if a result
+/// is infinite or NaN.
 struct Errors {
   double ours = 0;
   double naive = 0;
-  /// Of the naive formula in double: the formula is right, and it is floats that it fails in. 0 where what is
-  /// naive is no formula.
+  /// The error of the naive formula in double: the formula is right and fails only in float. 0 if the naive
+  /// code is not a formula.
   double naive_in_double = 0;
 
   void include(const Errors& more) {
@@ -34,7 +34,7 @@ constexpr std::string_view RelativeError = "relative error";
 
 enum class Kind {
   Plain,
-  Noisy,  ///< what is measured of our code is the noise of samples more than rounding
+  Noisy,  ///< the figure is sampling noise more than rounding
   Long,   ///< takes more than a few seconds
 };
 
@@ -42,12 +42,13 @@ struct HardCase {
   std::string_view name;
   std::string_view naive_code;
   std::string_view our_code;
-  /// As the document has it, within a factor of 4 of what is measured. Not over the bound: naive code does.
+  /// The documented error, within a factor of 4 of the measured one. It exceeds the bound unless naive code
+  /// is good enough.
   double naive_error;
-  double bound;  ///< that our error keeps
-  double error;  ///< as the document has it, within a factor of 2, or 4 where it is noise
+  double bound;  ///< upper limit of our error
+  double error;  ///< the documented error, within a factor of 2, or 4 for noise
   Errors (*measure)();
-  std::string_view measured = RelativeError;  ///< what the errors are
+  std::string_view measured = RelativeError;  ///< the quantity of the errors
   Kind kind = Kind::Plain;
 
   bool naive_holds() const { return naive_error <= bound; }
@@ -55,7 +56,7 @@ struct HardCase {
 
 /// A table of the document.
 struct Section {
-  std::string_view mark;  ///< where it stands there
+  std::string_view mark;  ///< its name in the document's marker
   std::vector<HardCase> cases;
 };
 
@@ -63,33 +64,33 @@ inline void PrintTo(const HardCase& hard_case, std::ostream* out) {  // NOLINT(r
   *out << hard_case.name;
 }
 
-// In the order of the document: of reflectance,
+// Cases in the order of the document: reflectance,
 std::vector<HardCase> direction_cases();
 std::vector<HardCase> fresnel_cases();
 std::vector<HardCase> lobe_cases();
 std::vector<HardCase> model_cases();
-// of light,
+// lights,
 std::vector<HardCase> light_cases();
 std::vector<HardCase> environment_cases();
-// of geometry,
+// geometry,
 std::vector<HardCase> triangle_cases();
 std::vector<HardCase> ray_cases();
-// and of what is summed up.
+// and sums and samples.
 std::vector<HardCase> sampling_cases();
 std::vector<HardCase> image_cases();
 
 std::vector<Section> catalogue();
 
-/// The cases that are long, or all others.
+/// Returns the long cases, or all others.
 std::vector<HardCase> cases_of_length(bool is_long);
 
-/// Fails unless the case measures what its row says.
+/// Fails unless the case measures what its row documents.
 void expect_holds(const HardCase& hard_case);
 
-/// The name of a case as one of a test.
+/// Returns the name of a case as a test name.
 std::string test_name(const HardCase& hard_case);
 
-// What measures are made with.
+// Helpers of measurements.
 
 template <class Real>
 struct RealOf {
@@ -99,7 +100,7 @@ template <class Real>
 struct RealOf<Imath::Vec3<Real>> {
   using Type = Real;
 };
-/// The number type of a formula's argument, a number or a direction.
+/// The scalar type of a formula's argument, a number or a direction.
 template <class Argument>
 using Real = typename RealOf<Argument>::Type;
 
@@ -108,12 +109,12 @@ inline double relative_error(double value, double exact) {
   return value == exact ? 0 : std::abs(value - exact) / std::abs(exact);
 }
 
-/// Two directions, or one where a formula takes one.
+/// Two directions, or one if a formula takes one.
 struct Directions {
   reflectance::Vec3f u, v;
 };
 
-/// Our formula and the naive one, both generic lambdas, over directions. What is under `least` is left out.
+/// Compares our formula with the naive one, both generic lambdas. Skips values below `least`.
 template <class Ours, class Naive>
 Errors compare(const std::vector<Directions>& inputs, Ours ours, Naive naive, double least = 0) {
   using Vec3d = Imath::V3d;
@@ -121,7 +122,7 @@ Errors compare(const std::vector<Directions>& inputs, Ours ours, Naive naive, do
   for (const auto& [u, v] : inputs) {
     const double exact = ours(Vec3d(u), Vec3d(v));
     if (exact < least) continue;
-    // For the naive formula in double, unit in double too.
+    // The naive formula in double gets vectors of unit length in double.
     const Vec3d a = Vec3d(u).normalized();
     const Vec3d b = Vec3d(v).normalized();
     errors.include({relative_error(ours(u, v), exact), relative_error(naive(u, v), exact),
@@ -130,7 +131,7 @@ Errors compare(const std::vector<Directions>& inputs, Ours ours, Naive naive, do
   return errors;
 }
 
-/// The same over numbers.
+/// Compares two formulas over numbers.
 template <class Ours, class Naive>
 Errors compare(const std::vector<float>& inputs, Ours ours, Naive naive) {
   Errors errors;
@@ -153,9 +154,10 @@ class Random {
   reflectance::Vec3f direction(float z) {
     return reflectance::from_angles(z, std::sqrt((1 - z) * (1 + z)), 2 * reflectance::Pi * uniform(0, 1));
   }
-  /// A direction that is at most about this far from another.
+  /// Returns a direction at most about this far from another.
   reflectance::Vec3f near(const reflectance::Vec3f& v, float distance) {
-    const reflectance::Vec3f step{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};  // in this order
+    const reflectance::Vec3f step{uniform(-1, 1), uniform(-1, 1),
+                                  uniform(-1, 1)};  // the order of the calls is fixed
     return (v + distance * step).normalized();
   }
 
@@ -170,7 +172,7 @@ inline std::vector<float> numbers(float low, float high, int count = 10000) {
   return values;
 }
 
-/// v about the mirror direction of u, for a lobe of this width.
+/// Returns pairs with v about the mirror direction of u, for a lobe of this width.
 inline std::vector<Directions> about_the_mirror(float width, int count = 10000) {
   Random random;
   std::vector<Directions> pairs;
@@ -181,7 +183,7 @@ inline std::vector<Directions> about_the_mirror(float width, int count = 10000) 
   return pairs;
 }
 
-/// Both directions over the horizon by these cosines.
+/// Returns pairs of directions whose cosines are in a range.
 inline std::vector<Directions> grazing(float low, float high, int count = 10000) {
   Random random;
   std::vector<Directions> pairs;

@@ -1,4 +1,4 @@
-// A million samples of a pixel, and what must not get into an image.
+// Pixels of a million samples, and values that must not reach an image.
 #include <limits>
 
 #include <half.h>
@@ -17,7 +17,7 @@ using transport::Rgb;
 
 constexpr int MillionSamples = 1'000'000;
 
-/// A tile of one pixel.
+/// Makes a tile of one pixel.
 FilmTile one_pixel() {
   FilmTile tile;
   tile.bounds = {0, 0, 1, 1};
@@ -25,14 +25,14 @@ FilmTile one_pixel() {
   return tile;
 }
 
-/// Adds a sample to each of the scramblings in turn; true if it was taken.
+/// Adds a sample to each of the scramblings in turn; true if it was accepted.
 bool add(FilmTile& tile, int sample, const Rgb& radiance) {
   const int scrambling = sample % FilmTile::Scramblings;
   ++tile.counts[static_cast<std::size_t>(scrambling)];
   return tile.add(0, 0, scrambling, radiance);
 }
 
-/// Samples within `spread` of the mean.
+/// Calls `use` with samples within `spread` of the mean.
 template <class Use>
 void for_each_sample(float mean, float spread, Use use) {
   Random random;
@@ -53,7 +53,7 @@ Errors mean_of_a_million() {
           relative_error(naive / MillionSamples, double(exact))};
 }
 
-/// Of a pixel of 1000 whose samples are within 1 of that.
+/// Tests the variance of a pixel of 1000 whose samples are within 1 of that.
 Errors variance_of_a_million() {
   FilmTile tile = one_pixel();
   std::array<long double, 2> halves = {};
@@ -78,7 +78,7 @@ Errors variance_of_a_million() {
           relative_error(squares / MillionSamples - mean * mean, of_samples)};
 }
 
-/// One sample in a thousand is none: counted, and out of the image.
+/// Tests that invalid samples, one in a thousand, are counted and kept out of the image.
 Errors samples_that_are_no_numbers() {
   const std::array<Rgb, 3> wrong = {Rgb(NAN), Rgb(0, std::numeric_limits<float>::infinity(), 0),
                                     Rgb(0, 0, -std::numeric_limits<float>::infinity())};
@@ -96,7 +96,7 @@ Errors samples_that_are_no_numbers() {
           relative_error(naive, 1)};
 }
 
-/// A sun of 1e6 and a dark one of 1e-9, in one file.
+/// Writes a sun of 1e6 and a dark texel of 1e-9 into one file.
 Errors range_of_a_file() {
   Image image{64, 1, {}};
   for (const float value : numbers(1e-9F, 1e6F, 64)) image.pixels.emplace_back(value);
@@ -120,9 +120,9 @@ std::vector<HardCase> image_cases() {
   return {
       {"Mean of 1e6 samples of a pixel", "a sum in float", "a sum in double", 9e-5, 1e-6, 7e-10,
        mean_of_a_million},
-      {"Variance of 1e6 samples of a pixel that is 1000", "the mean square less the squared mean, in float",
-       "the squared difference of two halves, of sums in double", 7e4, 1e-6, 8e-9, variance_of_a_million},
-      {"One sample in 1000 is NaN or infinite", "it is added up", "it counts as black, and is counted",
+      {"Variance of 1e6 samples of a pixel that is 1000", "the mean square minus the squared mean, in float",
+       "the squared difference of two halves, with sums in double", 7e4, 1e-6, 8e-9, variance_of_a_million},
+      {"One sample in 1000 is NaN or infinite", "it is accumulated", "it counts as black, and is counted",
        INFINITY, 2e-3, 1e-3, samples_that_are_no_numbers},
       {"Radiance from 1e-9 to 1e6 in an EXR file", "half floats, of 16 bits", "floats, of 32", INFINITY, 0, 0,
        range_of_a_file},

@@ -1,5 +1,4 @@
-// Lights that are seen edge-on, are tiny or huge, or touch what they light: one light, without what shades
-// it.
+// Lights that are seen edge-on, are tiny or huge, or touch what they light: single lights without occlusion.
 #include <numbers>
 
 #include "renderer/transport/lights/lights.h"
@@ -18,7 +17,7 @@ using transport::Emitter;
 using transport::Lights;
 using transport::Vec3f;
 
-/// The excess of a spherical triangle's angles over pi, each by an arc cosine (Girard).
+/// Returns the spherical excess of a triangle, by arc cosines (Girard).
 template <class Real>
 Real girard(Imath::Vec3<Real> a, Imath::Vec3<Real> b, Imath::Vec3<Real> c) {
   const auto ab = a.cross(b).normalized();
@@ -27,7 +26,7 @@ Real girard(Imath::Vec3<Real> a, Imath::Vec3<Real> b, Imath::Vec3<Real> c) {
   return std::acos(-ab.dot(bc)) + std::acos(-bc.dot(ca)) + std::acos(-ca.dot(ab)) - std::numbers::pi_v<Real>;
 }
 
-/// Of an emitter's triangle, from a point.
+/// Returns the solid angle of an emitter's triangle from a point.
 template <class Real>
 double naive_solid_angle(const Emitter& emitter, const Vec3f& from) {
   using Vec = Imath::Vec3<Real>;
@@ -51,7 +50,7 @@ Emitter triangle(const Vec3f& corner, const Vec3f& edge1, const Vec3f& edge2) {
   return {corner, edge1, edge2, true, reflectance::Rgb(1)};
 }
 
-/// From points beside a triangle that are hardly over its plane.
+/// Tests points beside a triangle barely above its plane.
 Errors edge_on() {
   Random random;
   Errors errors;
@@ -64,7 +63,7 @@ Errors edge_on() {
         emitter.corner + frame.x * along + frame.y * 0.3F + normal * random.log_uniform(1e-6F, 1e-3F);
     const Vec3d corner = Vec3d(emitter.corner) - Vec3d(from);
     const double height = -Vec3d(emitter.edge1).cross(Vec3d(emitter.edge2)).dot(corner);
-    if (height < 1e-6) continue;  // rounding took the point to the plane
+    if (height < 1e-6) continue;  // rounding moved the point to the plane
     errors.include(errors_of_solid_angle(emitter, from));
   }
   return errors;
@@ -83,7 +82,7 @@ Errors tiny() {
   return errors;
 }
 
-/// As the paper has it (Urena, Fajardo and King 2013, algorithms 1 and 2), of a rectangle at z = -1.
+/// Samples a rectangle at z = -1 as the paper prints it (Urena, Fajardo and King 2013, algorithms 1 and 2).
 template <class Real>
 Vec2d urena_place(Real x0, Real y0, Real width, Real height, const Vec2f& xi) {
   using Vec = Imath::Vec3<Real>;
@@ -133,7 +132,7 @@ Errors places_on_rectangle() {
 
 constexpr int SamplesOfLight = 1024;
 
-/// The irradiance of a rectangle of radiance 1 from its sampled points.
+/// Estimates the irradiance from a rectangle of radiance 1 by our light sampling.
 double sampled_irradiance(const Lights& lights, const Vec3f& from, const Vec3f& normal, std::uint32_t seed) {
   double sum = 0;
   for (int i = 0; i < SamplesOfLight; ++i) {
@@ -144,7 +143,7 @@ double sampled_irradiance(const Lights& lights, const Vec3f& from, const Vec3f& 
   return sum / SamplesOfLight;
 }
 
-/// The same from points that are even on its area.
+/// Estimates the same by uniform area sampling.
 double naive_irradiance(const Emitter& emitter, const Vec3f& from, const Vec3f& normal, std::uint32_t seed) {
   const Vec3f area = emitter.doubled_area_normal();
   const float size = area.length();
@@ -171,7 +170,7 @@ Errors errors_of_irradiance(const Emitter& emitter, const Vec3f& from, const Vec
           relative_error(naive_irradiance(emitter, from, normal, seed), exact)};
 }
 
-/// A floor from 1e-6 to 1e-3 in front of a wall that shines and stands on it.
+/// Tests a floor 1e-6 to 1e-3 in front of an emissive wall that stands on it.
 Errors touching() {
   Random random;
   Errors errors;
@@ -194,7 +193,7 @@ Errors huge() {
   return errors;
 }
 
-/// A strip of 1000 x 1e-3 along the floor.
+/// Tests a strip of 1000 x 1e-3 along the floor.
 Errors strip() {
   Random random;
   Errors errors;
@@ -213,20 +212,21 @@ std::vector<HardCase> light_cases() {
   constexpr std::string_view SolidAngle = "relative error of the solid angle";
   constexpr std::string_view Irradiance = "relative error of the irradiance of 1024 samples";
   return {
-      {"Light seen edge-on, from 1e-6 over its plane", "Girard's excess of three arc cosines over pi",
+      {"Light seen edge-on, from 1e-6 above its plane", "spherical excess by three arc cosines (Girard)",
        "the arc tangent of a volume over a sum, products in double", INFINITY, 1e-5, 1e-7, edge_on,
        SolidAngle},
-      {"Light of 1e-6, from 0.01 to 1000 away", "Girard's excess of three arc cosines over pi",
-       "by area where that is as good", INFINITY, 1e-4, 1e-5, tiny, SolidAngle},
+      {"Light of 1e-6, from 0.01 to 1000 away", "spherical excess by three arc cosines (Girard)",
+       "by area where that is as accurate", INFINITY, 1e-4, 1e-5, tiny, SolidAngle},
       {"Rectangular light that fills 1e-7 to 1e-4 sr",
-       "the paper's sum of four arc cosines, and its sine of one", "sines and cosines without an angle", 1,
-       1e-5, 1e-7, places_on_rectangle, "distance of points from their places, in the light's sides"},
-      {"Floor 1e-6 to 1e-3 in front of a wall that shines", "evenly by area, cos cos/d^2",
-       "evenly by solid angle", 13, 0.02, 2e-4, touching, Irradiance, Kind::Noisy},
-      {"Light of 1e6 x 1e6, 1 over the floor", "evenly by area, cos cos/d^2", "evenly by solid angle", 1,
-       0.02, 5e-4, huge, Irradiance, Kind::Noisy},
-      {"Light of 1000 x 0.001, 1 over the floor", "evenly by area, cos cos/d^2", "evenly by solid angle", 0.5,
-       0.02, 5e-5, strip, Irradiance, Kind::Noisy},
+       "the paper's sum of four arc cosines, and its sine of one", "sines and cosines without angles", 1,
+       1e-5, 1e-7, places_on_rectangle,
+       "distance of points from their exact positions, in the light's sides"},
+      {"Floor 1e-6 to 1e-3 in front of an emissive wall", "uniform area sampling, cos cos/d^2",
+       "uniform solid-angle sampling", 13, 0.02, 2e-4, touching, Irradiance, Kind::Noisy},
+      {"Light of 1e6 x 1e6, 1 above the floor", "uniform area sampling, cos cos/d^2",
+       "uniform solid-angle sampling", 1, 0.02, 5e-4, huge, Irradiance, Kind::Noisy},
+      {"Light of 1000 x 0.001, 1 above the floor", "uniform area sampling, cos cos/d^2",
+       "uniform solid-angle sampling", 0.5, 0.02, 5e-5, strip, Irradiance, Kind::Noisy},
   };
 }
 

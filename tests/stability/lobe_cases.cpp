@@ -1,4 +1,4 @@
-// Narrow lobes: what a cosine near 1 has lost.
+// Narrow lobes, for which a cosine near 1 has lost its digits.
 #include "renderer/reflectance/ashikhmin.h"
 #include "renderer/reflectance/blinn.h"
 #include "renderer/reflectance/hanrahan.h"
@@ -105,7 +105,7 @@ Errors power_directions() {
   return errors;
 }
 
-/// f cos(theta_v) / density, f from v and the density from the h that was drawn.
+/// Returns f cos(theta_v) / pdf, with f from v and the pdf from the sampled h.
 template <class R>
 R naive_weight(const Imath::Vec3<R>& u, R xi, R phi, R n) {
   const R cosine = std::pow(1 - xi, 1 / (n + 1));
@@ -264,22 +264,21 @@ std::vector<HardCase> lobe_cases() {
        9e5, 1e-5, 4e-6, beckmann_lobe},
       {"Ward's lobe, slopes 1e-4 and 1e-3", "the angle acos(n.h) and its tangent",
        "hx/hz and hy/hz, without angles", 6e5, 1e-5, 3e-6, ward_lobe},
-      {"Power lobe drawn with n = 1e6", "sin = sqrt(1 - cos^2), cos = xi^(1/(n+1))",
+      {"Sampling of a power lobe, n = 1e6", "sin = sqrt(1 - cos^2), cos = xi^(1/(n+1))",
        "1 - cos by expm1 and log1p", 1, 1e-5, 2e-7, power_directions},
-      {"Weight of a direction of the lobe n = 1e6",
-       "f cos / density: two large values with different rounding", "their ratio in closed form", 0.1, 1e-5,
-       2e-7, lobe_weights},
+      {"Sample weight of the lobe n = 1e6", "f cos / pdf: two large values with different rounding",
+       "their ratio in closed form", 0.1, 1e-5, 2e-7, lobe_weights},
       {"Schlick's layer, roughness 1e-8", "r/(1 + r t^2 - t^2)^2 of t = n.h",
        "hx^2 + hy^2 and hz^2 in place of t", INFINITY, 1e-5, 6e-7, schlick_zenith},
-      {"Schlick's layer, isotropy 0, h = n", "the azimuth of h is 0/0", "1 where h = n; p is kept from 1e-4",
+      {"Schlick's layer, isotropy 0, h = n", "the azimuth of h is 0/0", "1 where h = n; p is at least 1e-4",
        INFINITY, 1e-5, 2e-7, schlick_azimuth},
       {"Mirror beside a lobe: Schlick, Sr = 0 over Dr = 0.1", "a lobe of roughness 0 is 0/0 at h = n",
-       "`mirror` has the Dirac part, `evaluate` leaves it out", INFINITY, 1e-5, 1e-6,
+       "`mirror` returns the delta part, `evaluate` excludes it", INFINITY, 1e-5, 1e-6,
        schlick_mirror_and_lobe},
       {"Ashikhmin's lobe, exponents 1e4 and 1e5", "pow(n.h, (ex hx^2 + ey hy^2)/(1 - hz^2)), 0/0 where h = n",
        "1 - hz^2 as hx^2 + hy^2, the cosine as in Blinn's; 1 where h = n", 1e-3, 2e-5, 5e-6, ashikhmin_pole},
-      {"Lafortune's lobe from behind, n = 2.5", "pow of a negative cosine",
-       "0 where the cosine is not over 0", INFINITY, 2e-5, 6e-6, lafortune_behind},
+      {"Lafortune's lobe from behind, n = 2.5", "pow of a negative cosine", "0 unless the cosine is above 0",
+       INFINITY, 2e-5, 6e-6, lafortune_behind},
       {"Strauss' metal, smoothness 1", "the exponent 3/(1 - s) is infinite", "the exponent is at most 1e5",
        INFINITY, 1e-5, 4e-7, strauss_mirror},
       {"Forward scattering, g = 0.99", "1 + g^2 - 2 g cos", "(1 - g)^2 + g |u + v|^2", 6e-3, 1e-5, 3e-7,

@@ -1,4 +1,4 @@
-// The hard cases of the catalogue that take longer than seconds.
+// The catalogue's hard cases that take longer than seconds.
 #include <gtest/gtest.h>
 
 #include "tests/stability/hard_case.h"

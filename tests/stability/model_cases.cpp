@@ -11,7 +11,7 @@ namespace {
 
 namespace glsl = reflectance::glsl;
 
-/// sum over m of g^m e^-g/(m! m) e^(-b/m), term by term.
+/// Sums g^m e^-g/(m! m) e^(-b/m) over m, term by term.
 template <class R>
 R naive_series(R g, R b) {
   R power = 1;
@@ -30,7 +30,7 @@ Errors he_series() {
       [](auto g) { return naive_series(g, g); });
 }
 
-/// log of the greatest term by Stirling, the exponent a sum of large terms.
+/// Tests the log of the largest term by Stirling, with the exponent as a sum of large terms.
 Errors he_one_term() {
   return compare(
       numbers(100, 1e6F, 1000),
@@ -71,7 +71,7 @@ Errors strauss_grazing() {
       });
 }
 
-/// The last angle of an arc that its neighbour does not hide, with the direction's elevation.
+/// Tests the last visible angle of an arc, from the direction's elevation.
 Errors poulin_grazing() {
   return compare(
       numbers(1e-6F, 1e-2F),
@@ -88,7 +88,7 @@ Errors poulin_grazing() {
       });
 }
 
-/// The integral of cos^2 over an arc of length d about the top.
+/// Tests the integral of cos^2 over an arc of length d about the top.
 Errors poulin_short_arcs() {
   return compare(
       numbers(1e-6F, 1e-3F),
@@ -96,7 +96,7 @@ Errors poulin_short_arcs() {
         return glsl::PoulinFormula<decltype(d)>().arc_projected({0, 0, 1}, {0, 0, 1}, -d / 2, d / 2);
       },
       [](auto d) {
-        // By its antiderivative from an end of the cylinder.
+        // The antiderivative is taken from an end of the cylinder.
         using R = decltype(d);
         const R start = glsl::Pi<R> / 2 - d / 2;
         const R end = glsl::Pi<R> / 2 + d / 2;
@@ -104,7 +104,7 @@ Errors poulin_short_arcs() {
       });
 }
 
-/// Two beams of one strength, from 1e-4 to 0.1 of an order off a dark fringe.
+/// Tests two beams of equal strength, 1e-4 to 0.1 of an order off a dark fringe.
 Errors granier_dark_fringe() {
   std::vector<float> orders = numbers(1e-4F, 1e-1F);
   for (float& order : orders) order += 0.5F;
@@ -125,20 +125,19 @@ Errors granier_dark_fringe() {
 std::vector<HardCase> model_cases() {
   return {
       {"He's series, g from 1e-6 to 1e6", "g^m overflows, and exp(-g) is 0",
-       "from the largest term both ways, in steps that its width allows", INFINITY, 1e-5, 2e-6, he_series},
+       "from the largest term both ways, with a step that fits its width", INFINITY, 1e-5, 2e-6, he_series},
       {"He's largest term, g from 100 to 1e6", "m log(g) - g - lgamma(m + 1)",
        "Loader's deviance and Stirling's error", 4, 1e-5, 1e-7, he_one_term},
       {"Beard and Maxwell's facets, sigma near 1", "a^2/(atanh(a)/a - 1) is 0/0", "its series about 1",
        INFINITY, 1e-5, 2e-7, cauchy_scale},
-      {"Strauss' shadowing, to 1e-6 of grazing", "1/(1 - kg)^2 - 1/(x - kg)^2",
+      {"Strauss' masking-shadowing, to 1e-6 of grazing", "1/(1 - kg)^2 - 1/(x - kg)^2",
        "the difference of squares as a product", 0.03, 1e-5, 1e-6, strauss_grazing},
       {"Poulin's cylinders, to 1e-6 of grazing", "psi - asin(1 - d cos(psi)), both near pi/2",
        "the elevation pi/2 - psi, by atan2", 0.03, 1e-5, 3e-7, poulin_grazing},
       {"Poulin's cylinders, an arc's integral as d falls to 1e-6", "a difference of sines",
        "sin(x) - x by its series", 0.1, 1e-5, 4e-8, poulin_short_arcs},
       {"Granier's beams, to 1e-4 of an order off a dark fringe", "R + T + 2 cos(2 pi order) sqrt(R T)",
-       "a square of the beams' difference and one of a sine, which add up", 0.14, 1e-5, 3e-7,
-       granier_dark_fringe},
+       "the sum of squares of the beams' difference and of a sine", 0.14, 1e-5, 3e-7, granier_dark_fringe},
   };
 }
 

@@ -1,4 +1,4 @@
-// How one casts rays first: what rows of the catalogue compare with.
+// A naive ray tracer, with which rows of the catalogue compare.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace test {
 
-/// Every triangle in turn, each by itself, in float (Moeller and Trumbore 1997, "Fast, minimum storage
+/// Intersects every triangle separately in float (Moeller and Trumbore 1997, "Fast, minimum storage
 /// ray/triangle intersection").
 class NaiveTracer {
  public:
   using Corners = std::array<transport::Vec3f, 3>;
   struct Hit {
     std::size_t triangle = 0;
-    float distance = 0;       ///< in lengths of the direction
-    transport::Vec3f normal;  ///< unit, as the corners turn
+    float distance = 0;       ///< in units of the direction's length
+    transport::Vec3f normal;  ///< unit, oriented by the corners
   };
 
-  /// Hits nearer than `nearest`, and determinants below `least_determinant`, do not count.
+  /// Ignores hits nearer than `nearest`, and determinants below `least_determinant`.
   explicit NaiveTracer(std::vector<Corners> triangles, float nearest = 0, float least_determinant = 0)
       : triangles_(std::move(triangles)), nearest_(nearest), least_determinant_(least_determinant) {}
 
@@ -33,7 +33,7 @@ class NaiveTracer {
   float least_determinant_;
 };
 
-/// The triangles of what is no instance, moved by an offset in float.
+/// Returns the triangles of geometry without instances, translated in float.
 std::vector<NaiveTracer::Corners> triangles_of(const transport::Geometry& geometry,
                                                const transport::Vec3f& offset = transport::Vec3f(0));
 

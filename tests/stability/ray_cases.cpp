@@ -25,7 +25,7 @@ grf::Matrix44d map_of(const Vec3f& scale, const Vec3f& angles, const Vec3f& offs
   return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
 }
 
-/// How many rays went wrong.
+/// Numbers of failed rays.
 struct Counts {
   std::uint64_t rays = 0, ours = 0, naive = 0;
 
@@ -40,7 +40,7 @@ struct Counts {
 
 enum class Aim { Edges, Vertices };
 
-/// A closed room: the box from -1 to 1 with a map of its own.
+/// A closed room: the box from -1 to 1 with a transform.
 struct Room {
   Vec3f scale, angles, offset;
 
@@ -50,7 +50,7 @@ struct Room {
   }
 };
 
-/// From about the room's middle to its edges or vertices, which no ray may get through.
+/// Traces rays from about the room's middle to its edges or vertices, through which none may escape.
 Counts leaks_to(Aim aim, const Room& room, const CompiledScene& scene, const NaiveTracer& naive,
                 std::uint32_t first, std::uint32_t last) {
   const grf::Matrix44d map = room.map();
@@ -96,18 +96,18 @@ Errors leaks_of_long_room() {
   return leaks(Aim::Vertices, {Vec3f(1, 2, 30), Vec3f(1, 2, 3), Vec3f(7)}, MillionRays);
 }
 
-/// On the side of the normal, evenly.
+/// Samples a uniform direction on the side of the normal.
 Vec3f direction_over(Random& random, const Vec3f& normal) {
   const Vec3f direction = random.direction(random.uniform(-1, 1));
   return direction.dot(normal) < 0 ? -direction : direction;
 }
 
-/// Rays from wall to wall of a closed cube. Wrong: one that gets out, or meets the wall that it leaves. Naive
-/// code starts 1e-4 over where the last ray ended, by its length.
+/// Traces rays from wall to wall of a closed cube. A ray fails if it escapes or hits the wall that it leaves.
+/// Naive code offsets the origin by 1e-4 of the last ray's length.
 Errors errors_from_wall_to_wall(const Room& room) {
   constexpr float Epsilon = 1e-4F;
   const CompiledScene scene = room.compiled(box("brdf diffuse"));
-  // In the world's coordinates.
+  // The shift is in world coordinates.
   const Vec3f shift(scene.origin());
   const NaiveTracer naive(triangles_of(scene.geometry(), shift));
   Random random;
@@ -135,8 +135,8 @@ Errors at_scale_of_millionth() { return errors_from_wall_to_wall({Vec3f(1e-6F), 
 Errors at_scale_of_million() { return errors_from_wall_to_wall({Vec3f(1e6F), Angles, Vec3f(2e5F)}); }
 Errors far_from_origin() { return errors_from_wall_to_wall({Vec3f(1), Angles, Vec3f(1e6F, -1e6F, 1e6F)}); }
 
-/// On from where rays met edges, in any direction into the cube or along the edge; nothing must get out.
-/// Naive code starts 1e-4 over where the last ray ended.
+/// Continues from hits at edges, in any direction into the cube or along the edge; nothing may escape. Naive
+/// code offsets the origin by 1e-4.
 Errors on_from_edges() {
   const CompiledScene scene = Cube.compiled(box("brdf diffuse"));
   const NaiveTracer naive(triangles_of(scene.geometry()));
@@ -165,7 +165,7 @@ Errors on_from_edges() {
   return counts.shares();
 }
 
-/// From wall to wall of a cube that is an instance. Naive code starts 1e-4 over where the last ray ended.
+/// Traces rays from wall to wall of a cube that is an instance. Naive code offsets the origin by 1e-4.
 Errors errors_in_instance(const Vec3f& scale) {
   const Room room = {scale, Angles, scale * 0.2F};
   const std::string use = "use cube";
@@ -200,13 +200,13 @@ Errors errors_in_instance(const Vec3f& scale) {
 Errors in_tiny_instance() { return errors_in_instance(Vec3f(1e-6F, 2e-6F, 0.5e-6F)); }
 Errors in_long_instance() { return errors_in_instance(Vec3f(0.01F, 1, 100)); }
 
-/// Two triangles of a square of side 2 at this height, and then turned and moved.
+/// Writes two triangles of a square of side 2 at this height, rotated and translated.
 std::string square(float height) {
   return placed(quad("brdf diffuse", fmt::format("(-1,-1,{0}) (1,-1,{0}) (1,1,{0}) (-1,1,{0})", height)),
                 Vec3f(1), Angles, Vec3f(3, 4, 5));
 }
 
-/// Rays up from the first square, which is the scene's first two triangles, about its middle.
+/// Counts failures of rays up from the middle of the first square, the scene's first two triangles.
 template <class Wrong>
 Counts rays_up(const CompiledScene& scene, Wrong wrong) {
   Random random;
@@ -228,7 +228,7 @@ struct Wrong {
   bool ours, naive;
 };
 
-/// Naive code leaves out the triangle that a ray starts on, and only that.
+/// Naive code excludes only the triangle that a ray starts on.
 Errors coincident() {
   const CompiledScene scene = scene_of(square(0) + square(0));
   return rays_up(scene,
@@ -239,7 +239,7 @@ Errors coincident() {
       .shares();
 }
 
-/// A sheet 1e-5 over the square: what leaves the square meets it. Naive code starts 1e-4 over the square.
+/// Tests a sheet 1e-5 above the square, which rays from the square must hit. Naive code offsets by 1e-4.
 Errors nearly_coincident() {
   const CompiledScene scene = scene_of(square(0) + square(1e-5F));
   return rays_up(scene,
@@ -250,8 +250,7 @@ Errors nearly_coincident() {
       .shares();
 }
 
-/// A lamp of radiance 1 that is 1e-5 over the square, with its front down. Naive code starts 1e-4 over the
-/// square.
+/// Writes a light of radiance 1, 1e-5 above the square, facing down. Naive code offsets by 1e-4.
 std::string lamp_on_square() {
   return square(0) + placed("light begin (-1,-1,1e-5) (0,2,0) (2,0,0) rgb (1,1,1) end ", Vec3f(1), Angles,
                             Vec3f(3, 4, 5));
@@ -275,7 +274,7 @@ Errors errors_of_light(const CompiledScene& scene, const SurfacePoint& point, st
     if (const auto light = scene.lights().sample(naive_origin, normal, xi.z, xi.xy()))
       naive += light->direction.dot(normal) / light->density / Samples;
   }
-  // The lamp is all that the point sees.
+  // The light covers the point's whole hemisphere.
   return {relative_error(ours, std::numbers::pi), relative_error(naive, std::numbers::pi)};
 }
 
@@ -291,7 +290,7 @@ Errors lamp_on_a_square() {
   return errors;
 }
 
-/// The cube, whose vertices have normals that point anywhere.
+/// Writes a cube with arbitrary vertex normals.
 std::string box_with_normals(Random& random) {
   std::string text = "begin mesh brdf diffuse begin vertexs ";
   for (int i = 0; i < 8; ++i) {
@@ -304,7 +303,7 @@ std::string box_with_normals(Random& random) {
          "mesh ";
 }
 
-/// Calls `use` with what rays in boxes with such normals meet.
+/// Calls `use` with the hits of rays in boxes with such normals.
 void with_bad_normals(
     const std::function<void(const CompiledScene&, const SurfacePoint&, const Vec3f& back, Random&)>& use) {
   Random random;
@@ -327,7 +326,7 @@ Errors normals_that_point_away() {
   return counts.shares();
 }
 
-/// Naive code takes any direction over the shading normal, which is turned to the viewer.
+/// Naive code accepts any direction above the shading normal, which faces the viewer.
 Errors leaks_by_normals() {
   Counts counts;
   with_bad_normals([&](const CompiledScene& scene, const SurfacePoint& point, const Vec3f& back,
@@ -347,8 +346,8 @@ Errors leaks_by_normals() {
   return counts.shares();
 }
 
-/// What a white ball shows in a white world, by rays that scatter once; naive code starts each at
-/// the end of the one before, and takes what it meets from 0 on.
+/// Returns the radiance of a white ball in a white environment; naive code starts each ray at the end of the
+/// one before, and accepts hits from 0 on.
 double naive_brightness(const CompiledScene& scene, float distance, int paths) {
   const NaiveTracer naive(triangles_of(scene.geometry()));
   Random random;
@@ -384,12 +383,12 @@ Errors white_ball() {
 }  // namespace
 
 std::vector<HardCase> ray_cases() {
-  constexpr std::string_view NoIdea = "each triangle by itself, in float (Moeller and Trumbore)";
-  constexpr std::string_view Robust = "Embree's robust mode: an edge decides the same for both sides";
-  constexpr std::string_view GetOut = "share of rays that get out";
-  constexpr std::string_view Wrong = "share of rays that get out, or meet the wall that they leave";
-  constexpr std::string_view Offset = "1e-4 off where the ray ended, by its length";
-  constexpr std::string_view Bounded = "off the surface by the error's bound; the triangle's identity";
+  constexpr std::string_view NoIdea = "each triangle separately, in float (Moeller and Trumbore)";
+  constexpr std::string_view Robust = "Embree's robust mode: edges are watertight";
+  constexpr std::string_view GetOut = "fraction of rays that escape";
+  constexpr std::string_view Wrong = "fraction of rays that escape, or hit the wall that they leave";
+  constexpr std::string_view Offset = "offset of 1e-4 of the ray's length";
+  constexpr std::string_view Bounded = "offset by the error bound; exclude the triangle";
   return {
       {"Closed cube, a million rays to its edges", NoIdea, Robust, 0.04, 0, 0, leaks_through_edges, GetOut},
       {"Closed cube, a million rays to its vertices", NoIdea, Robust, 0.05, 0, 0, leaks_through_vertices,
@@ -402,27 +401,27 @@ std::vector<HardCase> ray_cases() {
        leaks_of_long_room, GetOut},
       {"From wall to wall of a tiny cube of 1e-6", Offset, Bounded, 1, 0, 0, at_scale_of_millionth, Wrong},
       {"From wall to wall of a huge cube of 1e6", Offset, Bounded, 0.5, 0, 0, at_scale_of_million, Wrong},
-      {"From wall to wall of a cube of 1, 1e6 from the origin", Offset, "coordinates from the scene's middle",
-       0.5, 0, 0, far_from_origin, Wrong},
-      {"On from edges of a cube, into it or along them", Offset, "kept off the edges by the error's bound",
+      {"From wall to wall of a cube of 1, 1e6 from the origin", Offset,
+       "coordinates relative to the scene's centre", 0.5, 0, 0, far_from_origin, Wrong},
+      {"From hits at edges of a cube, into it or along them", Offset, "kept off the edges by the error bound",
        0.1, 0, 0, on_from_edges, GetOut},
       {"From wall to wall of a cube that is an instance, scaled to 1e-6", Offset,
-       "the bound has the map's rounding too", 1, 0, 0, in_tiny_instance, Wrong},
+       "the bound includes the transform's rounding", 1, 0, 0, in_tiny_instance, Wrong},
       {"From wall to wall of an instance scaled by 0.01, 1 and 100", Offset,
-       "the bound has the map's rounding too, but edges do not", 4e-5, 1e-3, 6e-5, in_long_instance, Wrong,
-       Kind::Noisy},
-      {"Two squares in the same place", "the triangle's identity alone", Bounded, 0.5, 0, 0, coincident,
-       "share of rays from one that the other stops"},
-      {"A sheet 1e-5 over a square", Offset, Bounded, 1, 0, 0, nearly_coincident,
-       "share of rays from the square that miss it"},
-      {"A lamp 1e-5 over a square", Offset, Bounded, 1, 0.01, 4e-4, lamp_on_a_square,
+       "the bound includes the transform's rounding, but edges do not", 4e-5, 1e-3, 6e-5, in_long_instance,
+       Wrong, Kind::Noisy},
+      {"Two coincident squares", "exclude the triangle only", Bounded, 0.5, 0, 0, coincident,
+       "fraction of rays from one that hit the other"},
+      {"A sheet 1e-5 above a square", Offset, Bounded, 1, 0, 0, nearly_coincident,
+       "fraction of rays from the square that miss it"},
+      {"A light 1e-5 above a square", Offset, Bounded, 1, 0.01, 4e-4, lamp_on_a_square,
        "relative error of the irradiance of 1024 samples", Kind::Noisy},
-      {"Normals of vertices that point away", "as they are", "the true normal for those", 0.4, 0, 0,
-       normals_that_point_away, "share of places that are black"},
-      {"Normals of vertices that point anywhere, in a closed cube", "directions over the normal",
-       "only those that are over the surface too", 0.4, 0, 0, leaks_by_normals, GetOut},
-      {"White furnace: a white ball under a white sky", "each ray from the end of the last", Bounded, 0.4,
-       1e-5, 0, white_ball, "relative error of the radiance"},
+      {"Vertex normals that point away", "as they are", "the geometric normal for those", 0.4, 0, 0,
+       normals_that_point_away, "fraction of points that are black"},
+      {"Arbitrary vertex normals, in a closed cube", "directions above the shading normal",
+       "only those also above the surface", 0.4, 0, 0, leaks_by_normals, GetOut},
+      {"White furnace: a white ball in a white environment", "each ray from the end of the last", Bounded,
+       0.4, 1e-5, 0, white_ball, "relative error of the radiance"},
   };
 }
 

@@ -1,4 +1,4 @@
-// Random numbers, weights and paths at their ends, and the eye of far scenes.
+// Random numbers, weights and paths at extremes, and cameras of distant scenes.
 #include <numbers>
 
 #include "renderer/transport/integrators/power_heuristic.h"
@@ -28,7 +28,7 @@ Errors numbers_below_one() {
   return {static_cast<double>(ours) / (4.0 * Points), static_cast<double>(naive) / (4.0 * Points)};
 }
 
-/// Of weights over 1e-6.
+/// Tests weights above 1e-6.
 Errors weights_of_large_densities() {
   Random random;
   Errors errors;
@@ -42,7 +42,7 @@ Errors weights_of_large_densities() {
   return errors;
 }
 
-/// The relative error of the radiance that all pixels see.
+/// Returns the relative error of the radiance that all pixels see.
 double worst_of_seeds(const transport::CompiledScene& scene, Look look, double exact) {
   double worst = 0;
   for (look.seed = 0; look.seed < 4; ++look.seed) {
@@ -51,8 +51,8 @@ double worst_of_seeds(const transport::CompiledScene& scene, Look look, double e
   return worst;
 }
 
-/// A lamp in the polish of a floor: beside the matte part's light, the mirror's. Naive code weighs a mirror's
-/// direction as one that was drawn with density 1.
+/// Tests a light reflected in a coated floor: diffuse plus specular. Naive code weights a specular direction
+/// as one with pdf 1.
 Errors lamp_in_a_mirror() {
   const std::string brdf = "coupled Rm=1 R0=0.05";
   const Vec3f u = reflectance::from_angles(0.6F, 0.8F, 0);
@@ -84,7 +84,7 @@ Errors lamp_in_a_mirror() {
   return {worst_of_seeds(scene, look, matte + mirror), relative_error(naive, matte + mirror)};
 }
 
-/// In a closed white box that shines, each of the places that a path of depth 1000 meets adds 1.
+/// Tests a closed white box that emits: each vertex of a path of depth 1000 adds 1.
 Errors depth_of_thousand() {
   constexpr int Depth = 1000;
   Look look;
@@ -111,7 +111,7 @@ Errors depth_of_thousand() {
 
 constexpr int Pixels = 500;
 
-/// Where a pinhole sees the plane through the target that faces along z.
+/// Returns where a pinhole camera sees the plane through the target that faces along z.
 template <class Real>
 Vec3d seen_place(const transport::View& view, Real x, Real y) {
   using Vec = Imath::Vec3<Real>;
@@ -148,7 +148,7 @@ Errors far_camera() {
   return errors;
 }
 
-/// Straight up and down, and nearly so: how far the image's middle and its steps are from a frame.
+/// Tests views (nearly) straight up and down: the deviation of the image's centre and steps from a frame.
 Errors camera_along_up() {
   Random random;
   Errors errors;
@@ -178,18 +178,18 @@ std::vector<HardCase> sampling_cases() {
   constexpr std::string_view Radiance = "relative error of the radiance";
   return {
       {"2^26 random numbers in [0,1)", "32 bits times 2^-32, rounded to float", "24 bits times 2^-24", 3e-8,
-       0, 0, numbers_below_one, "share of numbers that are 1"},
-      {"Weights of densities from 1e-30 to 1e30", "a^2/(a^2 + b^2)", "1/(1 + (b/a)^2)", INFINITY, 1e-5, 2e-7,
-       weights_of_large_densities},
-      {"Lamp of 6e-4 sr in the polish of a matte floor", "a mirror's direction has density 1",
-       "only the mirror can find what it shows", 1, 0.02, 2e-3, lamp_in_a_mirror, Radiance, Kind::Noisy},
-      {"Closed white box that shines, depth 1000", "from the fourth scattering on, half of the paths survive",
-       "paths that carry a third or more go on", 1, 0.02, 8e-4, depth_of_thousand, Radiance, Kind::Noisy},
-      {"Camera 1e6 from the origin", "eye and target in float", "in double, and from the scene's middle", 12,
-       0.01, 1e-4, far_camera, "pixels off"},
-      {"View along the direction that is up", "right is the cross product, normalised",
-       "another axis where that has no digits", INFINITY, 1e-5, 0, camera_along_up,
-       "distance of the axes from unit ones"},
+       0, 0, numbers_below_one, "fraction of numbers that are 1"},
+      {"Power-heuristic weights of pdfs from 1e-30 to 1e30", "a^2/(a^2 + b^2)", "1/(1 + (b/a)^2)", INFINITY,
+       1e-5, 2e-7, weights_of_large_densities},
+      {"Light of 6e-4 sr reflected in a coated diffuse floor", "specular directions have pdf 1",
+       "specular directions have MIS weight 1", 1, 0.02, 2e-3, lamp_in_a_mirror, Radiance, Kind::Noisy},
+      {"Closed white box that emits, depth 1000", "Russian roulette of 1/2 from the fourth bounce on",
+       "roulette only below a throughput of 1/3", 1, 0.02, 8e-4, depth_of_thousand, Radiance, Kind::Noisy},
+      {"Camera 1e6 from the origin", "eye and target in float", "in double, relative to the scene's centre",
+       12, 0.01, 1e-4, far_camera, "error in pixels"},
+      {"View along the up direction", "right is the cross product, normalised",
+       "another axis where that cancels", INFINITY, 1e-5, 0, camera_along_up,
+       "distance of the axes from unit vectors"},
   };
 }
 

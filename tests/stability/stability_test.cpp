@@ -1,5 +1,4 @@
-// Each hard case of the catalogue that takes seconds, and the document that is made from all. To rewrite that
-// after a change:
+// The hard cases that take seconds, and the document generated from all. To regenerate it after a change:
 //   GRANADA_UPDATE_DOCUMENTS=1 build/release/bin/stability_test
 #include <string>
 
@@ -25,7 +24,7 @@ std::string text_of(double error) {
   return error >= 1e-3 && error < 1e3 ? fmt::format("{:.3g}", error) : fmt::format("{:.0e}", error);
 }
 
-/// Text in a cell of a table, where a bar has to be escaped.
+/// Escapes bars in a table's cell.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
@@ -36,7 +35,7 @@ std::string naive_error_of(const HardCase& hard_case) {
   return text_of(hard_case.naive_error) + (hard_case.naive_holds() ? ", which will do" : "");
 }
 
-/// With a column for what is measured, unless that is the relative error of all.
+/// Adds a column for the measured quantity, unless it is the relative error for all.
 std::string table_of(const std::vector<HardCase>& cases) {
   const bool names_measures = std::any_of(cases.begin(), cases.end(), [](const HardCase& hard_case) {
     return hard_case.measured != RelativeError;

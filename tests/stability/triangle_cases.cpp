@@ -1,4 +1,4 @@
-// Triangles without a good normal, and polygons that are no fans.
+// Triangles without a good normal, and polygons that are not fans.
 #include <numbers>
 
 #include "grf/triangulation.h"
@@ -18,7 +18,7 @@ Vec3f any_point(Random& random, float size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-/// A mesh of separate triangles, in this order.
+/// Compiles a mesh of separate triangles, in this order.
 CompiledScene scene_of_triangles(const std::vector<Corners>& triangles) {
   std::string text = "begin mesh brdf diffuse begin vertexs\n";
   for (const Corners& corners : triangles) {
@@ -36,7 +36,7 @@ Vec3d exact_normal(const Corners& c) {
   return (Vec3d(c[1]) - a).cross(Vec3d(c[2]) - a).normalized();
 }
 
-/// In radians; infinite unless the normal is one.
+/// Returns the angle in radians; infinite if the normal is not a unit vector.
 double angle_between(const Vec3f& normal, const Vec3d& exact) {
   if (!(std::abs(normal.length() - 1) < 1e-3)) return INFINITY;
   const Vec3d n(normal);
@@ -51,7 +51,7 @@ std::vector<Corners> random_triangles(int count, Triangle triangle) {
   return triangles;
 }
 
-/// Their third corner is 1e-6 to 1e-4 of their length off their longest edge.
+/// Tests triangles whose third corner is 1e-6 to 1e-4 of their length off their longest edge.
 Errors slivers() {
   const auto triangles = random_triangles(2000, [](Random& random) {
     const Vec3f a = any_point(random, 1);
@@ -64,7 +64,7 @@ Errors slivers() {
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];
     const Vec3d exact = exact_normal(triangles[i]);
-    if (!(exact.length() > 0.5)) continue;  // rounding took the corner to the edge
+    if (!(exact.length() > 0.5)) continue;  // rounding moved the corner to the edge
     errors.include({angle_between(scene.front_point({0, i}, {0.3F, 0.3F}).geometric_normal, exact),
                     angle_between((b - a).cross(c - a).normalized(), exact)});
   }
@@ -75,7 +75,7 @@ struct Aimed {
   int rays = 0, missed = 0, naive_missed = 0, wrong = 0, naive_wrong = 0;
 };
 
-/// From a distance of about 1 to the triangles' insides, a ray to each, and not from the side.
+/// Traces a ray to each triangle's interior, from a distance of about 1 and not from the side.
 Aimed aimed_at(const std::vector<Corners>& triangles, const CompiledScene& scene, const NaiveTracer& naive) {
   Random random;
   Aimed aimed;
@@ -100,7 +100,7 @@ Aimed aimed_at(const std::vector<Corners>& triangles, const CompiledScene& scene
   return aimed;
 }
 
-/// Right angles between edges of 1e-6.
+/// Tests right angles between edges of 1e-6.
 Errors tiny_triangles() {
   const auto triangles = random_triangles(500, [](Random& random) {
     const reflectance::Frame frame(random.direction(random.uniform(-1, 1)));
@@ -111,7 +111,7 @@ Errors tiny_triangles() {
   return {aimed.missed / double(aimed.rays), aimed.naive_missed / double(aimed.rays)};
 }
 
-/// Three corners on a line of whole numbers, two of them often the same.
+/// Tests three collinear corners at integer coordinates, two of them often equal.
 Errors without_area() {
   const auto triangles = random_triangles(2000, [](Random& random) {
     const auto number = [&] { return std::floor(random.uniform(-4, 5)); };
@@ -123,7 +123,7 @@ Errors without_area() {
   return {aimed.wrong / double(aimed.rays), aimed.naive_wrong / double(aimed.rays)};
 }
 
-/// Where rays from far away meet unit triangles: how far from their planes.
+/// Measures the distance to their plane of hits on unit triangles, by rays from far away.
 Errors hits_from_afar() {
   Random random;
   Errors errors;
@@ -146,7 +146,7 @@ Errors hits_from_afar() {
   return errors;
 }
 
-/// A tangent along u, of triangles whose uv are on a line or the same: how far from a unit one in the plane.
+/// Measures the tangents of triangles whose uv are collinear or equal, against unit ones in the plane.
 Errors uv_without_area() {
   Random random;
   Errors errors;
@@ -175,7 +175,7 @@ Errors uv_without_area() {
 
 using Polygon = std::vector<Vec3f>;
 
-/// Newell's normal: its components are the doubled areas of the projections along the axes.
+/// Computes Newell's normal: its components are twice the projected areas along the axes.
 Vec3d newell(const Polygon& polygon) {
   Vec3d sum(0);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -193,7 +193,7 @@ Triangles fan_of(const Polygon& polygon) {
   return fan;
 }
 
-/// What triangles cover, turned over or not, of the plane of the polygon's own normal.
+/// Returns the relative error of the area covered, in the plane of the polygon's own normal.
 double area_error(const Polygon& polygon, const Triangles& triangles) {
   const Vec3d normal = newell(polygon);
   double sum = 0;
@@ -210,7 +210,7 @@ Errors errors_of_area(const Polygon& polygon) {
   return {area_error(polygon, triangles), area_error(polygon, fan_of(polygon))};
 }
 
-/// True if a polygon turns once about a point, as it is seen along its own normal.
+/// Returns true if a polygon winds once about a point, seen along its own normal.
 bool is_star(const Polygon& polygon, const Vec3f& centre) {
   const Vec3d normal = newell(polygon);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -221,7 +221,7 @@ bool is_star(const Polygon& polygon, const Vec3f& centre) {
   return true;
 }
 
-/// Star-shaped about a point, with radii from 0.1 to 1, about a plane that is tilted and off the origin.
+/// Makes a star-shaped polygon with radii from 0.1 to 1, about a plane that is tilted and off the origin.
 Polygon star(Random& random, float height) {
   const reflectance::Frame frame(random.direction(random.uniform(-1, 1)));
   const Vec3f centre = any_point(random, 10);
@@ -250,7 +250,7 @@ Errors not_planar() {
   return errors;
 }
 
-/// A square with a square hole, cut open along a line that is an edge twice; the hole anywhere in it.
+/// Tests a square with a square hole anywhere in it, cut open along a line that is an edge twice.
 Errors self_touching() {
   Random random;
   Errors errors;
@@ -275,7 +275,7 @@ Errors self_touching() {
   return errors;
 }
 
-/// Of faces with a notch at their first corner, lit from the side that Newell's normal tells.
+/// Tests faces with a notch at their first corner, lit from the side of Newell's normal.
 Errors turned_over() {
   Random random;
   constexpr int Count = 1000;
@@ -303,24 +303,25 @@ std::vector<HardCase> triangle_cases() {
   constexpr std::string_view Area = "relative error of the area covered";
   return {
       {"Slivers: a corner 1e-6 to 1e-4 off the edge", "the cross product of two edges",
-       "the same in double where its sine is under 1e-3", 0.6, 1e-5, 1e-7, slivers, "radians off the normal"},
-      {"Triangles of 1e-12 in area", "a determinant under 1e-8 is a miss", "no such limit: Embree's", 1, 0, 0,
-       tiny_triangles, "share of rays to them that miss"},
-      {"Triangles without area", "u < 0 or u > 1 is a miss: NaN is neither", "they are never met", 1, 0, 0,
-       without_area, "share of rays to them with a hit without a normal"},
+       "the same in double where its sine is under 1e-3", 0.6, 1e-5, 1e-7, slivers,
+       "angular error of the normal, in radians"},
+      {"Triangles of 1e-12 in area", "a determinant under 1e-8 is a miss", "no threshold: Embree's", 1, 0, 0,
+       tiny_triangles, "fraction of rays to them that miss"},
+      {"Triangles of zero area", "u < 0 or u > 1 is a miss: NaN is neither", "they are never hit", 1, 0, 0,
+       without_area, "fraction of rays to them with a hit without a normal"},
       {"Triangles of 1, from 1e3 to 1e5 away", "origin + t direction", "interpolated between the corners",
        0.01, 1e-6, 8e-8, hits_from_afar, "distance of hits from their plane"},
-      {"Texture coordinates without area", "a tangent of edges over the area in uv",
+      {"Texture coordinates of zero area", "a tangent of edges over the area in uv",
        "the cross product with the object's axis", INFINITY, 1e-6, 0, uv_without_area,
-       "distance of the tangent from a unit one"},
-      {"Concave polygons", "a fan about the first corner", "ears are clipped, in double", 5, 1e-12, 6e-16,
+       "distance of the tangent from a unit vector"},
+      {"Concave polygons", "a triangle fan about the first corner", "ear clipping in double", 5, 1e-12, 6e-16,
        concave, Area},
-      {"Concave polygons that are not planar", "a fan about the first corner",
-       "ears are clipped in the plane of the polygon's normal", 5, 1e-12, 7e-16, not_planar, Area},
-      {"Polygons that touch themselves, round a hole", "a fan about the first corner",
-       "a corner in the place of an ear's own does not stop it", 0.4, 1e-12, 4e-16, self_touching, Area},
-      {"Front of a concave polygon", "the normal at the second corner", "triangles turn as Newell's normal",
-       0.4, 0, 0, turned_over, "share of polygons turned over"},
+      {"Concave polygons that are not planar", "a triangle fan about the first corner",
+       "ear clipping in the plane of the polygon's normal", 5, 1e-12, 7e-16, not_planar, Area},
+      {"Polygons that touch themselves, round a hole", "a triangle fan about the first corner",
+       "a corner coincident with an ear's own does not block it", 0.4, 1e-12, 4e-16, self_touching, Area},
+      {"Front side of a concave polygon", "the normal at the second corner",
+       "triangles are oriented by Newell's normal", 0.4, 0, 0, turned_over, "fraction of flipped polygons"},
   };
 }
 

@@ -10,7 +10,7 @@ namespace statistics {
 namespace {
 
 constexpr double Tau = 2 * std::numbers::pi;
-/// Cells with fewer expected samples are pooled: the statistic is not chi-square distributed for them.
+/// Pools cells with fewer expected samples, for which the statistic is not chi-square distributed.
 constexpr double FewestExpected = 5;
 
 struct Pool {
@@ -21,7 +21,7 @@ struct Pool {
 }  // namespace
 
 ChiSquareTest::ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth) {
-  // Along a step the error has no direction, and cells of a greater one add up to less.
+  // Errors along a step have random signs, so larger ones per cell average out.
   const Quadrature quadrature(density, peak, depth > 0 ? 1e-7 : 1e-9, depth);
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) {
@@ -71,7 +71,7 @@ double chi_square_p_value(const std::vector<double>& expectation, const std::vec
       pool.counted += counts[i];
     }
   }
-  // Samples where next to none may be are a failure however few cells that is.
+  // Samples where the pdf is almost 0 are a failure, however few cells that is.
   if (pool.expected > FewestExpected / 5)
     add(pool.expected, pool.counted);
   else if (pool.counted > 20)

@@ -9,34 +9,33 @@
 
 namespace statistics {
 
-/// Counts samples on a grid over the hemisphere and compares with what a density says: the probability of
-/// counts at least this far off, if the density is right. Samples that are empty fall into one more cell,
-/// whose probability is what the density leaves of 1.
+/// A chi-square goodness-of-fit test of samples against a pdf, on a grid over the hemisphere. Empty samples
+/// fall into one more cell, whose probability is 1 minus the pdf's integral.
 class ChiSquareTest {
  public:
   using Sampler = std::function<std::optional<Vec3f>()>;
 
-  /// `depth` is the quadrature's: over 0 for a density with steps.
+  /// Takes the minimal depth of the quadrature: above 0 for a pdf with steps.
   ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth = 0);
 
   double p_value(const Sampler& sampler, int samples) const;
 
-  /// The density's integral over the hemisphere.
+  /// Returns the pdf's integral over the hemisphere.
   double mass() const;
 
  private:
   static constexpr int Rows = 12;
   static constexpr int Columns = 24;
 
-  std::vector<double> probabilities_;  ///< of the cells, and last of no sample
+  std::vector<double> probabilities_;  ///< of the cells, and last of empty samples
 };
 
-/// The probability that counts are at least this far off their expectations, which have the same sum. Cells
+/// Returns the p-value: the probability of counts at least this far off expectations of the same sum. Cells
 /// of small expectation are pooled.
 double chi_square_p_value(const std::vector<double>& expectation, const std::vector<double>& counts);
 
-/// The significance to ask of each of `tests` tests so that all together raise a false alarm in 1 % of runs
-/// (Sidak's correction).
+/// Returns the significance level for each of `tests` tests so that together they raise a false alarm in 1 %
+/// of runs (Sidak's correction).
 double significance(int tests);
 
 }  // namespace statistics

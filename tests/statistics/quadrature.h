@@ -10,7 +10,7 @@ namespace statistics {
 
 using reflectance::Vec3f;
 
-/// A rectangle of directions: z = cos(theta) and the azimuth phi, in which solid angle is area.
+/// A rectangle of directions in z = cos(theta) and the azimuth phi, where area is solid angle.
 struct Cell {
   double z0, z1, phi0, phi1;
 
@@ -28,13 +28,13 @@ inline Vec3f direction_at(double z, double phi) {
                static_cast<float>(z));
 }
 
-/// Integrals over solid angle by recursive subdivision, for functions with one narrow peak that is known.
+/// Adaptive quadrature over solid angle, for functions with one narrow peak at a known direction.
 class Quadrature {
  public:
   using Function = std::function<double(const Vec3f&)>;
 
-  /// Cells that contain the peak are divided at least 10 times, so that it is not stepped over, and all cells
-  /// at least `depth` times: a step that only cuts off a cell's corner would not be seen.
+  /// Subdivides cells with the peak at least 10 times, so that it is not stepped over, and all cells at least
+  /// `depth` times: a step that only cuts off a cell's corner would be missed.
   Quadrature(Function function, const Vec3f& peak, double tolerance, int depth = 0)
       : function_(std::move(function)), peak_(peak), tolerance_(tolerance), depth_(depth) {}
 
@@ -51,7 +51,7 @@ class Quadrature {
   }
 
  private:
-  // The 3 x 3 Gauss-Legendre rule.
+  // Integrates by the 3 x 3 Gauss-Legendre rule.
   double gauss(const Cell& cell) const {
     constexpr double Place[3] = {-0.7745966692414834, 0, 0.7745966692414834};
     constexpr double Weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};

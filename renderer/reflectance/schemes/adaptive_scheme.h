@@ -8,12 +8,13 @@
 
 namespace reflectance {
 
-/// The adaptive method of the thesis (chapter 5): quadtrees that follow any BRDF, with no parameter set by
-/// hand. `mode=reject` is as printed, rejection in the leaves; `mode=warp` inverts the trees instead.
+/// The adaptive sampling of the thesis (chapter 5): quadtrees that follow any BRDF, with no parameters to
+/// set. `mode=reject` is as printed, with rejection sampling in the leaves; `mode=warp` inverts the trees
+/// instead.
 struct AdaptiveScheme {
   enum Mode { Warp, Reject };
 
-  /// A lobe much narrower than the smallest leaf is hardly drawn at its flanks.
+  /// The pdf is hardly above 0 at the flanks of a lobe that is much narrower than the smallest leaf.
   static constexpr bool MayMiss = true;
 
   float nqt = 90;
@@ -29,25 +30,28 @@ struct AdaptiveScheme {
         .keyword = "adaptive",
         .title = "Adaptive quadtrees",
         .paper = "Montes, Urena, Garcia and Lastra 2008",
-        .parameters =
-            {number_parameter(&Self::nqt, "nQT", 1, 1000, "trees over the view's angle to the normal"),
-             number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
-                              "trees over the view's azimuth; 0: as many as the BRDF needs, up to 16"),
-             number_parameter(&Self::nmax, "nmax", 1.001F, 100,
-                              "mode=reject: tries that a leaf may need in the mean",
-                              grf::ParameterScale::Logarithmic),
-             number_parameter(&Self::resolution, "res", 2, 8192,
-                              "mode=reject: cells of the disc's grid along an edge"),
-             boolean_parameter(&Self::release, "release",
-                               "mode=reject: free the tables: less memory, and values are computed again"),
-             word_parameter(&Self::mode, "mode", {"warp", "reject"}, "how a point of a tree is drawn")},
+        .parameters = {number_parameter(&Self::nqt, "nQT", 1, 1000,
+                                        "trees over the view's angle to the normal"),
+                       number_parameter(
+                           &Self::naniso_qt, "nAnisoQT", 0, 1000,
+                           "trees over the view's azimuth; 0: as many as the BRDF needs, up to 16"),
+                       number_parameter(&Self::nmax, "nmax", 1.001F, 100,
+                                        "mode=reject: mean number of tries that a leaf may need",
+                                        grf::ParameterScale::Logarithmic),
+                       number_parameter(&Self::resolution, "res", 2, 8192,
+                                        "mode=reject: grid resolution over the disc, in cells per edge"),
+                       boolean_parameter(&Self::release, "release",
+                                         "mode=reject: free the tables; values are then recomputed"),
+                       word_parameter(&Self::mode, "mode", {"warp", "reject"},
+                                      "how trees are sampled: by inversion (warp) or rejection")},
         .about =
-            "For any BRDF, analytic, measured or combined, with no parameter set by hand. Quadtrees over the "
-            "directions, for some views each, follow f cos, and a sample walks down from the root. With "
-            "mode=warp, one pair of numbers gives one direction by inversion, without a jump but where a "
-            "tree splits, so that evenly spread points stay so; leaves are bilinear, and trees of "
-            "neighbouring views are blended. With mode=reject, the thesis' own method, a leaf has an upper "
-            "bound under which points are drawn until one is accepted, and the nearest view's tree serves.",
+            "Adaptive importance sampling of any BRDF, analytic, measured or combined, with no parameters to "
+            "set. Quadtrees over the directions, for a set of views, follow f cos, and a sample descends "
+            "from the root. With mode=warp, a pair of random numbers is warped to a direction by inverting "
+            "the cdf, continuously except at tree splits, so that stratified or low-discrepancy points stay "
+            "well distributed; leaves are bilinear, and trees of neighbouring views are blended. With "
+            "mode=reject, the thesis' own method, rejection sampling under an upper bound of each leaf draws "
+            "the point, and the nearest view's tree is used.",
     };
   }
 
@@ -81,7 +85,7 @@ struct AdaptiveScheme {
     return warp_ ? warp_->density(u, v) : rejection_.density(brdf, u, v);
   }
 
-  /// See reflectance::sample_many.
+  /// Draws a batch of samples; see reflectance::sample_many.
   void sample_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                    std::vector<DirectionSample>& out) const {
     if (!warp_) return rejection_.sample_many(brdf, u, xi, out);
@@ -90,7 +94,7 @@ struct AdaptiveScheme {
     }
   }
 
-  /// The trees of `mode=reject`; null before `build`.
+  /// Returns the trees of `mode=reject`; null before `build`.
   const RejectionTrees* trees() const { return rejection_.trees(); }
 
  private:

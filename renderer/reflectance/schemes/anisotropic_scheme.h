@@ -6,8 +6,8 @@
 
 namespace reflectance {
 
-/// Half vectors by the anisotropic power of Ashikhmin and Shirley. What is reflected under the horizon is
-/// drawn and counts as zero, so the density's mass is under 1.
+/// Samples half vectors by the anisotropic power of Ashikhmin and Shirley. Directions below the horizon are
+/// drawn and count as zero, so the pdf integrates to less than 1.
 struct AnisotropicScheme {
   static constexpr bool MayMiss = true;
 
@@ -16,19 +16,18 @@ struct AnisotropicScheme {
 
   static ModelTable<AnisotropicScheme> table() {
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
-    return {
-        .keyword = "anisotropic",
-        .title = "Anisotropic half vectors",
-        .paper = "Ashikhmin and Shirley 2000",
-        .parameters = {number_parameter(&AnisotropicScheme::nu, "nu", OwnExponent, 1e6F,
-                                        "exponent along x; below 0: the BRDF's own, or 40 if it has none",
-                                        Logarithmic),
-                       number_parameter(&AnisotropicScheme::nv, "nv", OwnExponent, 1e6F,
-                                        "exponent along y; below 0: the BRDF's own, or 40 if it has none",
-                                        Logarithmic)},
-        .about =
-            "Half vectors with an exponent along x and another along y, for brushed surfaces and fibres, and "
-            "for any lobe about the half vector."};
+    return {.keyword = "anisotropic",
+            .title = "Anisotropic half vectors",
+            .paper = "Ashikhmin and Shirley 2000",
+            .parameters = {number_parameter(&AnisotropicScheme::nu, "nu", OwnExponent, 1e6F,
+                                            "exponent along x; below 0: the BRDF's own, or 40 if it has none",
+                                            Logarithmic),
+                           number_parameter(&AnisotropicScheme::nv, "nv", OwnExponent, 1e6F,
+                                            "exponent along y; below 0: the BRDF's own, or 40 if it has none",
+                                            Logarithmic)},
+            .about =
+                "Samples half vectors with one exponent along x and one along y, for brushed surfaces and "
+                "fibres, and for any half-vector lobe."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

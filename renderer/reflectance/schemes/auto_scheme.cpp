@@ -8,14 +8,13 @@
 namespace reflectance {
 namespace {
 
-/// The second moment of the weights over the square of their mean, of the BRDF's own sampler and of
-/// `adaptive`.
+/// The second moments of the weights over their squared mean, for the BRDF's own sampler and for `adaptive`.
 struct Moments {
   double own = 1;
   double adaptive = 1;
 };
 
-/// Samples of the own sampler measure both: the other's second moment is the mean of the product of weights.
+/// Measures both from the own sampler's samples: the other's second moment is the mean product of weights.
 Moments moments_at(const Brdf& brdf, const Vec3f& u, const AdaptiveScheme* adaptive) {
   constexpr std::uint32_t Samples = 1024;
   double sum = 0;

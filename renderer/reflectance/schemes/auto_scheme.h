@@ -5,17 +5,18 @@
 
 namespace reflectance {
 
-/// The BRDF's own closed-form sampler where it is a good one, and else `adaptive`, if that is better. Which
-/// one it is, is measured: the deviation of the weights f cos / density over view angles.
+/// The BRDF's own closed-form sampler if it is good, else `adaptive` if that is better. `build` measures the
+/// standard deviation of the weights f cos / pdf over view angles.
 class AutoScheme {
  public:
   static ModelTable<AutoScheme> table() {
     return {
         .keyword = "auto",
-        .title = "What serves best",
+        .title = "The better of own and adaptive",
         .about =
-            "What a face without a `pdf` has. The BRDF's own sampler, which costs nothing to prepare, where "
-            "its weights vary by less than half of their mean; else `adaptive`, if its weights vary less.",
+            "The default for faces without a `pdf`: the BRDF's own sampler, which needs no precomputation, "
+            "if the standard deviation of its weights is below half of their mean; else `adaptive`, if its "
+            "weights vary less.",
     };
   }
 

@@ -7,11 +7,11 @@
 
 namespace reflectance {
 
-/// Cumulative distributions of the half vector (Lawrence, Rusinkiewicz and Ramamoorthi 2005, "Adaptive
-/// numerical cumulative distribution functions for efficient importance sampling"; thesis section 4.4.2).
-/// For each of 32 view angles, and of 16 view azimuths where the BRDF is anisotropic, there is the curve of
-/// theta_h and, for each of its pieces, the curve of phi_h. A view takes the nearest tables. Where h reflects
-/// u under the horizon the sample carries nothing, so that the density's integral is below 1.
+/// Tabulated cdfs of the half vector (Lawrence, Rusinkiewicz and Ramamoorthi 2005, "Adaptive numerical
+/// cumulative distribution functions for efficient importance sampling"; thesis section 4.4.2). Each of 32
+/// view angles, times 16 azimuths if the BRDF is anisotropic, has a cdf of theta_h and, per piece of it, a
+/// cdf of phi_h. A view uses the nearest tables. Where h reflects u below the horizon the sample is empty, so
+/// the pdf integrates to less than 1.
 struct CascadeScheme {
   static constexpr bool MayMiss = true;
 
@@ -23,26 +23,26 @@ struct CascadeScheme {
   static ModelTable<CascadeScheme> table() {
     return {
         .keyword = "cascadeCDF",
-        .title = "Tabulated distributions of the half vector",
+        .title = "Tabulated cdfs of the half vector",
         .paper = "Lawrence, Rusinkiewicz and Ramamoorthi 2005",
         .parameters = {number_parameter(&CascadeScheme::theta_count, "nTh", 1, 4096, "cells over theta_h",
                                         grf::ParameterScale::Logarithmic),
                        number_parameter(&CascadeScheme::phi_count, "nPh", 1, 4096, "cells over phi_h",
                                         grf::ParameterScale::Logarithmic),
                        boolean_parameter(&CascadeScheme::compress, "compress",
-                                         "keep only the points that the curves need")},
+                                         "simplify the cdfs to the points needed")},
         .about =
-            "Samples any BRDF by tables of its values times the cosine, as a distribution of the half "
-            "vector. Lobes that are narrower than a cell are sampled badly. Compressed tables are about a "
-            "twentieth as large and nearly as good.",
+            "Samples half vectors by inverting tabulated cdfs of the BRDF times the cosine, for any BRDF. "
+            "Lobes narrower than a cell are sampled badly. Compressed tables are about a twentieth as large "
+            "and nearly as good.",
     };
   }
 
   std::string wrong_together() const {
     if (theta_count != std::round(theta_count) || phi_count != std::round(phi_count))
-      return "nTh and nPh are whole numbers";
+      return "nTh and nPh must be whole numbers";
     constexpr float MostCells = 0x1p18F;  // 600 MB for an anisotropic BRDF
-    return theta_count * phi_count <= MostCells ? "" : "nTh times nPh is over 262,144 cells";
+    return theta_count * phi_count <= MostCells ? "" : "nTh times nPh must be at most 262,144 cells";
   }
 
   static std::string refusal(const Brdf&) { return {}; }

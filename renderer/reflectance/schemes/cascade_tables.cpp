@@ -9,11 +9,11 @@
 namespace reflectance {
 namespace {
 
-/// The share of samples that is spread evenly over all h: no cell is empty, so that what a table does not
-/// know, such as the other views that use it, is still sampled now and then.
+/// The fraction of samples that is uniform over all h: no cell is empty, so that light unknown to a table,
+/// such as that of other views that use it, still has a pdf above 0.
 constexpr double CascadeFloor = 0.01;
 
-/// A table is made for the views of a range: of these it sees the corners.
+/// The corners of the range of views that a table serves, from which it is made.
 using Corners = std::array<std::array<Vec3f, 2>, 2>;  // by theta_u and phi_u
 
 Corners corners_of(std::size_t view, bool is_anisotropic) {
@@ -31,7 +31,7 @@ Corners corners_of(std::size_t view, bool is_anisotropic) {
   return corners;
 }
 
-/// The same cells, with all rows between two edges in one.
+/// Merges all rows between two edges into one.
 std::vector<double> merged(std::span<const double> masses, std::size_t columns, std::size_t first,
                            std::size_t end) {
   std::vector<double> sums(columns, 0.0);

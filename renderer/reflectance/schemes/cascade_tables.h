@@ -8,14 +8,14 @@
 
 namespace reflectance {
 
-/// Distributions of the half vector for all views of a BRDF, for the scheme `cascadeCDF`.
+/// Tabulated cdfs of the half vector for all views of a BRDF, for the scheme `cascadeCDF`.
 class CascadeTables {
  public:
   static constexpr std::size_t ViewAngles = 32;
   static constexpr std::size_t ViewAzimuths = 16;  ///< of an anisotropic BRDF
 
-  // The greatest errors of compressed curves, in probability. With these, tables of 256 x 32 cells need about
-  // a twentieth of the memory, and the weights' standard deviation, in albedos, grows from 0.16 to 0.19 for
+  // The largest errors of compressed cdfs, in probability. With these, tables of 256 x 32 cells need about a
+  // twentieth of the memory, and the weights' standard deviation, in albedos, grows from 0.16 to 0.19 for
   // Ward's model with sx=0.2 and from 0.37 to 0.38 for Lewis' with n=100.
   static constexpr float MarginalTolerance = 0.002F;
   static constexpr float ConditionalTolerance = 0.005F;
@@ -27,10 +27,10 @@ class CascadeTables {
 
   CascadeTables(const Brdf& brdf, const Size& size, bool compress);
 
-  /// h over the horizon for a view over the horizon.
+  /// Samples an h above the horizon, for a view above the horizon.
   Vec3f half_vector(const Vec3f& u, const Vec2f& xi) const;
 
-  /// Per solid angle of h, which is over 0 everywhere: see `Floor` in the source.
+  /// Returns the pdf per solid angle of h, which is above 0 everywhere: see `Floor` in the source.
   float half_density(const Vec3f& u, const Vec3f& h) const;
 
   std::size_t bytes() const;
@@ -38,17 +38,16 @@ class CascadeTables {
   friend bool operator==(const CascadeTables&, const CascadeTables&) = default;
 
  private:
-  /// The curves of some views, one after the other: for each view the marginal curve, and then a conditional
-  /// curve for each piece of it.
+  /// The cdfs of some views in sequence: for each view the marginal cdf, then a conditional cdf per piece.
   struct Curves {
-    std::vector<float> values;          ///< of the curves' points
-    std::vector<std::uint16_t> points;  ///< which edges of the grid these are; empty: all of them
-    std::vector<std::uint32_t> begins;  ///< of each curve in the two above, and an end
+    std::vector<float> values;          ///< of the cdfs' points
+    std::vector<std::uint16_t> points;  ///< the grid edges of these points; empty: all of them
+    std::vector<std::uint32_t> begins;  ///< the first index of each cdf in the two above, and an end
 
     bool operator==(const Curves&) const = default;
   };
 
-  /// One of them.
+  /// A view of one cdf.
   struct Curve {
     std::span<const float> values;
     const std::uint16_t* points = nullptr;
@@ -69,7 +68,7 @@ class CascadeTables {
   DirectionGrid grid_;
   bool is_anisotropic_ = false;
   Curves curves_;
-  std::vector<std::uint32_t> marginals_;  ///< the index of each view's first curve
+  std::vector<std::uint32_t> marginals_;  ///< the index of each view's marginal cdf
 };
 
 }  // namespace reflectance

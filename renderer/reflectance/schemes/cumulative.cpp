@@ -11,7 +11,7 @@ struct Farthest {
   float distance = 0;
 };
 
-/// The point between two others that is farthest from the line between these.
+/// Finds the point between two others that is farthest from the line between these.
 Farthest farthest(std::span<const float> x, std::span<const float> y, std::size_t first, std::size_t last) {
   const float slope = (y[last] - y[first]) / (x[last] - x[first]);
   Farthest found;
@@ -26,7 +26,7 @@ Farthest farthest(std::span<const float> x, std::span<const float> y, std::size_
 
 std::vector<std::uint16_t> simplified(std::span<const float> x, std::span<const float> y, float tolerance) {
   std::vector<std::uint16_t> kept = {0};
-  std::vector<std::size_t> ends = {x.size() - 1};  // of the stretches still to be seen, the nearest last
+  std::vector<std::size_t> ends = {x.size() - 1};  // of intervals still to be split, the nearest last
   std::size_t first = 0;
   while (!ends.empty()) {
     const Farthest between = farthest(x, y, first, ends.back());

@@ -1,4 +1,4 @@
-// Distributions over a row of cells as curves that rise from 0 to 1, and their inversion.
+// Piecewise-linear cdfs over a row of cells, and their inversion.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace reflectance {
 
-/// Sums of the masses of cells up to each edge, as shares of the whole: one number more than there are
-/// cells, from 0 to 1. Even, if the masses are all 0. Masses are finite and >= 0.
+/// Returns the cdf at the cells' edges, from 0 to 1: one number more than there are cells. Uniform if all
+/// masses are 0. Masses must be finite and >= 0.
 inline std::vector<float> cumulative(std::span<const double> masses) {
   double sum = 0;
   for (const double mass : masses) sum += mass;
@@ -28,22 +28,22 @@ inline std::vector<float> cumulative(std::span<const double> masses) {
   return curve;
 }
 
-/// Where a curve takes a value: the cell, and how far into it, 0 to 1.
+/// The position where a cdf takes a value: the cell, and the fraction of the way into it, 0 to 1.
 struct CurvePlace {
   std::size_t cell = 0;
   float fraction = 0;
 };
 
-/// The inverse of a curve at xi in [0,1). It never falls on a cell without mass.
+/// Inverts a cdf at xi in [0,1). The result is never in a cell without mass.
 inline CurvePlace inverted(std::span<const float> curve, float xi) {
   const auto above = std::upper_bound(curve.begin() + 1, curve.end() - 1, xi);
   const auto cell = static_cast<std::size_t>(above - curve.begin()) - 1;
   return {cell, (xi - curve[cell]) / (curve[cell + 1] - curve[cell])};
 }
 
-/// The indices of the points that the algorithm of Douglas and Peucker (1973) keeps of a rising curve
-/// (x, y), both ends among them. Lines between them are nowhere further from the curve than the tolerance:
-/// in y and not across the line, since y is a probability and x is none.
+/// Simplifies a rising curve (x, y) by the algorithm of Douglas and Peucker (1973) and returns the indices of
+/// the points kept, with both ends. The error is at most the tolerance in y, not across the line, since y is
+/// a probability and x is not.
 std::vector<std::uint16_t> simplified(std::span<const float> x, std::span<const float> y, float tolerance);
 
 }  // namespace reflectance

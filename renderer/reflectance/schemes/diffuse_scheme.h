@@ -4,16 +4,15 @@
 
 namespace reflectance {
 
-/// Cosine-weighted directions: what the thesis calls uniform sampling. Covers every BRDF.
+/// Cosine-weighted sampling, which the thesis calls uniform sampling. Supports every BRDF.
 struct DiffuseScheme {
   static ModelTable<DiffuseScheme> table() {
-    return {
-        .keyword = "diffuse",
-        .title = "Cosine-weighted",
-        .about =
-            "Directions in proportion to the cosine with the normal, as if the surface were matte; the "
-            "thesis calls it uniform, which it is on the unit disc. Perfect for Lambert's model, safe for "
-            "every other, and the noisier the glossier the BRDF: what other schemes are measured against."};
+    return {.keyword = "diffuse",
+            .title = "Cosine-weighted",
+            .about =
+                "Cosine-weighted hemisphere sampling, as for a diffuse surface; the thesis calls it uniform, "
+                "which it is on the unit disc. It is perfect for Lambert's model, safe for every other, and "
+                "the noisier the glossier the BRDF: the baseline for the other schemes."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

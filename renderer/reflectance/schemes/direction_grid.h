@@ -1,5 +1,5 @@
-// What schemes with tables over spherical coordinates share: a grid of cells, half vectors, and the
-// values that tables follow.
+// Grids of cells over spherical coordinates, with half vectors and the tabulated values, shared by the
+// schemes with tables.
 #pragma once
 
 #include <algorithm>
@@ -12,22 +12,22 @@
 
 namespace reflectance {
 
-/// 1 - cos(theta) of a unit vector over the horizon, with all its digits near the normal.
+/// Returns 1 - cos(theta) of a unit vector above the horizon, accurate near the normal.
 inline float versine_of(const Vec3f& w) { return (w.x * w.x + w.y * w.y) / (1 + w.z); }
 
-/// The azimuth in [0, 1], in turns.
+/// Returns the azimuth in turns, in [0, 1].
 inline float turns_of(const Vec3f& w) {
   const float turns = std::atan2(w.y, w.x) / (2 * Pi);
   return turns < 0 ? turns + 1 : turns;
 }
 
-/// Theta in units of a right angle, 0 to 1.
+/// Returns theta in right angles, 0 to 1.
 inline float right_angles_of(float versine) {
   return std::asin(std::min(1.0F, std::sqrt(versine / 2))) * (4 / Pi);
 }
 
-/// Cells of the hemisphere between evenly spaced angles theta (rows) and phi (columns). Within a cell, solid
-/// angle is what counts: 1 - cos(theta) times phi.
+/// Cells of the hemisphere between evenly spaced angles theta (rows) and phi (columns). Points within a cell
+/// are uniform in solid angle: in 1 - cos(theta) times phi.
 class DirectionGrid {
  public:
   DirectionGrid() = default;
@@ -42,14 +42,14 @@ class DirectionGrid {
   std::size_t columns() const { return columns_; }
   std::size_t bytes() const { return versines_.size() * sizeof(float); }
 
-  /// 1 - cos(theta) of the edges, from 0 to 1.
+  /// Returns 1 - cos(theta) of the edges, from 0 to 1.
   const std::vector<float>& versines() const { return versines_; }
 
   std::size_t row_of(const Vec3f& w) const {
     const float versine = versine_of(w);
     const float place = right_angles_of(versine) * static_cast<float>(rows());
     std::size_t row = std::min(static_cast<std::size_t>(place), rows() - 1);
-    while (row > 0 && versine < versines_[row]) --row;  // the angle is rounded, and the edges are the truth
+    while (row > 0 && versine < versines_[row]) --row;  // the angle is rounded; the edges decide
     while (row + 1 < rows() && versine >= versines_[row + 1]) ++row;
     return row;
   }
@@ -57,15 +57,15 @@ class DirectionGrid {
     return std::min(static_cast<std::size_t>(turns_of(w) * static_cast<float>(columns_)), columns_ - 1);
   }
 
-  /// The direction at a fraction of the way from edge `row` to `row_end`, in 1 - cos(theta), and as many
-  /// columns around.
+  /// Returns the direction at a fraction, in 1 - cos(theta), from edge `row` to `row_end`, and at that
+  /// (fractional) column.
   Vec3f direction(std::size_t row, std::size_t row_end, float fraction, float column) const {
     const float versine = versines_[row] + fraction * (versines_[row_end] - versines_[row]);
     const float sine = std::sqrt(versine * (2 - versine));
     return from_angles(1 - versine, sine, 2 * Pi * column / static_cast<float>(columns_));
   }
 
-  /// In sr, of so many columns between two edges.
+  /// Returns the solid angle of so many columns between two edges, in sr.
   float solid_angle(std::size_t row, std::size_t row_end, std::size_t columns) const {
     return (versines_[row_end] - versines_[row]) * 2 * Pi * static_cast<float>(columns) /
            static_cast<float>(columns_);
@@ -78,8 +78,8 @@ class DirectionGrid {
   std::size_t columns_ = 0;
 };
 
-/// Where to look at a function in each cell of a grid: at least so many points over all theta and phi, so
-/// that lobes that are narrower than a cell are not missed, and at least 2 x 2 in a cell.
+/// Points at which to evaluate a function in each cell of a grid: at least 2 x 2 per cell, and a minimal
+/// number over all theta and phi, so that lobes narrower than a cell are not missed.
 class CellPoints {
  public:
   CellPoints(const DirectionGrid& grid, std::size_t least_rows, std::size_t least_columns)
@@ -103,12 +103,12 @@ class CellPoints {
   std::size_t across_;
 };
 
-/// f cos(theta_v) at v, mean over RGB: a density over v but for a factor.
+/// Returns the RGB mean of f cos(theta_v), an unnormalised pdf over v.
 inline float scalar_of_direction(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
   return u.z > 0 && v.z > 0 ? mean(evaluate(brdf, u, v)) * v.z : 0;
 }
 
-/// The same as a density over h, which reflects u into v: a solid angle of v is 4 u.h times that of h.
+/// Returns the same as an unnormalised pdf over h, which reflects u into v; the Jacobian is dv = 4 u.h dh.
 inline float scalar_of_half(const Brdf& brdf, const Vec3f& u, const Vec3f& h) {
   const float cosine = u.dot(h);
   return cosine > 0 ? scalar_of_direction(brdf, u, reflected(u, h)) * 4 * cosine : 0;

@@ -1,4 +1,4 @@
-// The unit disc, of which a direction's x and y are a point and projected solid angle the area.
+// The unit disc of projected directions (x, y), whose area is projected solid angle.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@ struct Box {
   double area() const { return (x1 - x0) * (y1 - y0); }
 };
 
-/// The smallest box about the part of a box that is inside the disc; its area is at most twice that part's if
-/// the box has it. Section 5.3.3 of the thesis has eight cases, by which corners are inside, and takes the
-/// rim's height at the wrong corner where a box with two corners inside is left of or under the disc's
-/// middle. The rim is farthest out where the other coordinate is nearest to 0, which serves all cases.
+/// Returns the bounding box of the part of a box inside the disc; its area is at most twice that part's if
+/// the box has it. Section 5.3.3 of the thesis has eight cases by which corners are inside, and takes the
+/// rim's height at the wrong corner where a box with two corners inside is left of or below the centre. The
+/// rim is farthest out where the other coordinate is nearest to 0, which covers all cases.
 inline Box inside_disc(const Box& box) {
   const double x = std::clamp(0.0, box.x0, box.x1);
   const double y = std::clamp(0.0, box.y0, box.y1);
@@ -26,7 +26,7 @@ inline Box inside_disc(const Box& box) {
           std::min(box.y1, height)};
 }
 
-/// The area of the part of the disc that is left of x and under y, both from -1 to 1.
+/// Returns the area of the part of the disc left of x and below y, both from -1 to 1.
 inline double disc_area_below(double x, double y) {
   const auto half_segment = [](double t) { return (t * std::sqrt(1 - t * t) + std::asin(t)) / 2; };
   constexpr double Quarter = std::numbers::pi / 4;
@@ -37,7 +37,7 @@ inline double disc_area_below(double x, double y) {
   return 2 * (half_segment(x) + half_segment(y));
 }
 
-/// The area of the part of a box that is inside the disc.
+/// Returns the area of the part of a box inside the disc.
 inline double disc_area(const Box& box) {
   const double x = std::max(std::abs(box.x0), std::abs(box.x1));
   const double y = std::max(std::abs(box.y0), std::abs(box.y1));

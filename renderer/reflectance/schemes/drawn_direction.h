@@ -4,7 +4,7 @@
 
 namespace reflectance {
 
-/// A direction and its density per solid angle.
+/// A sampled direction with its solid-angle pdf.
 struct DrawnDirection {
   Vec3f direction;
   float density = 0;

@@ -33,7 +33,7 @@ std::vector<std::string> header(std::string_view title, const FactorFiles& files
                       size.rows, size.columns, size.view_factors, size.factors, size.by_half)};
 }
 
-/// Reads line by line, and says once what is wrong first.
+/// Reads line by line, and reports only the first error.
 class Reader {
  public:
   Reader(const std::string& path, grf::Diagnostics& diagnostics) : diagnostics_(diagnostics) {
@@ -49,12 +49,12 @@ class Reader {
   bool expect(std::string_view expected) {
     const auto line = next_line();
     if (!line) return fail(fmt::format("the file ends too early: expected '{}'", expected));
-    return *line == expected || fail(fmt::format("this does not fit: expected '{}'", expected));
+    return *line == expected || fail(fmt::format("expected '{}'", expected));
   }
 
-  bool expect_end() { return expect(End) && (rest_.empty() || fail("there is more behind the end", 1)); }
+  bool expect_end() { return expect(End) && (rest_.empty() || fail("unexpected text after the end", 1)); }
 
-  /// So many numbers in [0,1], and nothing else.
+  /// Reads a line of exactly so many numbers in [0,1].
   bool read(std::size_t count, std::vector<float>& numbers) {
     const auto line = next_line();
     if (!line) return fail(fmt::format("the file ends too early: expected {} numbers", count));
@@ -65,21 +65,21 @@ class Reader {
       float number = 0;
       const auto [behind, error] = std::from_chars(place, end, number);
       if (error != std::errc() || (behind != end && *behind != ' '))
-        return fail(fmt::format("expected {} numbers, and number {} is none", count, i + 1));
+        return fail(fmt::format("expected {} numbers, but number {} cannot be read", count, i + 1));
       if (!(number >= 0 && number <= 1) || std::signbit(number))
         return fail(fmt::format("number {} is not in [0,1]", i + 1));
       numbers.push_back(number);
       place = behind;
     }
-    return place == end || fail(fmt::format("expected {} numbers, and there is more", count));
+    return place == end || fail(fmt::format("expected {} numbers, but there are more", count));
   }
 
-  /// Numbers that rise from 0 to 1.
+  /// Reads a cdf: numbers that rise from 0 to 1.
   bool read_curve(std::size_t count, std::vector<float>& numbers) {
     if (!read(count, numbers)) return false;
     const std::span<const float> curve = std::span(numbers).last(count);
     return (curve.front() == 0 && curve.back() == 1 && std::is_sorted(curve.begin(), curve.end())) ||
-           fail("a cumulative distribution rises from 0 to 1, and this one does not");
+           fail("this cumulative distribution does not rise from 0 to 1");
   }
 
  private:
@@ -87,14 +87,14 @@ class Reader {
     if (!text_) return std::nullopt;
     ++location_.line;
     const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) return std::nullopt;  // the last line has an end, too
+    if (end == std::string_view::npos) return std::nullopt;  // the last line must end with a newline, too
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
     return line;
   }
 
   bool fail(std::string_view message, std::uint32_t lines_on = 0) {
-    if (!text_) return false;  // that has been said
+    if (!text_) return false;  // already reported
     location_.line += lines_on;
     diagnostics_.error(location_, message);
     return false;

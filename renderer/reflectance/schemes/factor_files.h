@@ -8,29 +8,29 @@
 
 namespace reflectance {
 
-/// The factors of a BRDF as two text files, NAME.txt with the weights of the lobes for each view and
-/// NAME_cdf.txt with the lobes' cumulative distributions. Both begin with
-///   granada factors 1              (or `granada factors cdf 1`: what it is, and the format's version)
+/// The factors of a BRDF as two text files, NAME.txt with the weights of the lobes per view and NAME_cdf.txt
+/// with the lobes' cdfs. Both begin with
+///   granada factors 1              (or `granada factors cdf 1`: kind and version of the format)
 ///   brdf IDENTITY                  (see BrdfMaker::identity)
 ///   uTh 16 uPh 1 pTh 32 pPh 16 J 2 K 1 half false
-/// uPh being 1 for isotropic BRDFs. Then a line of numbers for each view, theta_u running first, with one
-/// for each lobe; or for each lobe a line for theta and one for phi, with one for each edge of a cell. The
-/// last line is `end`. Numbers have all their digits, so that what is read is what was written.
+/// where uPh is 1 for isotropic BRDFs. Then follow a line of numbers per view, theta_u running first, with
+/// one number per lobe; or two lines per lobe, theta and phi, with one number per cell edge. The last line is
+/// `end`. Numbers have all their digits, so that they read back exactly.
 struct FactorFiles {
-  std::string name;           ///< a path, without what is added for each file
-  std::string brdf_identity;  ///< what must stand in the files
+  std::string name;           ///< a path, without the suffix of each file
+  std::string brdf_identity;  ///< the identity that the files must have
   FactorSize size;
 
   std::string weights_path() const { return name + ".txt"; }
   std::string curves_path() const { return name + "_cdf.txt"; }
 
-  /// Whether there is one of the two.
+  /// Returns true if at least one of the two files exists.
   bool exist() const;
 
-  /// The factors, or nothing after an error: a file is missing or broken, or its BRDF or sizes are others.
+  /// Loads the factors, or returns nothing after an error: a missing or broken file, another BRDF or size.
   std::optional<Factors> load(grf::Diagnostics& diagnostics) const;
 
-  /// Writes both files, or says why not.
+  /// Writes both files, or reports an error.
   bool save(const Factors& factors, grf::Diagnostics& diagnostics) const;
 };
 

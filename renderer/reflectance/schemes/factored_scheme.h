@@ -7,12 +7,12 @@
 
 namespace reflectance {
 
-/// Lobes that are products of a function of theta and one of phi, found by two non-negative factorisations
-/// of the BRDF times the cosine (Lawrence, Rusinkiewicz and Ramamoorthi 2004, "Efficient BRDF importance
-/// sampling using a factored representation"; thesis section 4.4.1). A lobe is picked by its weight for the
-/// view, blended between the nearest views that have one; then theta and phi are drawn. For isotropic BRDFs
-/// u is turned into the plane y = 0 and needs no phi_u. With `half` the lobes are of h, and where h reflects
-/// u under the horizon the sample carries nothing, so that the density's integral is below 1.
+/// Factored BRDF sampling: lobes that are products of a function of theta and one of phi, found by two
+/// non-negative factorisations of the BRDF times the cosine (Lawrence, Rusinkiewicz and Ramamoorthi 2004,
+/// "Efficient BRDF importance sampling using a factored representation"; thesis section 4.4.1). A lobe is
+/// picked by its weight for the view, blended between the nearest views; then theta and phi are drawn. For
+/// isotropic BRDFs u is rotated into the plane y = 0. With `half` the lobes are of h; where h reflects u
+/// below the horizon the sample is empty, so the pdf integrates to less than 1.
 struct FactoredScheme {
   static constexpr bool MayMiss = true;
 
@@ -23,7 +23,8 @@ struct FactoredScheme {
   float view_factors = 2;
   float lobe_factors = 1;
   bool by_half = false;
-  std::shared_ptr<const Factors> given = {};  ///< what `build` takes in place of new ones: see `use_files`
+  std::shared_ptr<const Factors> given =
+      {};  ///< factors for `build` to use instead of computing them; see `use_files`
   std::shared_ptr<const Factors> factors = {};
 
   static ModelTable<FactoredScheme> table() {
@@ -31,33 +32,35 @@ struct FactoredScheme {
     constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
     return {
         .keyword = "factored",
-        .title = "Non-negative factors of the BRDF",
+        .title = "Factored BRDF",
         .paper = "Lawrence, Rusinkiewicz and Ramamoorthi 2004",
         .parameters =
             {number_parameter(&Scheme::view_angles, "uTh", 1, 256, "views over theta_u", Logarithmic),
              number_parameter(&Scheme::view_azimuths, "uPh", 1, 256,
-                              "views over phi_u; 1, and for any isotropic BRDF: u is turned to the x axis",
+                              "views over phi_u; 1, and for any isotropic BRDF: u is rotated to the x axis",
                               Logarithmic),
              number_parameter(&Scheme::rows, "pTh", 1, 1024, "cells over theta", Logarithmic),
              number_parameter(&Scheme::columns, "pPh", 1, 1024, "cells over phi", Logarithmic),
-             number_parameter(&Scheme::view_factors, "J", 1, 8, "products of a function of u"),
-             number_parameter(&Scheme::lobe_factors, "K", 1, 8, "products of theta and phi in each of these"),
+             number_parameter(&Scheme::view_factors, "J", 1, 8, "number of factors of u"),
+             number_parameter(&Scheme::lobe_factors, "K", 1, 8,
+                              "number of products of theta and phi per factor of u"),
              boolean_parameter(&Scheme::by_half, "half",
-                               "over the half vector, for lobes about the mirror direction")},
+                               "factor over the half vector, for lobes about the mirror direction")},
         .about =
-            "Samples a BRDF by the sum of a few lobes that are fitted to it. All parameters are to be found "
-            "by trial; matte BRDFs want `half=false` and glossy ones `half=true`. A hundredth of the samples "
-            "is spread evenly, so that nothing is missed.",
+            "Samples a sum of a few lobes fitted to the BRDF by non-negative matrix factorisation. The "
+            "parameters must be found by trial; use `half=false` for diffuse BRDFs and `half=true` for "
+            "glossy ones. A hundredth of the samples is uniform over the hemisphere, so that the pdf is "
+            "above 0 everywhere.",
     };
   }
 
   std::string wrong_together() const {
     for (const float count : {view_angles, view_azimuths, rows, columns, view_factors, lobe_factors}) {
-      if (count != std::round(count)) return "uTh, uPh, pTh, pPh, J and K are whole numbers";
+      if (count != std::round(count)) return "uTh, uPh, pTh, pPh, J and K must be whole numbers";
     }
     constexpr float MostElements = 0x1p24F;  // 128 MB, and as much again for the transposed matrix
     if (view_angles * view_azimuths * rows * columns <= MostElements) return {};
-    return "uTh times uPh times pTh times pPh is over 16,777,216";
+    return "uTh times uPh times pTh times pPh must be at most 16,777,216";
   }
 
   static std::string refusal(const Brdf&) { return {}; }
@@ -67,8 +70,8 @@ struct FactoredScheme {
   }
   std::size_t bytes() const { return factors ? factors->bytes() : 0; }
 
-  /// Loads the factors for a BRDF from NAME.txt and NAME_cdf.txt if there is such a file; else makes them and
-  /// writes these. `build` then takes them, so it must be for the same BRDF. False after an error.
+  /// Loads the factors of a BRDF from NAME.txt and NAME_cdf.txt if one exists; else computes and writes them.
+  /// `build` then uses them, so it must get the same BRDF. Returns false after an error.
   bool use_files(const std::string& name, const Brdf& brdf, const std::string& brdf_identity,
                  grf::Diagnostics& diagnostics) {
     const FactorFiles files = {name, brdf_identity, size_for(brdf)};

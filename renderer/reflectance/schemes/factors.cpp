@@ -11,7 +11,7 @@
 namespace reflectance {
 namespace {
 
-/// Views whose lobes weigh less, as between one that sees light and one that sees none, have none.
+/// Views with smaller lobe weights, as between a view that sees light and one that sees none, have no lobes.
 constexpr float LeastWeight = 1e-6F;
 
 using Eigen::Index;
@@ -25,7 +25,7 @@ Vec3f view_at(const FactorSize& size, std::size_t view) {
   return from_angles(std::cos(theta), std::sin(theta), size.view_azimuths > 1 ? 2 * Pi * turns : 0);
 }
 
-/// The distribution over cells that a view sees, a row of cells after the other; its sum is 1, or 0.
+/// Returns a view's distribution over cells in row order; its sum is 1, or 0.
 Eigen::VectorXd seen_from(const Brdf& brdf, const Vec3f& u, const DirectionGrid& grid, bool by_half) {
   const auto scalar = by_half ? scalar_of_half : scalar_of_direction;
   const CellPoints points(grid, 128, 64);
@@ -45,10 +45,10 @@ Eigen::VectorXd seen_from(const Brdf& brdf, const Vec3f& u, const DirectionGrid&
   return sum > 0 ? Eigen::VectorXd(masses / sum) : masses;
 }
 
-/// Lobe by lobe, of one of the J.
+/// The lobes of one of the J factors.
 struct Lobes {
   std::vector<float> curves;
-  std::vector<double> shares;  ///< of its energy, which add up to 1
+  std::vector<double> shares;  ///< fractions of its energy, which sum to 1
 };
 
 Lobes split(const Eigen::VectorXd& cells, const FactorSize& size) {
@@ -71,7 +71,7 @@ Lobes split(const Eigen::VectorXd& cells, const FactorSize& size) {
   return lobes;
 }
 
-/// Two neighbours of a place among the centres of even parts of [0,1], and how much of the second.
+/// The two nearest of evenly spaced centres in [0,1], with the weight of the second.
 struct Neighbours {
   std::size_t first = 0, second = 0;
   float share = 0;

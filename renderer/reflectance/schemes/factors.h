@@ -9,15 +9,15 @@
 
 namespace reflectance {
 
-/// What a factorisation is made with.
+/// The resolution of a factorisation.
 struct FactorSize {
   std::size_t view_angles = 0;    ///< theta_u
   std::size_t view_azimuths = 0;  ///< phi_u; 1 for an isotropic BRDF
   std::size_t rows = 0;           ///< theta_w
   std::size_t columns = 0;        ///< phi_w
   std::size_t view_factors = 0;   ///< J
-  std::size_t factors = 0;        ///< K, of each of the J
-  bool by_half = false;           ///< w is h, and v if not
+  std::size_t factors = 0;        ///< K, per view factor
+  bool by_half = false;           ///< w is h, else v
 
   std::size_t lobes() const { return view_factors * factors; }
   std::size_t views() const { return view_angles * view_azimuths; }
@@ -25,38 +25,38 @@ struct FactorSize {
   bool operator==(const FactorSize&) const = default;
 };
 
-/// A BRDF times the cosine as a sum of lobes, F(u) T(theta_w) P(phi_w) each, for the scheme `factored`.
+/// A BRDF times the cosine as a sum of lobes F(u) T(theta_w) P(phi_w), for the scheme `factored`.
 class Factors {
  public:
   static constexpr std::size_t MostLobes = 64;
 
-  /// The share of samples that is spread evenly over the hemisphere of w, where no lobe may be.
+  /// The fraction of samples that is uniform over the hemisphere of w, where there may be no lobe.
   static constexpr float Floor = 0.01F;
 
-  /// Two non-negative factorisations. f cos(theta_v) (times 4 u.h where w is h) of all cells of w (rows) and
-  /// views (columns), each row weighted by its cells' solid angle and each column by 1 / its sum, since all
-  /// views are as important, is first split into `view_factors` products of views and cells. The cells of
-  /// each of these, as a matrix of theta and phi, are then split into `factors` products.
+  /// Computes two non-negative factorisations. The matrix has f cos(theta_v) (times 4 u.h if w is h) for all
+  /// cells of w (rows) and views (columns), rows weighted by solid angle and columns by 1 / their sum, since
+  /// all views are equally important. It is split into `view_factors` products of views and cells; the cells
+  /// of each, as a matrix of theta and phi, are split into `factors` products.
   static Factors make(const Brdf& brdf, const FactorSize& size);
 
-  /// From what `view_weights` and `curves` say: the sizes fit, weights are in [0,1], and curves rise from 0
-  /// to 1.
+  /// Makes factors from the values of `view_weights` and `curves`: sizes must match, weights be in [0,1], and
+  /// cdfs rise from 0 to 1.
   Factors(const FactorSize& size, std::vector<float> view_weights, std::vector<float> curves);
 
   const FactorSize& size() const { return size_; }
 
-  /// F: for each azimuth of u each angle theta_u, and for that each lobe; as shares of the view's light. The
-  /// views are the centres of as many even parts of the range.
+  /// Returns F, normalised per view, with the lobe running first, then theta_u, then phi_u. Views are the
+  /// centres of evenly spaced intervals.
   const std::vector<float>& view_weights() const { return view_weights_; }
 
-  /// For each lobe the cumulative distribution of theta_w, at `rows` + 1 edges, and that of phi_w.
+  /// Returns for each lobe the cdf of theta_w, at `rows` + 1 edges, and that of phi_w.
   const std::vector<float>& curves() const { return curves_; }
 
-  /// w over the horizon for a view over the horizon: by `choice` a lobe is picked, by `direction` theta and
-  /// phi. In the frame of u's plane for an isotropic BRDF.
+  /// Samples w above the horizon for a view above the horizon: `choice` picks a lobe, `direction` gives theta
+  /// and phi. For an isotropic BRDF it is in the frame of u's plane.
   Vec3f direction(const Vec3f& u, const Uniforms& xi) const;
 
-  /// Per solid angle of w: the whole mixture.
+  /// Returns the pdf of the whole mixture, per solid angle of w.
   float density(const Vec3f& u, const Vec3f& w) const;
 
   std::size_t bytes() const;

@@ -10,7 +10,7 @@
 
 namespace reflectance {
 
-/// A cosine lobe about the mirror direction, cut at the horizon: a direction under it is drawn again.
+/// Samples a cosine lobe about the mirror direction, cut at the horizon: a direction below it is drawn again.
 struct HemisphereScheme {
   static constexpr bool MayMiss = true;
 
@@ -25,7 +25,7 @@ struct HemisphereScheme {
                                         "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
                                         grf::ParameterScale::Logarithmic)},
         .about =
-            "A cosine lobe about the mirror direction, for BRDFs that are such a lobe. A direction under "
+            "Samples a cosine lobe about the mirror direction, for BRDFs with such a lobe. A direction below "
             "the horizon is drawn again, so that no sample is lost."};
   }
 
@@ -38,7 +38,7 @@ struct HemisphereScheme {
   std::size_t bytes() const { return over_horizon_ ? sizeof(LobeOverHorizon) : 0; }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
-    constexpr int MostTries = 64;  // of which each succeeds more often than not
+    constexpr int MostTries = 64;  // each try succeeds with a probability of at least 1/2
     if (!(u.z > 0)) return std::nullopt;
     Vec3f v = cosine_lobe_direction(u, n_, xi.direction);
     MoreUniforms more(xi);

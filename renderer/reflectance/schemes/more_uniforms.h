@@ -7,9 +7,9 @@
 
 namespace reflectance {
 
-/// Uniform numbers beyond those of a `Uniforms`, which seeds them with its bits: the same xi gives the same
-/// numbers. For loops that may need any number of them (Steele, Lea and Flood 2014, "Fast splittable
-/// pseudorandom number generators").
+/// A random number generator seeded by the bits of a `Uniforms`, for loops that need any number of uniform
+/// numbers. The same xi gives the same numbers (Steele, Lea and Flood 2014, "Fast splittable pseudorandom
+/// number generators").
 class MoreUniforms {
  public:
   explicit MoreUniforms(const Uniforms& xi) {
@@ -18,7 +18,7 @@ class MoreUniforms {
     }
   }
 
-  /// In [0,1).
+  /// Returns the next number in [0,1).
   double next() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
   Vec2f next_pair() {
     const std::uint64_t both = bits();

@@ -10,10 +10,10 @@
 namespace reflectance {
 namespace {
 
-/// Divisors are at least this: 0 / 0 is to be 0.
+/// The minimum of divisors, so that 0 / 0 is 0.
 constexpr double Least = 1e-300;
 
-/// One update of `right`; of `left` with the transposed matrix. Columns are independent of each other.
+/// Updates `right`, or `left` with the transposed matrix. Columns are independent of each other.
 void update(const Eigen::MatrixXd& y, const Eigen::MatrixXd& left, Eigen::MatrixXd& right) {
   constexpr Eigen::Index Block = 16;  // columns at a time; fixed, since sums in blocks depend on their size
   const Eigen::VectorXd sums = left.rowwise().sum().cwiseMax(Least);
@@ -28,7 +28,7 @@ void update(const Eigen::MatrixXd& y, const Eigen::MatrixXd& left, Eigen::Matrix
   });
 }
 
-/// Sums spread over all ranks unevenly, since what is even stays so under the updates.
+/// Initialises by distributing sums over the ranks unevenly, since equal ones stay equal under the updates.
 Eigen::MatrixXd start(const Eigen::VectorXd& sums, Eigen::Index rank, std::uint32_t seed) {
   Eigen::MatrixXd matrix(rank, sums.size());
   for (Eigen::Index i = 0; i < sums.size(); ++i) {
@@ -58,7 +58,7 @@ double divergence(const Eigen::MatrixXd& y, const NonnegativeFactors& factors) {
 NonnegativeFactors factorised(const Eigen::MatrixXd& y, Eigen::Index rank) {
   constexpr int MostRounds = 50;
   constexpr int UpdatesPerRound = 10;
-  constexpr double LeastGain = 1e-5;  // of the whole, in a round
+  constexpr double LeastGain = 1e-5;  // relative, per iteration
   const double whole = y.sum();
   if (!(whole > 0)) return {Eigen::MatrixXd::Zero(rank, y.rows()), Eigen::MatrixXd::Zero(rank, y.cols())};
   const Eigen::MatrixXd transposed = y.transpose();

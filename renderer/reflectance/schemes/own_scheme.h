@@ -10,9 +10,9 @@ struct OwnScheme {
     return {.keyword = "own",
             .title = "The BRDF's own sampler",
             .about =
-                "Each BRDF has a sampler in closed form that was written "
-                "for it: exact or nearly so where the model's lobe can be inverted, and else that of a like "
-                "lobe together with a matte part. It has no tables and nothing to set."};
+                "The closed-form importance sampling of each BRDF: exact or nearly so if the model's lobe "
+                "can be inverted, else that of a similar lobe combined with cosine-weighted directions. It "
+                "has no tables and no parameters."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

@@ -6,8 +6,8 @@
 
 namespace reflectance {
 
-/// Rejection over the whole disc: trees of which none is split. A sharp lobe needs many tries, and where
-/// RejectionTree::Bound is met a sample is empty: the density's mass is under 1 by as much.
+/// Rejection sampling over the whole disc: trees with only a root. A narrow lobe needs many tries, and a
+/// sample that reaches RejectionTree::Bound is empty: the pdf integrates to less than 1 by as much.
 struct RejectScheme : RejectionSampler {
   float nqt = 90;
   float naniso_qt = 0;
@@ -16,20 +16,19 @@ struct RejectScheme : RejectionSampler {
 
   static ModelTable<RejectScheme> table() {
     using Self = RejectScheme;
-    return {
-        .keyword = "reject",
-        .title = "Rejection over the disc",
-        .paper = "Montes, Urena, Garcia and Lastra 2008",
-        .parameters =
-            {number_parameter(&Self::nqt, "nQT", 1, 1000, "tables over the view's angle to the normal"),
-             number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
-                              "tables over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
-             number_parameter(&Self::resolution, "res", 2, 8192, "cells of the disc's grid along an edge"),
-             boolean_parameter(&Self::release, "release",
-                               "free the tables: less memory, and values are computed again")},
-        .about =
-            "Points of the whole disc of projected directions are drawn until one is accepted, under a "
-            "table of f. What `adaptive` divides: good for matte surfaces, and slow for any lobe."};
+    return {.keyword = "reject",
+            .title = "Rejection over the disc",
+            .paper = "Montes, Urena, Garcia and Lastra 2008",
+            .parameters =
+                {number_parameter(&Self::nqt, "nQT", 1, 1000, "tables over the view's angle to the normal"),
+                 number_parameter(&Self::naniso_qt, "nAnisoQT", 0, 1000,
+                                  "tables over the view's azimuth; 0: 1 if the BRDF is isotropic, else 16"),
+                 number_parameter(&Self::resolution, "res", 2, 8192,
+                                  "grid resolution over the disc, in cells per edge"),
+                 boolean_parameter(&Self::release, "release", "free the tables; values are then recomputed")},
+            .about =
+                "Rejection sampling over the whole disc of projected directions, under a table of f. It is "
+                "`adaptive` without subdivision: good for diffuse surfaces, and slow for any lobe."};
   }
 
   void build(const Brdf& brdf) {

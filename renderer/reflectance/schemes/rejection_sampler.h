@@ -8,13 +8,13 @@
 
 namespace reflectance {
 
-/// Sampling from rejection trees: what the schemes that use them share.
+/// Sampling from rejection trees, shared by the schemes that use them.
 class RejectionSampler {
  public:
   static std::string refusal(const Brdf& brdf) {
     return has_density(brdf) || !has_mirror(brdf)
                ? ""
-               : "it reflects into the mirror direction alone: use 'specular' or 'auto'";
+               : "the BRDF is only a mirror (delta part): use 'specular' or 'auto'";
   }
 
   void build(const Brdf& brdf, const RejectionSettings& settings) {
@@ -32,7 +32,7 @@ class RejectionSampler {
     return trees_ ? trees_->density(brdf, u, v) : 0;
   }
 
-  /// See reflectance::sample_many.
+  /// Draws a batch of samples; see reflectance::sample_many.
   void sample_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                    std::vector<DirectionSample>& out) const {
     if (!trees_) return;
@@ -41,7 +41,7 @@ class RejectionSampler {
     }
   }
 
-  /// Null before `build`.
+  /// Returns the trees; null before `build`.
   const RejectionTrees* trees() const { return trees_.get(); }
 
  private:

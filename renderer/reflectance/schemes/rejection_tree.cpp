@@ -25,7 +25,7 @@ RejectionTree::RejectionTree(const std::vector<float>& values, const DiscGrid& g
   nodes_.shrink_to_fit();
 
   const Node& root = nodes_.front();
-  // Leaves of a tree that is split are hit too often for the bound to matter.
+  // Leaves of a subdivided tree are hit too often for the bound to matter.
   const double hit = root.integral / (root.maximum * Box().area());
   const double reached = root.children < 0 ? -std::expm1(Bound * std::log1p(-hit)) : 1;
   density_of_one_ = static_cast<float>(reached / root.integral);

@@ -12,7 +12,7 @@
 
 namespace reflectance {
 
-/// A rectangle of the cells of a grid over [-1,1]^2; ends are behind the last.
+/// A rectangle of the cells of a grid over [-1,1]^2; ends are exclusive.
 struct CellRange {
   int x0, y0, x1, y1;
 
@@ -25,7 +25,7 @@ struct CellRange {
   }
 };
 
-/// A grid over [-1,1]^2, and how much of each cell is inside the unit disc.
+/// A grid over [-1,1]^2, with the area of each cell inside the unit disc.
 class DiscGrid {
  public:
   explicit DiscGrid(int resolution);
@@ -36,7 +36,7 @@ class DiscGrid {
 
   static Box box(const CellRange& cells, int resolution);
 
-  /// The cell of a coordinate; what is outside counts to the outermost.
+  /// Returns the cell of a coordinate, clamped to the grid.
   static int cell_of(double coordinate, int resolution) {
     return std::clamp(static_cast<int>((coordinate + 1) / 2 * resolution), 0, resolution - 1);
   }
@@ -46,10 +46,10 @@ class DiscGrid {
   std::vector<float> areas_;
 };
 
-/// A function on the unit disc that is constant in each cell of a grid, with a quadtree that draws points by
-/// rejection (section 5.1 of the thesis). A node is split while rejection in it would need more than
-/// `most_tries` tries in the mean, down to single cells. Values are relative to the largest, as halves: what
-/// is drawn from is what these are. Nodes are split between cells, so that all integrals are exact.
+/// A piecewise-constant function on the unit disc with a quadtree for rejection sampling (section 5.1 of the
+/// thesis). A node is split while rejection in it would need more than `most_tries` tries on average, down
+/// to single cells. Values are relative to the largest, in half precision, and are exactly what is sampled.
+/// Nodes are split between cells, so that all integrals are exact.
 class RejectionTree {
  public:
   struct Node {
@@ -66,27 +66,28 @@ class RejectionTree {
     int tries;
   };
 
-  /// Rejection in a leaf gives up after so many tries.
+  /// The maximal number of tries of rejection in a leaf.
   static constexpr int Bound = 4096;
 
   RejectionTree() = default;
 
-  /// Of values >= 0 of all cells, row by row. Those inside the disc are raised to 1 % of the mean, so that
-  /// what is between the points that they were taken at is found; if all are 0, to one value. A `most_tries`
-  /// of infinity gives a root alone. Without `keep_table` the values are forgotten and only leaves stay.
+  /// Builds the tree from values >= 0 of all cells in row order. Those inside the disc are raised to 1 % of
+  /// the mean, since f may be larger between the points of evaluation; if all are 0, to one value. An
+  /// infinite `most_tries` gives only a root. Without `keep_table` the values are dropped and only leaves
+  /// stay.
   RejectionTree(const std::vector<float>& values, const DiscGrid& grid, float most_tries, bool keep_table);
 
-  /// A leaf by its integral; choice is in [0,1).
+  /// Picks a leaf in proportion to its integral; choice is in [0,1).
   Leaf leaf_of(double choice) const;
 
-  /// Shares a number of points among leaves (SplitN and Choose of section 5.3.1): calls visit(leaf, count).
+  /// Distributes samples over the leaves (SplitN and Choose of section 5.3.1): calls visit(leaf, count).
   template <class Visit>
   void share(int count, MoreUniforms& more, Visit visit) const {
     share(0, whole(), count, more, visit);
   }
 
-  /// A point of a leaf in proportion to value(x, y), which is at most the leaf's maximum. The first try is at
-  /// `first`. Nothing if the bound is met.
+  /// Samples a point of a leaf in proportion to value(x, y), which is at most the leaf's maximum. The first
+  /// try is at `first`. Returns nothing if the bound is reached.
   template <class Value>
   std::optional<Point> draw(const Leaf& leaf, const Vec2f& first, MoreUniforms& more, Value value) const {
     const Box box = inside_disc(DiscGrid::box(leaf.cells, resolution_));
@@ -102,23 +103,23 @@ class RejectionTree {
 
   bool has_table() const { return !table_.empty(); }
 
-  /// Where there is a table: the value at a point, relative to the largest.
+  /// Returns the value at a point, relative to the largest. Needs the table.
   float at(double x, double y) const {
     return table_[static_cast<std::size_t>(DiscGrid::cell_of(y, resolution_)) * resolution_ +
                   DiscGrid::cell_of(x, resolution_)];
   }
 
-  /// What the table has for a value of its cell that it was made from.
+  /// Returns the table's entry for a cell's original value.
   half tabulated(float value) const { return std::max(value / largest_, floor_); }
 
-  /// Of the cell that a point is in.
+  /// Returns the cell that contains a point.
   Box cell_box(double x, double y) const {
     const int column = DiscGrid::cell_of(x, resolution_);
     const int row = DiscGrid::cell_of(y, resolution_);
     return DiscGrid::box({column, row, column + 1, row + 1}, resolution_);
   }
 
-  /// By this a value becomes a density on the disc. It accounts for the points that the bound leaves out.
+  /// Returns the pdf on the disc of a value of 1. It accounts for the samples that the bound discards.
   float density_of_one() const { return density_of_one_; }
 
   std::span<const Node> nodes() const { return nodes_; }
@@ -132,7 +133,7 @@ class RejectionTree {
   void split(std::size_t index, const CellRange& cells, const DiscGrid& grid, float most_tries);
   Node measured(const CellRange& cells, const DiscGrid& grid) const;
 
-  /// How many of `count` points each child gets.
+  /// Distributes `count` points over the four children.
   void split_count(const Node& node, int count, MoreUniforms& more, int (&counts)[4]) const;
 
   template <class Visit>
@@ -147,8 +148,8 @@ class RejectionTree {
   }
 
   int resolution_ = 0;
-  float largest_ = 0;  ///< value, which is 1 in the table
-  float floor_ = 0;    ///< the least in the table
+  float largest_ = 0;  ///< the largest value, which is 1 in the table
+  float floor_ = 0;    ///< the smallest entry of the table
   float density_of_one_ = 0;
   std::vector<Node> nodes_;
   std::vector<half> table_;

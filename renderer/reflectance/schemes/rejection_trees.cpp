@@ -15,13 +15,13 @@ Vec3f over_disc(double x, double y) {
           static_cast<float>(std::sqrt(std::max(0.0, 1 - x * x - y * y)))};
 }
 
-/// f at a point of the disc in the frame of a tree.
+/// Evaluates f at a point of the disc in the frame of a tree.
 float scalar(const Brdf& brdf, const Vec3f& tree_u, const Vec2f& azimuth, double x, double y) {
   const Turn turn(azimuth.x, azimuth.y);
   return mean(evaluate(brdf, turn.from_plane(tree_u), turn.from_plane(over_disc(x, y))));
 }
 
-/// The middle of what is inside the disc of a cell.
+/// Returns the centre of the part of a cell inside the disc.
 Vec2f middle(const Box& cell) {
   constexpr double Inside = 1 - 1e-6;
   const Box box = inside_disc(cell);
@@ -61,8 +61,8 @@ RejectionTree RejectionTrees::made_tree(const Brdf& brdf, const Vec3f& tree_u, c
   return RejectionTree(values, grid, settings.most_tries, settings.keep_table);
 }
 
-/// Views lie in the middle of equal steps of theta, so that the nearest is never over half a step off and
-/// none is at the horizon, where f is 0.
+/// Returns the centre of one of equal intervals of theta, so that the nearest view is at most half a step off
+/// and none is at the horizon, where f is 0.
 Vec3f RejectionTrees::view_direction(int theta) const {
   const double angle = (theta + 0.5) / thetas_ * (std::numbers::pi / 2);
   return {static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))};
@@ -97,7 +97,7 @@ std::optional<DrawnDirection> RejectionTrees::draw(const Brdf& brdf, const Vec3f
   const auto view = view_of(u);
   if (!view) return std::nullopt;
   MoreUniforms more(xi);
-  // The choice has 24 bits, of which a deep tree uses up all.
+  // The choice has 24 bits, which a deep tree uses up.
   const RejectionTree::Leaf leaf = view->tree->leaf_of(xi.choice + 0x1p-24 * more.next());
   const auto point = draw_point(brdf, *view, leaf, xi.direction, more);
   if (!point) return std::nullopt;
@@ -127,7 +127,7 @@ std::optional<RejectionTree::Point> RejectionTrees::draw_point(const Brdf& brdf,
   return view.tree->draw(leaf, first, more, [&](double x, double y) { return value(brdf, view, x, y); });
 }
 
-/// The density is that of the direction as it is rounded, which may be in the next cell.
+/// Returns the sample with the pdf of the direction as rounded, which may be in the next cell.
 DrawnDirection RejectionTrees::drawn(const Brdf& brdf, const Vec3f& u, const View& view,
                                      const RejectionTree::Point& point) const {
   const Vec3f v = Turn(view.cosine, view.sine).from_plane(over_disc(point.x, point.y));

@@ -4,20 +4,19 @@
 
 namespace reflectance {
 
-/// The mirror direction. A BRDF's Dirac part is always drawn by its own probability (see Reflector), so what
-/// is left for this scheme is the rest, where a BRDF has one: that is drawn by cosine, or it would be lost.
+/// The mirror direction. Reflector always picks a BRDF's delta part with its own probability, so this scheme
+/// only samples the rest, if any, by the cosine; else it would be lost.
 struct SpecularScheme {
   static ModelTable<SpecularScheme> table() {
     return {.keyword = "specular",
             .title = "Mirror direction",
             .about =
-                "The mirror direction of the view, for BRDFs that reflect a share of the light into that "
-                "direction alone. What else they reflect is drawn by cosine."};
+                "The mirror direction of the view, for BRDFs with a delta part (ideal mirrors). Anything "
+                "else that they reflect is sampled by the cosine."};
   }
 
   static std::string refusal(const Brdf& brdf) {
-    return has_mirror(brdf) ? ""
-                            : "it reflects nothing into the mirror direction alone: use 'diffuse' or 'auto'";
+    return has_mirror(brdf) ? "" : "the BRDF has no mirror (delta part): use 'diffuse' or 'auto'";
   }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {

@@ -6,8 +6,8 @@
 
 namespace reflectance {
 
-/// A cosine lobe about the mirror direction, on the whole sphere: what is under the horizon is drawn and
-/// counts as zero, so the density's mass over the hemisphere is under 1.
+/// Samples a cosine lobe about the mirror direction, on the whole sphere. Directions below the horizon are
+/// drawn and count as zero, so the pdf integrates to less than 1 over the hemisphere.
 struct SphereScheme {
   static constexpr bool MayMiss = true;
 
@@ -21,8 +21,9 @@ struct SphereScheme {
                                         "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
                                         grf::ParameterScale::Logarithmic)},
         .about =
-            "A cosine lobe about the mirror direction, on the whole sphere: cheaper than `hemisphere`, and "
-            "noisier at grazing views, where the samples under the horizon carry nothing."};
+            "Samples a cosine lobe about the mirror direction, on the whole sphere: cheaper than "
+            "`hemisphere`, and noisier at grazing views, where the samples below the horizon contribute "
+            "nothing."};
   }
 
   static std::string refusal(const Brdf&) { return {}; }

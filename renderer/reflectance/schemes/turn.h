@@ -6,8 +6,8 @@
 
 namespace reflectance {
 
-/// The turn about the normal that takes a view u into the plane y = 0, x >= 0. Tables are relative to it:
-/// those of isotropic BRDFs are needed for that plane alone, and lobes stay at the mirror direction.
+/// The rotation about the normal that takes a view u into the plane y = 0, x >= 0. Tables are relative to it:
+/// those of isotropic BRDFs cover only that plane, and lobes stay at the mirror direction.
 class Turn {
  public:
   Turn() = default;
@@ -17,7 +17,7 @@ class Turn {
     cosine_ = u.x / radius;
     sine_ = u.y / radius;
   }
-  /// For views at the azimuth with that cosine and sine.
+  /// Makes the rotation for views at the azimuth with that cosine and sine.
   Turn(float cosine, float sine) : cosine_(cosine), sine_(sine) {}
 
   Vec3f to_plane(const Vec3f& w) const {

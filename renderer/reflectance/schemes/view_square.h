@@ -1,8 +1,8 @@
-// The square in which directions are tabulated for a view. Lambert's azimuthal projection, in which area is
-// solid angle, makes a disc of the hemisphere, and Shirley and Chiu's map (1997) a square of the disc.
-// Directions are relative to the view's azimuth, and the square is cut into columns at the mirror direction,
-// at the normal and at the view itself, so that all three are where they are for every view, and a table can
-// be blended with the next view's without doubling a lobe.
+// The square over which directions are tabulated for a view. Lambert's azimuthal equal-area projection maps
+// the hemisphere to a disc, and Shirley and Chiu's map (1997) the disc to a square. Directions are relative
+// to the view's azimuth, and the square is cut into columns at the mirror direction, the normal and the view
+// itself, so that all three stay in place for every view, and a table can be blended with the next view's
+// without doubling a lobe.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace reflectance {
 
-/// How far from the square's centre a direction is, from 0 at the normal to 1 at the horizon.
+/// Returns the distance of a direction from the square's centre, from 0 at the normal to 1 at the horizon.
 inline float square_radius(const Vec3f& v) {
-  // 1 - z by way of the sine, which has its digits near the normal.
+  // 1 - z is computed from the sine, which is accurate near the normal.
   return std::sqrt((v.x * v.x + v.y * v.y) / (1 + v.z));
 }
 
@@ -25,7 +25,7 @@ inline Vec3f direction_at(float radius, float phi) {
   return from_angles((1 - radius) * (1 + radius), radius * std::sqrt(2 - radius * radius), phi);
 }
 
-/// Sine and cosine of an angle up to pi/4 either way, to 3e-8, in a fraction of what those of any angle take.
+/// Returns sine and cosine of an angle from -pi/4 to pi/4, within 3e-8, faster than the library functions.
 inline Vec2f sine_and_cosine(float angle) {
   const float x = angle * angle;
   const float sine = 1 + x * (-1.0F / 6 + x * (1.0F / 120 + x * (-1.0F / 5040 + x * (1.0F / 362880))));
@@ -33,7 +33,7 @@ inline Vec2f sine_and_cosine(float angle) {
   return {angle * sine, cosine};
 }
 
-/// The angle from 0 to pi/4 of a tangent from 0 to 1, to 1e-7 (Abramowitz and Stegun 1964, 4.4.49).
+/// Returns atan of a tangent from 0 to 1, within 1e-7 (Abramowitz and Stegun 1964, 4.4.49).
 inline float angle_of_tangent(float tangent) {
   const float x = tangent * tangent;
   const float x2 = x * x;
@@ -42,7 +42,7 @@ inline float angle_of_tangent(float tangent) {
   return tangent * (low + x2 * x2 * (high + x2 * x2 * 0.0028662257F));
 }
 
-/// The direction that a point of [-1,1]^2 stands for.
+/// Maps a point of [-1,1]^2 to a direction.
 inline Vec3f from_square(float a, float b) {
   const float width = std::abs(a);
   const float height = std::abs(b);
@@ -56,7 +56,7 @@ inline Vec3f from_square(float a, float b) {
           (1 - radius) * (1 + radius)};
 }
 
-/// The azimuth of a point of the plane, from -pi to pi.
+/// Returns the azimuth of a point of the plane, from -pi to pi.
 inline float angle_of(float x, float y) {
   const float width = std::abs(x);
   const float height = std::abs(y);
@@ -82,7 +82,7 @@ struct ColumnPoint {
   Vec2f local;
 };
 
-/// The columns for a view whose radius in the square is given. Where only the half with y > 0 is tabulated, a
+/// The columns for a view whose radius in the square is given. If only the half with y > 0 is tabulated, a
 /// column is [0,1] high, else [-1,1].
 class ViewColumns {
  public:

@@ -1,6 +1,5 @@
-// How a sample walks down the trees of WarpTrees. This is where the time of a sample goes: a level is a chain
-// of operations each of which needs the one before, so that what counts is its length. All four children are
-// handled at once.
+// The descent of a sample through the quadtrees of WarpTrees. It takes most of a sample's time: each level is
+// a chain of dependent operations, whose length counts. All four children are handled at once.
 #pragma once
 
 #include <algorithm>
@@ -13,24 +12,24 @@
 
 namespace reflectance {
 
-/// A sample on its way down: the pair of uniform numbers, of which each choice uses up a part, and the square
-/// of a column that it is in.
+/// A sample on its way down: the pair of uniform numbers, which each choice rescales, and the square of a
+/// column that it is in.
 class WarpDescent {
  public:
   explicit WarpDescent(const Vec2f& xi) : x_(_mm_set1_ps(xi.x)), y_(_mm_set1_ps(xi.y)) {}
 
-  /// What is left of the numbers.
+  /// Returns the rescaled numbers.
   Vec2f rest() const { return {_mm_cvtss_f32(x_), _mm_cvtss_f32(y_)}; }
 
-  /// In its column: from 0 to 1 along the square where the sample is.
+  /// Maps a point of the current square, from 0 to 1, to the column.
   Vec2f to_column(const Vec2f& local) const {
     const Lanes high = lanes_of<2, 2, 2, 2>(corner_);
     const float side = _mm_cvtss_f32(side_);
     return {_mm_cvtss_f32(corner_) + side * local.x, _mm_cvtss_f32(high) + side * local.y};
   }
 
-  /// One of four columns side by side, and then of four strips within it, and then of the four cells of that
-  /// one above the other, by what is in them.
+  /// Chooses one of four columns side by side, then of four strips within it, then of the strip's four cells
+  /// one above the other, each in proportion to its mass.
   std::size_t choose_column(Lanes masses) { return choose_of_four(masses, x_); }
   void choose_cell(Lanes strips, auto cells_of_strip) {
     const std::size_t strip = choose_of_four(strips, x_);
@@ -46,7 +45,7 @@ class WarpDescent {
   };
   const TopCell& cell() const { return cell_; }
 
-  /// The child that the numbers choose, left or right first.
+  /// Chooses a child by the numbers, left or right first.
   std::size_t choose(Lanes means) {
     const Lanes columns = means + lanes_of<2, 3, 0, 1>(means);
     const Lanes left = lanes_of<0, 0, 0, 0>(columns);
@@ -66,7 +65,7 @@ class WarpDescent {
   }
 
  private:
-  /// The choice uses up a part of the number.
+  /// Chooses one of four and rescales the number.
   static std::size_t choose_of_four(Lanes masses, Lanes& number) {
     const Lanes pairs = masses + shifted<4>(masses);
     const Lanes ends = pairs + shifted<8>(pairs);
@@ -77,7 +76,7 @@ class WarpDescent {
     number = uniform((x - _mm_permutevar_ps(shifted<4>(ends), lane)) / _mm_permutevar_ps(masses, lane));
     return static_cast<std::size_t>(chosen);
   }
-  /// Moved up by some bytes, with zeros behind.
+  /// Shifts lanes up by some bytes, filling with zeros.
   template <int Bytes>
   static Lanes shifted(Lanes lanes) {
     return _mm_castsi128_ps(_mm_slli_si128(_mm_castps_si128(lanes), Bytes));
@@ -95,8 +94,8 @@ class WarpDescent {
   TopCell cell_ = {};
 };
 
-/// Where a sample is in one tree: at an inner node, or within a leaf, or within a part of a leaf that another
-/// tree divides further.
+/// The position of a sample in one tree: at an inner node, within a leaf, or within a part of a leaf that
+/// another tree divides further.
 class WarpCursor {
  public:
   WarpCursor() = default;
@@ -107,7 +106,7 @@ class WarpCursor {
 
   bool is_patch() const { return quad_ == nullptr; }
 
-  /// Times the weight of the tree.
+  /// Returns the patch times the weight of the tree.
   Lanes patch() const { return weight_ * patch_; }
   Lanes child_means() const {
     return weight_ * (is_patch() ? means_of_quarters() : _mm_loadu_ps(quad_->means().data()));
@@ -132,7 +131,7 @@ class WarpCursor {
     return (three * along_x + lanes_of<2, 3, 0, 1>(along_x)) * _mm_set1_ps(1.0F / 16);
   }
 
-  // Each corner of a quarter is half way between a corner of the whole and that which both have.
+  // Each corner of a quarter is half way between a corner of the whole and the corner that both share.
   Lanes quarter(std::size_t child) const {
     const int x = static_cast<int>(child % 2);
     const int y = static_cast<int>(child / 2) * 2;
@@ -147,15 +146,15 @@ class WarpCursor {
   Lanes patch_ = _mm_setzero_ps();
 };
 
-/// One of the trees around a view, and its part in the blend.
+/// One of the trees around a view, with its blend weight.
 struct WarpPart {
   const WarpTop* top = nullptr;
   const WarpQuad* quads = nullptr;
   float weight = 0;
 };
 
-/// Walks down some trees at once, from the top of a column to where the sample is within a leaf of each, and
-/// gives the blend of the leaves.
+/// Descends several trees at once, from the top of a column to a sample within a leaf of each, and returns
+/// the blend of the leaves.
 template <std::size_t Count>
 BilinearPatch walk_down(const std::array<WarpPart, Count>& parts, std::size_t column, WarpDescent& descent) {
   const auto blend = [&](auto means_of) {
@@ -189,7 +188,7 @@ BilinearPatch walk_down(const std::array<WarpPart, Count>& parts, std::size_t co
   return patch;
 }
 
-/// The tree's value at a point.
+/// Returns the tree's value at a point.
 inline float value_at(const WarpTop& top, const WarpQuad* quads, const ColumnPoint& point) {
   constexpr int Last = WarpTop::Side - 1;
   Vec2f local = point.local * float(WarpTop::Side);

@@ -8,7 +8,7 @@
 namespace reflectance {
 namespace {
 
-// Places on a cell in thirds of a 3 x 3 grid: corner, middle of an edge or centre.
+// Positions on a cell in a 3 x 3 grid: corners, edge midpoints and centre.
 constexpr std::array<int, 4> NodeCorners = {0, 2, 6, 8};
 constexpr std::array<int, 5> Inner = {1, 3, 4, 5, 7};
 constexpr std::array<float, 5> InnerShares = {0.15F, 0.15F, 0.4F, 0.15F, 0.15F};
@@ -19,9 +19,9 @@ Vec2f place_on_grid(int place) {
 
 struct Cell {
   std::size_t column = 0;
-  std::uint32_t x = 0, y = 0;  ///< of the lower left corner, in sides
+  std::uint32_t x = 0, y = 0;  ///< of the lower left corner, in units of the side
   int depth = 0;
-  int children = -1;  ///< the first of four
+  int children = -1;  ///< index of the first of four
   std::array<float, 9> values = {};
   float error = 0;
   float largest_ratio = 1;
@@ -106,7 +106,7 @@ class Builder {
 
  private:
   static constexpr float FloorShare = 1.0F / 256;
-  static constexpr int LeastDepth = 2;  // that of a tree's top
+  static constexpr int LeastDepth = 2;  // of a tree's top
 
   static float ratio_of(float value, float table) {
     if (!(value > 0)) return 1;
@@ -123,7 +123,7 @@ class Builder {
         function_({cell.column, cell.to_square(place_on_grid(place))}, cell.side());
   }
 
-  /// How much the leaf adds to the variance of f/g, from the five points that are no corners.
+  /// Measures the leaf's contribution to the variance of f/g, from the five points that are no corners.
   void measure(Cell& cell) const {
     const BilinearPatch patch = cell.patch();
     const float floor = FloorShare * mean(patch);
@@ -136,7 +136,7 @@ class Builder {
         error += InnerShares[i] * difference * difference / std::max(table, 0.1F * value);
       cell.largest_ratio = std::max(cell.largest_ratio, ratio_of(value, table));
     }
-    // Too small a density costs more than too large a one: it makes single samples of large weight.
+    // Too small a pdf costs more than too large a one: it makes single samples of large weight.
     constexpr float LargeWeight = 1.2F;
     if (cell.largest_ratio > LargeWeight) error *= 4;
     cell.error = error * area(cell);
@@ -164,7 +164,7 @@ class Builder {
     }
   }
 
-  // There the value depends on the cell's size.
+  // Returns true at a border, where the value depends on the cell's size.
   static bool is_at_border(const Cell& cell, int place) {
     const Vec2f point = cell.to_square(place_on_grid(place));
     return point.x <= 0 || point.x >= 1 || point.y <= 0 || point.y >= 1;
@@ -180,7 +180,7 @@ class Builder {
     return i;
   }
 
-  // A leaf that may be split no more is raised, so that no weight is large.
+  // Returns the leaf's patch. A leaf that cannot be split further is raised, so that no weight is large.
   BilinearPatch final_patch(const Cell& cell, float floor) const {
     constexpr float FairRatio = 1.1F;
     constexpr float MostRaise = 16;

@@ -11,14 +11,14 @@
 namespace reflectance {
 namespace {
 
-/// In the square's radius, in which the views of trees are evenly spaced: that is nearly even in theta, too,
-/// and costs no arc. The last view is not at the horizon itself, where f is 0.
+/// The views of trees are evenly spaced in the square's radius: nearly even in theta, too, without an arc
+/// function. The last view is not at the horizon itself, where f is 0.
 constexpr float LastRadius = 0.9996F;  // 89.95 degrees
 
-/// Of one tree, however many there are.
+/// The minimum number of quads per tree, however many trees there are.
 constexpr int LeastQuads = 64;
 
-/// f cos in the columns, for one view.
+/// Evaluates f cos in the columns, for one view.
 class Target {
  public:
   Target(const Brdf& brdf, bool is_half, float radius, float phi)
@@ -38,11 +38,11 @@ class Target {
                        std::clamp(point.local.y, bottom, 1 - margin));
     const Vec3f v = columns_.direction({point.column, inside});
     if (!is_half_) return value(v);
-    // Measured data need not be the same on both sides.
+    // Measured data may differ on both sides.
     return (value(v) + value({v.x, -v.y, v.z})) / 2;
   }
 
-  /// Points where the BRDF's own sampler finds light.
+  /// Returns points where the BRDF's own sampler finds light.
   std::vector<ColumnPoint> probes() const {
     constexpr std::uint32_t Count = 128;
     std::vector<ColumnPoint> points;
@@ -78,8 +78,7 @@ WarpTrees::WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings)
   } else {
     symmetry_ = symmetry_of(brdf);
     if (settings_.phi_count == 0) settings_.phi_count = phi_count_for(brdf);
-    // There are so many trees that they are no longer near the processor: what little variance smaller ones
-    // add costs less.
+    // So many trees no longer fit in the cache: smaller ones are faster at little more variance.
     if (settings_.phi_count > 1) settings_.limits.error *= 3;
   }
   const int count = settings_.theta_count * settings_.phi_count;
@@ -97,7 +96,7 @@ WarpTrees::WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings)
   quads_.shrink_to_fit();
 }
 
-// By trial: a BRDF need not know.
+// Tests the symmetries numerically, since a BRDF need not declare them.
 WarpTrees::Symmetry WarpTrees::symmetry_of(const Brdf& brdf) {
   constexpr std::uint32_t Trials = 256;
   Symmetry symmetry{true, true};
@@ -114,7 +113,7 @@ WarpTrees::Symmetry WarpTrees::symmetry_of(const Brdf& brdf) {
   return symmetry;
 }
 
-// Views between the azimuths of two trees tell whether more are needed: there the weights vary the most.
+// Measures weights halfway between the azimuths of two trees, where they vary most.
 int WarpTrees::phi_count_for(const Brdf& brdf) const {
   constexpr int Most = 16;
   constexpr float MostVariance = 0.06F;
@@ -149,7 +148,7 @@ WarpTree WarpTrees::make_tree(const Brdf& brdf, std::size_t index) const {
   const ColumnFunction function = [&](const ColumnPoint& point, float size) {
     return target.at(point, size);
   };
-  // The tree serves the views around its own, too, for which no column is without width.
+  // The tree also serves the views around its own, for which no column has zero width.
   const float least = std::min(radius_step(), 1.0F) / 2;
   const ViewColumns columns(std::clamp(radius, least, 1 - least), is_isotropic_);
   return WarpTree::build(function, columns.widths(), target.probes(), settings_.limits);
@@ -202,7 +201,7 @@ WarpTrees::Blend WarpTrees::blend_for(const Vec3f& u) const {
   if (settings_.phi_count == 1) {
     blend.parts = {part(low_row, 0, 1 - share), part(high_row, 0, share), part(low_row, 0, 0)};
   } else {
-    // On the triangle that the view is in, of two that the four views around it make.
+    // The blend is barycentric on one of the two triangles of the four views around it.
     const Azimuth azimuth = azimuth_of(u);
     blend.side = azimuth.side;
     const float across = azimuth.high_share;
@@ -227,7 +226,7 @@ std::optional<DrawnDirection> WarpTrees::sample(const Vec3f& u, const Vec2f& xi)
   Vec2f rest = xi;
   float side = blend.side;
   if (is_isotropic_) {
-    // One number for the half space and the place in it, without a jump where they meet.
+    // One number selects the half space and the position in it, continuously where they meet.
     const float both = 2 * xi.y - 1;
     side = std::copysign(1.0F, both);
     rest.y = std::min(std::abs(both), 0x1.fffffep-1F);

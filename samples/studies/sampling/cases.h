@@ -1,4 +1,4 @@
-// The BRDFs of the thesis' table 5.5, and what its chapter 5 prints of each.
+// The BRDFs of the thesis' table 5.5, with the figures of its chapter 5.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace study {
 
-/// How a factorisation is made, as table 5.6 has it. u has 16 x 16 views in all of them.
+/// Parameters of a factorisation, as in table 5.6. All have 16 x 16 views.
 struct FactorParameters {
   int rows = 0;     ///< theta_p
   int columns = 0;  ///< phi_p
@@ -18,10 +18,10 @@ struct FactorParameters {
   bool operator==(const FactorParameters&) const = default;
 };
 
-/// Whose text is `factored uTh=16 ...`.
+/// Returns the scheme's text, `factored uTh=16 ...`.
 std::string scheme_text(const FactorParameters& parameters);
 
-/// A value of n_max in table 5.2.
+/// The values of n_max in table 5.2.
 constexpr std::array<double, 4> TriesOfTable = {1.3, 2, 2.5, 3};
 
 struct ThesisFigures {
@@ -39,7 +39,7 @@ struct Case {
   ThesisFigures thesis;
 };
 
-/// In the order of the thesis.
+/// Returns the cases in the order of the thesis.
 const std::vector<Case>& cases();
 
 }  // namespace study

@@ -50,7 +50,7 @@ plot::Chart convergence_of(const CaseResult& result, bool has_names) {
   return chart;
 }
 
-/// Some BRDFs in even steps from the glossiest to the most matte.
+/// Selects some BRDFs in even steps from the glossiest to the most diffuse.
 std::vector<const CaseResult*> shown_in_convergence(const Results& results) {
   std::vector<const CaseResult*> shown;
   for (const CaseResult& one : results.cases) shown.push_back(&one);

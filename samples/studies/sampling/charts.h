@@ -5,10 +5,10 @@
 
 namespace study {
 
-/// The error over the number of Sobol points, under the environment map, of some of the BRDFs.
+/// Draws the error over the number of Sobol points, under the environment map, for some of the BRDFs.
 plot::Svg convergence_chart(const Results& results);
 
-/// The error with 256 Sobol points: a row for each BRDF and a mark for each scheme, under each light.
+/// Draws the error with 256 Sobol points, under each light: a row per BRDF and a mark per scheme.
 plot::Svg scheme_chart(const Results& results);
 
 }  // namespace study

@@ -44,7 +44,7 @@ std::size_t glossy_count(const Results& results) {
   return count(results, [](const CaseResult& one) { return one.is_glossy; });
 }
 
-/// A kind of points and a light that they are for.
+/// A kind of points and a light.
 struct Condition {
   Light light;
   Points points;
@@ -54,13 +54,13 @@ Error error_of(const CaseResult& one, TechniqueId id, const Condition& condition
   return one[id].error(condition.light, condition.points, MostSamples);
 }
 
-/// True if the first is over so many times the second by more than the noise of both explains.
+/// Returns true if the first exceeds so many times the second beyond the noise of both.
 bool exceeds(const Error& first, double times, const Error& second) {
   const double noise = std::hypot(first.noise(), second.noise());
   return first.value() > times * second.value() * (1 + 2 * noise);
 }
 
-/// How one scheme does against some others on the glossy BRDFs.
+/// The result of one scheme against some others on the glossy BRDFs.
 struct Contest {
   std::size_t won = 0;
   std::string lost;  ///< "phong (1.3 times that of `sphere-best`), ..."
@@ -100,7 +100,7 @@ std::vector<Verdict> build_claims(const Results& results) {
   const double factored = mean_of_cases(results, [](const auto& one) { return one.factored.seconds; });
   const Extreme slowest = largest(results, [](const auto& one) { return one.reject_90.seconds; });
   return {
-      {"90 trees take less time to build than the factors, in the mean (thesis: 94.7 against 105.7 s)",
+      {"90 trees take less time to build than the factors, on average (thesis: 94.7 against 105.7 s)",
        reject < factored, fmt::format("`reject` {} s, factors {} s", figure(reject), figure(factored))},
       {"the same of `warp`", warp < factored,
        fmt::format("`warp` {} s, factors {} s", figure(warp), figure(factored))},
@@ -138,7 +138,7 @@ std::vector<Verdict> memory_claims(const Results& results) {
       count(results, [](const CaseResult& one) { return one.reject_60.bytes < one.factored.bytes; });
   const std::size_t smaller_warp =
       count(results, [](const CaseResult& one) { return one.warp_60.bytes < one.factored.bytes; });
-  // What the thesis' figure has besides the matrix of all views and cells, in doubles.
+  // The thesis' figure minus the matrix of all views and cells, in doubles.
   const auto beside_matrix = [](const CaseResult& one) {
     const FactorParameters& size = one.subject->thesis.factors;
     return one.subject->thesis.factored_kb - 16.0 * 16 * size.rows * size.columns * sizeof(double) / 1024;
@@ -154,7 +154,7 @@ std::vector<Verdict> memory_claims(const Results& results) {
        fmt::format(
            "factors {} to {} KB; `reject` takes less on {} of {} BRDFs, `warp` on {}. The thesis' "
            "figures are those of the whole matrix in doubles, 16 x 16 views of all cells, and {} to {} "
-           "KB: the factors alone were always small",
+           "KB: the factors themselves were always small",
            figure(least_kb), figure(most_kb), smaller, results.cases.size(), smaller_warp,
            figure(least(results, beside_matrix).value), figure(largest(results, beside_matrix).value))},
   };
@@ -167,7 +167,7 @@ std::vector<Verdict> factor_claims(const Results& results) {
     return one.subject->thesis.factors.half == one.found.parameters.half;
   });
   return {
-      {"the parameters of table 5.6 fit best, within a tenth", near == results.cases.size(),
+      {"the parameters of table 5.6 fit best, within 10 %", near == results.cases.size(),
        fmt::format("on {} of {} BRDFs; the choice between direction and half vector is that of the thesis on "
                    "{}",
                    near, results.cases.size(), halves)},
@@ -184,9 +184,8 @@ std::vector<Verdict> error_claims(const Results& results, Light light) {
   const Contest adjusted = contest(results, Reject, set, 1, as_thesis);
   const Contest warp = contest(results, Warp, set, 1, as_thesis);
   return {
-      {"the thesis' method (`reject`), with no parameter set by hand, has the least error at equal samples "
-       "of "
-       "those that have none adjusted to the BRDF",
+      {"the thesis' method (`reject`), with no parameters to set, has the least error at equal samples of "
+       "the schemes without parameters adjusted to the BRDF",
        plain.won == glossy, words_for(plain, glossy)},
       {"and less than those with adjusted parameters and tables", adjusted.won == glossy,
        words_for(adjusted, glossy)},
@@ -209,7 +208,7 @@ std::vector<Verdict> targets(const Results& results) {
       {"and take at most 256 KB or the memory of table 5.3", fullest.value <= 1,
        fmt::format("{} of {} BRDFs; at most {:.2f} of it, for {}", small, results.cases.size(), fullest.value,
                    fullest.name)},
-      {"`warp` draws a sample and its density in under 150 ns", longest.value < 150,
+      {"`warp` draws a sample and its pdf in under 150 ns", longest.value < 150,
        fmt::format("at most {} ns, for {}", figure(longest.value), longest.name)},
   };
   const std::vector<TechniqueId> generic = {Diffuse,        Sphere50, SphereBest, Hemisphere50,
@@ -230,7 +229,7 @@ std::vector<Verdict> targets(const Results& results) {
 
 namespace {
 
-/// True if a scheme has less error than a perfect density would have, with independent points.
+/// Returns true if a scheme has less error than a perfect pdf, with independent points.
 bool is_better_than_perfect(const CaseResult& one, TechniqueId id, Light light) {
   const double perfect = one.perfect[light] / std::sqrt(SampleCounts.back());
   return one[id].error(light, Independent, MostSamples).value() < 0.95 * perfect;
@@ -245,8 +244,8 @@ std::string slow_ones(const Results& results) {
   }
   if (names.empty()) return {};
   return "- Over 150 ns: " + names +
-         ". A sample walks down all trees around its view at once: two of an isotropic BRDF, three of an "
-         "anisotropic one, and one level after the other.\n";
+         ". A sample descends all trees around its view at once, level by level: two for an isotropic BRDF, "
+         "three for an anisotropic one.\n";
 }
 
 }  // namespace
@@ -259,9 +258,10 @@ std::string limits(const Results& results) {
     });
   };
   std::string text = fmt::format(
-      "- Against a density exactly in proportion to f cos, `warp` has {:.3f} times the error with a light "
-      "anywhere, {:.3f} under the environment map and {:.3f} at the highlight (geometric means over the "
-      "BRDFs, 256 independent points): this is all that better tables could gain without Sobol points.\n",
+      "- Compared with perfect importance sampling (pdf proportional to f cos), `warp` has {:.3f} times the "
+      "error with a light anywhere, {:.3f} under the environment map and {:.3f} at the highlight (geometric "
+      "means over the BRDFs, 256 independent points): better tables could gain no more than this without "
+      "Sobol points.\n",
       against_perfect(Anywhere), against_perfect(Environment), against_perfect(Highlight));
   const auto better = [&](TechniqueId id, Light light) {
     return count(results, [&](const CaseResult& one) { return is_better_than_perfect(one, id, light); });
@@ -270,11 +270,10 @@ std::string limits(const Results& results) {
     return !one.is_glossy && is_better_than_perfect(one, Sphere50, Highlight);
   });
   text += fmt::format(
-      "- No density that knows the BRDF alone is the best for every light. With one light in one place, a "
-      "scheme that happens to draw towards it wins: at the highlight, `sphere-50` has less error than "
-      "that exact density would have on {} of {} BRDFs, {} of them matte, and `diffuse` beside it on {}. "
-      "Over all places of a small light, the exact density has the least error: `sphere-50` beats it on {} "
-      "there, and `diffuse` on {}.\n",
+      "- No pdf based only on the BRDF is the best for every light. With a single light, a scheme that "
+      "happens to sample towards it wins: at the highlight, `sphere-50` has less error than the perfect pdf "
+      "on {} of {} BRDFs, {} of them diffuse, and `diffuse` beside it on {}. Over all positions of a small "
+      "light, the perfect pdf has the least error: `sphere-50` beats it on {} there, and `diffuse` on {}.\n",
       better(Sphere50, Highlight), results.cases.size(), matte, better(Diffuse, Beside),
       better(Sphere50, Anywhere), better(Diffuse, Anywhere));
   return text + slow_ones(results);

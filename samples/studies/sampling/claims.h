@@ -1,4 +1,4 @@
-// What the figures say of the thesis' claims and of the targets.
+// The verdicts on the thesis' claims and on the targets.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ std::vector<Verdict> factor_claims(const Results& results);
 std::vector<Verdict> error_claims(const Results& results, Light light);
 std::vector<Verdict> targets(const Results& results);
 
-/// What stands in the way of targets that do not hold, as far as the figures tell.
+/// Explains why targets do not hold, as far as the figures tell.
 std::string limits(const Results& results);
 
 }  // namespace study

@@ -29,7 +29,7 @@ struct Request {
   Uniforms xi;
 };
 
-// Fits the second-level cache, and is no pattern that a branch predictor learns.
+// The requests fit the second-level cache, without a pattern that a branch predictor learns.
 std::vector<Request> requests() {
   constexpr int Count = 8192;
   std::mt19937 random(1);
@@ -50,7 +50,7 @@ std::vector<Request> requests() {
 double nanoseconds(const Technique& technique, const Brdf& valued, int rounds) {
   const std::vector<Request> all = requests();
   double least = std::numeric_limits<double>::infinity();
-  volatile float sink = 0;  // so that nothing is left out
+  volatile float sink = 0;  // prevents dead-code elimination
   for (int round = 0; round < rounds; ++round) {
     const double seconds = seconds_of([&] {
       float sum = 0;
@@ -84,7 +84,7 @@ std::array<std::size_t, TriesOfTable.size()> tree_bytes(const Brdf& brdf, int re
   std::array<std::size_t, TriesOfTable.size()> bytes = {};
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     reflectance::RejectionSettings settings;
-    settings.thetas = 1;  // in the middle, which is at 45 degrees
+    settings.thetas = 1;  // at 45 degrees
     settings.phis = 1;
     settings.most_tries = static_cast<float>(TriesOfTable[i]);
     settings.resolution = resolution;
@@ -95,8 +95,8 @@ std::array<std::size_t, TriesOfTable.size()> tree_bytes(const Brdf& brdf, int re
 }
 
 SampleCost sample_cost(const Technique& technique, int rounds) {
-  // A matte BRDF in place of its own: its value costs nothing, and the tables are what they were. Where the
-  // model draws by itself, its weight is part of the formula.
+  // A diffuse BRDF replaces its own: its value costs nothing, and the tables are the same. For the model's
+  // own sampler, the weight is part of the formula.
   const Brdf matte = reflectance::default_brdf();
   const double with_density = nanoseconds(technique, matte, rounds);
   if (technique.is_own()) return {with_density, with_density};

@@ -1,4 +1,4 @@
-// Seconds, bytes and nanoseconds.
+// Costs of schemes in seconds, bytes and nanoseconds.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace study {
 
-/// The tables of a scheme: the least time of some builds, on all cores.
+/// The cost of a scheme's tables: the minimum time of some builds, on all cores.
 struct TableCost {
   double seconds = 0;
   std::size_t bytes = 0;
@@ -17,17 +17,17 @@ struct TableCost {
 
 TableCost table_cost(const reflectance::Brdf& brdf, const std::string& scheme, int builds);
 
-/// The bytes of one tree of `mode=reject` for a view at 45 degrees, without its table, for each of
+/// Returns the bytes of a tree of `mode=reject` for a view at 45 degrees, without its table, for each of
 /// `TriesOfTable`.
 std::array<std::size_t, TriesOfTable.size()> tree_bytes(const reflectance::Brdf& brdf, int resolution);
 
-/// Nanoseconds of one thread: the least time of some rounds.
+/// The time per sample in nanoseconds on one thread, the minimum of some rounds.
 struct SampleCost {
   double with_density = 0;
-  double with_value = 0;  ///< of the BRDF as well
+  double with_value = 0;  ///< with evaluation of the BRDF
 };
 
-/// Of samples by the scheme alone, for views of cosine-distributed directions.
+/// Measures samples of only the scheme, for cosine-distributed views.
 SampleCost sample_cost(const Technique& technique, int rounds);
 
 }  // namespace study

@@ -11,7 +11,7 @@ namespace {
 
 using reflectance::Uniforms;
 
-/// The numbers of one estimate after the other.
+/// Random numbers of one estimate after the other.
 class Numbers {
  public:
   explicit Numbers(Points points) : points_(points) {}

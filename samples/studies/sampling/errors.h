@@ -1,4 +1,4 @@
-// The error of estimates of reflected radiance.
+// Errors of estimates of reflected radiance.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ constexpr std::array<int, 5> SampleCounts = {1, 4, 16, 64, 256};
 enum Points : std::size_t { Sobol, Independent };
 constexpr std::array<std::string_view, 2> PointNames = {"sobol", "independent"};
 
-/// A relative error, root mean square over repeats (and views), and how well it is known.
+/// A relative error, root mean square over repeats (and views), with its uncertainty.
 struct Error {
   double square = 0;    ///< the mean of its square
   double variance = 0;  ///< of that mean
@@ -24,7 +24,7 @@ struct Error {
   double noise() const;
 };
 
-/// Of errors that count alike, such as those of several views.
+/// Averages errors with equal weights, such as those of several views.
 template <class Errors, class ErrorOf>
 Error mean_of(const Errors& errors, const ErrorOf& error_of) {
   Error mean;
@@ -39,11 +39,11 @@ Error mean_of(const Errors& errors, const ErrorOf& error_of) {
   return mean;
 }
 
-/// One for each number of samples, for each light.
+/// The errors per light and number of samples.
 using Errors = std::array<std::array<Error, SampleCounts.size()>, LightCount>;
 
-/// Estimates with all numbers of samples, again and again with other points: the fewer the samples, the more
-/// repeats, `repeats` with 256.
+/// Estimates with all numbers of samples and repeats with other points. There are more repeats for fewer
+/// samples, `repeats` for 256.
 Errors measure_errors(const Technique& technique, const Setting& setting, Points points, int repeats);
 
 }  // namespace study

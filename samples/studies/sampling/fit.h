@@ -1,4 +1,4 @@
-// How well a density follows a BRDF, by quadrature, and what parameters follow it best.
+// How well a pdf matches a BRDF, by quadrature, and the search for the best parameters.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,16 @@
 
 namespace study {
 
-/// Means over the views.
+/// The fit of a pdf, averaged over the views.
 struct Fit {
-  /// Half the integral of |density - f cos / albedo|: the share of samples that go elsewhere than they
-  /// should, 0 to 1.
+  /// The total variation distance, half the integral of |pdf - f cos / albedo|, 0 to 1.
   double distance = 0;
-  /// The relative error of one independent sample under light from everywhere, by the variance of
-  /// f cos / density.
+  /// The relative error of one independent sample under a constant environment, from the variance of f cos /
+  /// pdf.
   double deviation = 0;
 };
 
-/// The values of a BRDF, once for all densities.
+/// Evaluates the BRDF once for all pdfs.
 class FitMeter {
  public:
   explicit FitMeter(const reflectance::Brdf& brdf);
@@ -33,7 +32,7 @@ class FitMeter {
   std::vector<ViewValues> views_;
 };
 
-/// The exponent of `hemisphere` or `sphere` of least deviation, of 1, 2, 5, 10 and so on to 1000.
+/// Returns the exponent of `hemisphere` or `sphere` of least deviation, of 1, 2, 5, 10 and so on to 1000.
 double best_exponent(const std::string& scheme, const reflectance::Brdf& brdf, const FitMeter& meter);
 
 struct FactorFit {
@@ -41,9 +40,9 @@ struct FactorFit {
   double distance = 0;
 };
 
-/// The factorisation that fits best: all J and K up to `most_factors`, of directions and half vectors, of the
-/// resolutions of table 5.6 and one finer in theta. Of those that are within a fiftieth of the best, the one
-/// with the smallest tables.
+/// Searches the best factorisation: all J and K up to `most_factors`, directions and half vectors, the
+/// resolutions of table 5.6 and a finer one in theta. Returns the one with the smallest tables within 2 % of
+/// the best.
 FactorFit best_factors(const reflectance::Brdf& brdf, const FitMeter& meter, int most_factors);
 
 }  // namespace study

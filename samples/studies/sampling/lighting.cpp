@@ -21,7 +21,8 @@ constexpr float ViewAzimuth = 0.3F;
 constexpr int MapHeight = 128;
 constexpr int MapWidth = 2 * MapHeight;
 
-/// A point of the map, (0,0) its upper left corner and (1,1) the lower right one.
+/// Maps a point of the environment map, (0,0) its upper left corner and (1,1) the lower right one, to a
+/// direction.
 Vec3f map_direction(double x, double y) {
   const double theta = std::numbers::pi * y;
   const double phi = 2 * std::numbers::pi * (x - 0.5);
@@ -136,7 +137,7 @@ void Setting::keep(Light light, const Sums& sums, double albedo) {
 }
 
 void Setting::measure_places(const Brdf& brdf, double albedo) {
-  constexpr std::size_t Parts = 16;  // of a place, along an edge
+  constexpr std::size_t Parts = 16;  // per position, along an edge
   constexpr std::size_t Edge = PlacesAlongEdge * Parts;
   constexpr double SolidAngle = 2 * std::numbers::pi / (Edge * Edge);
   const auto coordinate = [](std::size_t i) { return (2 * static_cast<float>(i) + 1) / Edge - 1; };

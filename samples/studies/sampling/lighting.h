@@ -1,4 +1,4 @@
-// The light that the study's errors are of, in the local frame of a surface.
+// Test lights of the study, in the local frame of a surface.
 #pragma once
 
 #include <array>
@@ -14,29 +14,29 @@ using reflectance::Rgb;
 using reflectance::Vec3f;
 
 /// A disc of 5 degrees in radius at the mirror direction, one 30 degrees from it towards the normal (and
-/// beyond), a patch as large as these that is anywhere over the hemisphere, and an environment map. Discs and
-/// patch have radiance 1.
+/// beyond), a patch of the same size anywhere on the hemisphere, and an environment map. Discs and patch have
+/// radiance 1.
 enum Light : std::size_t { Highlight, Beside, Anywhere, Environment };
 constexpr std::size_t LightCount = 4;
 constexpr std::array<std::string_view, LightCount> LightNames = {"highlight", "beside", "anywhere",
                                                                  "environment"};
 
-/// Those that tell the most of a scheme first: a light in one place may be where a poor one happens to draw.
+/// The lights, most informative first: a light at one position may favour a poor scheme by chance.
 constexpr std::array<Light, LightCount> LightsByWeight = {Anywhere, Environment, Highlight, Beside};
 
-/// The places of `Anywhere`: squares of the map of view_square.h, of equal solid angle.
+/// The positions of `Anywhere` form a grid of squares of equal solid angle; see view_square.h.
 constexpr std::size_t PlacesAlongEdge = 16;
 constexpr std::size_t PlaceCount = PlacesAlongEdge * PlacesAlongEdge;
 
-/// The views, as angles to the normal in degrees. Their azimuth matters to anisotropic BRDFs alone.
+/// The views, as angles to the normal in degrees. Their azimuth matters only to anisotropic BRDFs.
 constexpr std::array<float, 3> ViewDegrees = {20, 45, 70};
 
-/// A direction at an angle to the normal, in degrees, at the views' azimuth or (below 0) opposite it.
+/// Returns the direction at an angle to the normal, in degrees, at the views' azimuth, or opposite below 0.
 Vec3f in_plane_of_views(float degrees);
 
-/// A sky that is brighter at the horizon, brown ground in squares, and a sun behind haze, 6 degrees in
-/// radius, that gives about a third of the light. The surface leans 30 degrees from the horizontal, and the
-/// sun stands 4 degrees from the mirror direction of the middle view.
+/// An environment: a sky brighter at the horizon, brown ground in squares, and a hazy sun, 6 degrees in
+/// radius, with about a third of the light. The surface is tilted by 30 degrees, and the sun is 4 degrees
+/// from the mirror direction of the middle view.
 class Surroundings {
  public:
   Surroundings();
@@ -50,23 +50,22 @@ class Surroundings {
   transport::EnvironmentMap map_;
 };
 
-/// The lights for a BRDF that is seen from one direction, with what it reflects of them.
+/// The lights for a BRDF and a view, with the reflected radiance.
 class Setting {
  public:
   Setting(const reflectance::Brdf& brdf, const Vec3f& u, double degrees, const Surroundings& surroundings);
 
   const Vec3f& view() const { return view_; }
 
-  /// Estimates of what is reflected, as means over RGB; of `Anywhere`, in all of its places.
+  /// An estimate of reflected radiance, as RGB means; for `Anywhere`, at all positions.
   class Estimate {
    public:
     explicit Estimate(const Setting& setting) : setting_(&setting) {}
     void add(const reflectance::DirectionSample& sample, double share);
 
-    /// The squares of the relative errors. They are relative to what is reflected, but no less than a
-    /// thousandth of what a white matte surface reflects; of `Anywhere`, the square is summed over the places
-    /// and relative to the like sum of what is reflected, as of a picture in which the light is seen in all
-    /// of them.
+    /// Returns the squared relative errors. They are relative to the reflected radiance, but at least to a
+    /// thousandth of that of a white diffuse surface. For `Anywhere`, squares are summed over the positions
+    /// and relative to the sum of squared radiances, as in a picture that shows the light at all of them.
     std::array<double, LightCount> squared_errors() const;
 
    private:
@@ -75,11 +74,11 @@ class Setting {
     std::array<double, PlaceCount> places_ = {};
   };
 
-  /// The relative error of one independent sample with density f cos / albedo.
+  /// Returns the relative error of one independent sample with pdf f cos / albedo.
   double perfect_error(Light light) const { return perfect_[light]; }
 
  private:
-  /// Of f cos: without light, with it, and with its square; and of the cosine with it.
+  /// Sums of f cos: without light, with it, and with its square; and of the cosine with it.
   struct Sums {
     double albedo = 0, once = 0, squared = 0, matte = 0;
   };
@@ -93,7 +92,7 @@ class Setting {
   const Surroundings* surroundings_;
   std::array<double, LightCount> reflected_ = {};  ///< integrals of f cos L by quadrature
   std::array<double, LightCount> scale_ = {}, perfect_ = {};
-  std::array<double, PlaceCount> places_ = {};  ///< what is reflected of `Anywhere`
+  std::array<double, PlaceCount> places_ = {};  ///< reflected radiance per position of `Anywhere`
 };
 
 }  // namespace study

@@ -1,4 +1,4 @@
-// All that the study measures of one BRDF.
+// The measurements of one BRDF.
 #pragma once
 
 #include <array>
@@ -13,19 +13,20 @@
 
 namespace study {
 
-/// How much work goes into it.
+/// The effort of the measurements.
 struct Effort {
   bool is_quick = false;
   int repeats = 1024;    ///< of estimates with 256 samples
-  int builds = 3;        ///< of tables whose time is told
+  int builds = 3;        ///< for timing tables
   int rounds = 40;       ///< of 8,192 samples
   int resolution = 800;  ///< of the grid of `mode=reject`
-  int most_factors = 4;  ///< of J and K that are searched
+  int most_factors = 4;  ///< largest J and K of the search
 
   static Effort quick() { return {true, 64, 1, 8, 64, 2}; }
 };
 
-/// The thesis' five, two more generic ones, and the model's own. Exponents are 50, or adjusted to the BRDF.
+/// The thesis' five techniques, two more generic ones, and the model's own. Exponents are 50, or adjusted to
+/// the BRDF.
 enum TechniqueId : std::size_t {
   Diffuse,
   Sphere50,
@@ -43,7 +44,7 @@ constexpr std::array<std::string_view, 10> TechniqueNames = {
     "factored", "cascade",   "reject",      "warp",          "own"};
 
 struct TechniqueResult {
-  std::string scheme;  ///< GRF text; of the model's own sampler, `own`
+  std::string scheme;  ///< GRF text; `own` for the model's own sampler
   double cosine_share = 0;
   double build_seconds = 0;
   std::size_t bytes = 0;
@@ -51,7 +52,7 @@ struct TechniqueResult {
   Fit fit;
   std::array<std::array<Errors, ViewDegrees.size()>, PointNames.size()> errors;
 
-  /// Root mean square over the views.
+  /// Returns the root mean square over the views.
   Error error(Light light, Points points, std::size_t count) const {
     return mean_of(errors[points], [&](const Errors& of_view) { return of_view[light][count]; });
   }
@@ -65,12 +66,12 @@ struct CaseResult {
   FactorFit found;
   std::array<std::size_t, TriesOfTable.size()> tree_bytes = {};
   std::array<TechniqueResult, TechniqueNames.size()> techniques;
-  /// Of one independent sample with a perfect density, root mean square over the views.
+  /// The error of one independent sample with a perfect pdf, root mean square over the views.
   std::array<double, LightCount> perfect = {};
 
   const TechniqueResult& operator[](TechniqueId id) const { return techniques[id]; }
 
-  bool is_glossy = false;  ///< has a lobe, as its model says
+  bool is_glossy = false;  ///< the model has a lobe
 };
 
 struct Results {

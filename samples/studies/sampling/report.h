@@ -1,4 +1,4 @@
-// What the study writes.
+// Writing of the study's report.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace study {
 
-/// README.md, sampling.csv (errors), tables.csv (all else) and the pictures.
+/// Writes README.md, sampling.csv (errors), tables.csv (all else) and the pictures.
 bool write_report(const Results& results, const std::string& folder, grf::Diagnostics& diagnostics);
 
 }  // namespace study

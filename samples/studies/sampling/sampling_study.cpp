@@ -1,5 +1,5 @@
-// Measures how the sampling schemes serve the BRDFs of the thesis, and writes what its chapter 5 prints
-// beside what today's machine gives: see README.md beside this file, which it writes.
+// Measures the sampling schemes on the BRDFs of the thesis, and compares the figures of its chapter 5 with
+// those of today's machine: see README.md beside this file, which it writes.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace study;
 
-/// Nothing after a name that there is not.
+/// Returns the cases of these names, or nothing if a name is unknown.
 std::vector<const Case*> chosen(const std::vector<std::string>& names) {
   std::vector<const Case*> some;
   for (const Case& one : cases()) {

@@ -33,7 +33,7 @@ std::vector<std::string> row_of(const std::string& name, const std::vector<doubl
   return row;
 }
 
-/// A table of numbers with a row for each BRDF and one of means.
+/// Makes a table of numbers with a row per BRDF and one of means.
 template <class ValuesOf>
 std::string table_with_means(const Results& results, const std::vector<std::string>& header,
                              const ValuesOf& values_of) {
@@ -117,8 +117,8 @@ std::string factor_table(const Results& results) {
 }
 
 std::string scheme_table(const Results& results) {
-  Table table({"scheme", "build, s", "tables, KB", "sample and density, ns", "and value, ns", "deviation",
-               "largest cosine part"});
+  Table table({"scheme", "build, s", "tables, KB", "sample and pdf, ns", "with value, ns", "deviation",
+               "largest cosine fraction"});
   for (std::size_t id = 0; id < TechniqueNames.size(); ++id) {
     const auto mean_over = [&](const auto& value_of) {
       double sum = 0;
@@ -170,7 +170,7 @@ std::string error_table(const Results& results, Light light, Points points) {
     for (const TechniqueResult& technique : one.techniques) {
       errors.push_back(technique.error(light, points, MostSamples).value());
     }
-    // The least of the generic ones stands out.
+    // The least of the generic ones is bold.
     const auto best = std::min_element(errors.begin(), errors.begin() + Own) - errors.begin();
     std::vector<std::string> row = row_of(one.subject->name + (one.is_glossy ? "*" : ""), errors);
     std::string& least = row[static_cast<std::size_t>(best) + 1];

@@ -15,17 +15,17 @@ std::string tree_table(const Results& results);    ///< 5.2
 std::string memory_table(const Results& results);  ///< 5.3
 std::string factor_table(const Results& results);  ///< 5.6
 std::string scheme_table(const Results& results);  ///< costs and fit, over all BRDFs
-std::string sample_table(const Results& results);  ///< time of a sample for each BRDF
-std::string choice_table(const Results& results);  ///< what was searched
+std::string sample_table(const Results& results);  ///< time per sample and BRDF
+std::string choice_table(const Results& results);  ///< results of the parameter search
 std::string error_table(const Results& results, Light light, Points points);  ///< 256 Sobol points
 std::string points_table(const Results& results);                             ///< Sobol against independent
 
-/// One row for each BRDF, scheme, view and kind of points.
+/// Formats one row per BRDF, scheme, view and kind of points.
 std::string errors_csv(const Results& results);
-/// One row for each quantity of a BRDF and scheme that is no error.
+/// Formats one row per quantity of a BRDF and scheme other than errors.
 std::string tables_csv(const Results& results);
 
-/// exp of the mean of the logarithms.
+/// Returns the geometric mean.
 template <class Items, class ValueOf>
 double geometric_mean(const Items& items, const ValueOf& value_of) {
   double sum = 0;

@@ -1,4 +1,4 @@
-// One way to draw directions for one BRDF.
+// A technique that samples directions for one BRDF.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 namespace study {
 
 reflectance::Brdf brdf_of(const std::string& text);
-/// Without its tables.
+/// Makes the scheme without its tables.
 reflectance::Scheme scheme_of(const std::string& text);
 
-/// A scheme with its tables, and mixed with a cosine part where it alone would miss part of the BRDF, as in
-/// images; or the model's own sampler. The Dirac part is left out: it is the same for all.
+/// A scheme with its tables, mixed with cosine sampling if its pdf misses part of the BRDF, as in images; or
+/// the model's own sampler. It excludes the delta part, which is the same for all.
 class Technique {
  public:
-  /// The model's own closed form, which `auto` need not be.
+  /// Uses the model's own closed-form sampler, which `auto` need not choose.
   explicit Technique(const reflectance::Brdf& brdf) : brdf_(brdf) {}
   Technique(const reflectance::Brdf& brdf, const reflectance::Scheme& scheme);
 
@@ -25,7 +25,7 @@ class Technique {
                                                      const reflectance::Uniforms& xi) const;
   float density(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
 
-  /// What the scheme draws by itself, with values of another BRDF in the weight.
+  /// Samples the scheme without the mixture, with values of another BRDF in the weight.
   std::optional<reflectance::DirectionSample> sample_alone(const reflectance::Brdf& valued,
                                                            const reflectance::Vec3f& u,
                                                            const reflectance::Uniforms& xi) const;
@@ -33,7 +33,7 @@ class Technique {
   const reflectance::Brdf& brdf() const { return brdf_; }
   bool is_own() const { return !scheme_; }
   float cosine_share() const { return cosine_share_; }
-  /// Of the tables, and of measuring what the scheme misses.
+  /// Returns the time for the tables and for the estimate of what the pdf misses.
   double build_seconds() const { return build_seconds_; }
   std::size_t bytes() const { return scheme_ ? reflectance::bytes(*scheme_) : 0; }
 
