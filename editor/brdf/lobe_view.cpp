@@ -5,7 +5,6 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "editor/document/face_selection.h"
 #include "editor/document/scene_objects.h"

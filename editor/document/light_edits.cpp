@@ -3,7 +3,6 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "editor/document/scene_places.h"

@@ -1,9 +1,7 @@
 #include "editor/document/scene_places.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <span>
 #include <string>
 #include <tuple>
 #include <unordered_map>

@@ -1,6 +1,5 @@
 #include "editor/options/options_form.h"
 
-#include <QAction>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>

@@ -1,9 +1,7 @@
 #include "editor/panels/message_list.h"
 
-#include <QApplication>
 #include <QFileInfo>
 #include <QFontDatabase>
-#include <QListView>
 #include <QPainter>
 #include <algorithm>
 #include <utility>

@@ -17,7 +17,6 @@ class NormalsRow;
 class PdfRow;
 class TextureRow;
 class VertexRow;
-struct SurfaceFacts;
 
 /// What the selected faces have, and giving them something else. A BRDF that is dropped on it is theirs.
 class SurfacePanel : public QWidget {

@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QString>
 
 #include "editor/document/document.h"
 #include "renderer/transport/camera.h"

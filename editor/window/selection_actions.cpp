@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QMenu>
 #include <QToolBar>
-#include <algorithm>
 #include <numbers>
 
 #include "editor/document/document.h"

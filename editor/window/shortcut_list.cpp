@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QDialog>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
