@@ -266,9 +266,8 @@ void BrdfPlots::draw_lobes() {
     add_mirror_lines(chart, curves_.curves, style().channel);
     editor::draw(*plot_, chart);
   }
-  const bool has_mirror =
-      std::any_of(curves_.curves.begin(), curves_.curves.end(),
-                  [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
+  const bool has_mirror = std::ranges::any_of(
+      curves_.curves, [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
   QStringList words;
   if (!curves_.scheme_mistake.isEmpty()) words << "No density: " + curves_.scheme_mistake + ".";
   if (has_mirror) words << "Straight lines: the mirror part, as long as the share of light it carries.";

@@ -75,7 +75,7 @@ std::vector<QString> brdf_names(const Definitions& definitions) {
     const bool is_new = seen.insert(name.toLower()).second;
     if (is_new && std::holds_alternative<grf::BrdfModel>(one->body)) names.push_back(name);
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -96,8 +96,7 @@ bool reads_data(const grf::BrdfModel& model, const Definitions& definitions) {
   reflectance::BrdfMaker maker(unheard);
   const Scoped scoped(definitions);
   const auto leaves = maker.models_of(model, scoped.scope());
-  return std::any_of(leaves.begin(), leaves.end(),
-                     [](const grf::BrdfModel* leaf) { return !leaf->data_file.empty(); });
+  return std::ranges::any_of(leaves, [](const grf::BrdfModel* leaf) { return !leaf->data_file.empty(); });
 }
 
 std::vector<QString> mistakes_of(const grf::BrdfModel& model, const Definitions& definitions) {

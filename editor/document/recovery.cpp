@@ -153,8 +153,8 @@ const grf::Include* find_alike(const IncludesOfFiles& includes, const std::strin
                                const grf::BlockList& contents) {
   const auto of_file = includes.find(file);
   if (of_file == includes.end()) return nullptr;
-  const auto alike = std::find_if(of_file->second.begin(), of_file->second.end(),
-                                  [&](const grf::Include& other) { return *other.contents == contents; });
+  const auto alike = std::ranges::find_if(
+      of_file->second, [&](const grf::Include& other) { return *other.contents == contents; });
   return alike == of_file->second.end() ? nullptr : &*alike;
 }
 
@@ -229,7 +229,7 @@ std::vector<LostWork> Recovery::lost_work() const {
                     QDateTime::fromString(record["saved"].toString(), Qt::ISODateWithMs),
                     record["imports"].toVariant().toStringList()});
   }
-  std::sort(lost.begin(), lost.end(), [](const LostWork& a, const LostWork& b) { return a.saved > b.saved; });
+  std::ranges::sort(lost, [](const LostWork& a, const LostWork& b) { return a.saved > b.saved; });
   return lost;
 }
 

@@ -156,9 +156,8 @@ std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
       continue;
     }
     std::erase_if(common, [&here](const PlacedDefinition& each) {
-      return std::none_of(here.begin(), here.end(), [&each](const PlacedDefinition& other) {
-        return other.definition == each.definition;
-      });
+      return std::ranges::none_of(
+          here, [&each](const PlacedDefinition& other) { return other.definition == each.definition; });
     });
   }
   return common;
@@ -190,7 +189,7 @@ const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path) {
 
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path) {
   const Way way = way_to(scene, path);
-  return std::any_of(way.blocks.begin(), way.blocks.end(), [](const grf::Block* block) {
+  return std::ranges::any_of(way.blocks, [](const grf::Block* block) {
     return std::holds_alternative<grf::Include>(block->content);
   });
 }
@@ -268,7 +267,7 @@ grf::ScenePath DefinitionInsertion::definition_path() const {
 }
 
 void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths) {
-  std::sort(paths.begin(), paths.end());
+  std::ranges::sort(paths);
   // What is inside of something that goes follows it, and goes with it.
   paths.erase(std::unique(paths.begin(), paths.end(),
                           [](const auto& first, const auto& later) { return begins_with(later, first); }),

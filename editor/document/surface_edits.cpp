@@ -53,8 +53,8 @@ bool are_different(const std::vector<grf::Surface>& surfaces) {
   const auto hash = [](const grf::Surface* surface) { return grf::hash_value(*surface); };
   const auto equal = [](const grf::Surface* a, const grf::Surface* b) { return *a == *b; };
   std::unordered_set<const grf::Surface*, decltype(hash), decltype(equal)> known(surfaces.size());
-  return std::all_of(surfaces.begin(), surfaces.end(),
-                     [&known](const grf::Surface& surface) { return known.insert(&surface).second; });
+  return std::ranges::all_of(surfaces,
+                             [&known](const grf::Surface& surface) { return known.insert(&surface).second; });
 }
 
 /// A mesh of which some faces get other surfaces.
@@ -84,8 +84,7 @@ class Reassignment {
     const std::vector<std::size_t> uses = uses_of_surfaces(mesh_);
     std::vector<std::size_t> selected(uses.size());
     selection.for_each_face(number, [&](std::size_t face) { ++selected[(*mesh_.surface_of_face)[face]]; });
-    const bool is_own_replaced =
-        uses[0] == 0 && std::count(uses.begin(), uses.end(), 0U) + 1 == std::ssize(uses);
+    const bool is_own_replaced = uses[0] == 0 && std::ranges::count(uses, 0U) + 1 == std::ssize(uses);
     if (is_own_replaced) return false;
     std::vector<grf::Surface> changed = surfaces_;
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -143,7 +142,7 @@ void remove_unused_surfaces(std::vector<grf::Surface>& surfaces,
                             std::vector<std::uint32_t>& surface_of_face) {
   std::vector<bool> used(surfaces.size());
   for (const std::uint32_t surface : surface_of_face) used[surface] = true;
-  const bool keeps_own = std::count(used.begin(), used.end(), true) != 1;
+  const bool keeps_own = std::ranges::count(used, true) != 1;
   std::vector<std::uint32_t> places(used.size(), 0);
   std::vector<grf::Surface> kept;
   for (std::size_t i = 0; i < used.size(); ++i) {

@@ -14,7 +14,7 @@ void JobList::add(JobTask task) {
 }
 
 bool JobList::is_busy(const QString& queue) const {
-  return std::any_of(jobs_.begin(), jobs_.end(), [&](const Job* job) { return job->queue() == queue; });
+  return std::ranges::any_of(jobs_, [&](const Job* job) { return job->queue() == queue; });
 }
 
 /// Those that wait go first: none of them shall begin because another one has ended.
@@ -36,8 +36,7 @@ void JobList::remove(Job* job, const QString& problem) {
 }
 
 void JobList::begin_next(const QString& queue) {
-  const auto first =
-      std::find_if(jobs_.begin(), jobs_.end(), [&](const Job* job) { return job->queue() == queue; });
+  const auto first = std::ranges::find_if(jobs_, [&](const Job* job) { return job->queue() == queue; });
   if (first != jobs_.end() && (*first)->state() == Job::State::Waiting) (*first)->begin();
 }
 

@@ -87,8 +87,8 @@ void OptionRow::show_message(const QString& message, bool is_error) {
 
 bool OptionRow::matches(const QStringList& words) const {
   const QString all = key_->text() + " " + meaning_->text();
-  return std::all_of(words.begin(), words.end(),
-                     [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+  return std::ranges::all_of(words,
+                             [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }
 
 /// A bar at the left of those that the file names.

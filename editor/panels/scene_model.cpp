@@ -17,7 +17,7 @@ namespace {
 /// Calls an action with all entries, parents before their children, until it returns false.
 template <class Entry, class Action>
 bool for_each_entry(Entry& entry, const Action& action) {
-  return std::all_of(entry.children.begin(), entry.children.end(), [&action](const auto& child) {
+  return std::ranges::all_of(entry.children, [&action](const auto& child) {
     return action(*child) && for_each_entry(*child, action);
   });
 }

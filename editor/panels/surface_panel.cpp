@@ -35,9 +35,9 @@ void write_out(std::optional<std::variant<Body, grf::Reference>>& attribute,
   const auto is_it = [reference](const PlacedDefinition& each) {
     return each.definition->name == reference->name;
   };
-  const auto meant = std::find_if(there.begin(), there.end(), is_it);
+  const auto meant = std::ranges::find_if(there, is_it);
   if (meant == there.end()) return attribute.reset();
-  const auto same = std::find_if(here.begin(), here.end(), is_it);
+  const auto same = std::ranges::find_if(here, is_it);
   if (same != here.end() && same->definition == meant->definition) return;
   const auto* body = std::get_if<Body>(&meant->definition->body);
   attribute = body == nullptr ? std::nullopt : std::optional<std::variant<Body, grf::Reference>>(*body);

@@ -101,7 +101,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
 void JobPanel::show_jobs() {
   const std::vector<Job*>& jobs = jobs_.jobs();
   std::erase_if(rows_, [&jobs](const auto& entry) {
-    const bool is_gone = std::find(jobs.begin(), jobs.end(), entry.first) == jobs.end();
+    const bool is_gone = std::ranges::find(jobs, entry.first) == jobs.end();
     if (is_gone) entry.second->deleteLater();
     return is_gone;
   });

@@ -59,9 +59,8 @@ QTreeWidgetItem* new_group(QTreeWidget& list, const QString& name) {
 /// Whether its key holds in one control alone, and no menu says it.
 bool is_of_control(const QAction& action) {
   const QObjectList places = action.associatedObjects();
-  const bool has_menu = std::any_of(places.begin(), places.end(), [](const QObject* place) {
-    return qobject_cast<const QMenu*>(place) != nullptr;
-  });
+  const bool has_menu = std::ranges::any_of(
+      places, [](const QObject* place) { return qobject_cast<const QMenu*>(place) != nullptr; });
   return !has_menu && !action.shortcut().isEmpty() && action.shortcutContext() != Qt::WindowShortcut;
 }
 

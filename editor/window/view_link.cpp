@@ -37,16 +37,16 @@ std::optional<grf::Scene> ViewLink::scene_with(const HandleId& object, const grf
                                                grf::Diagnostics& diagnostics) const {
   const SceneObjects& objects = document_.objects();
   if (object.kind == HandleKind::Light) {
-    const auto light = std::find_if(objects.lights.begin(), objects.lights.end(),
-                                    [&](const LightObject& each) { return each.path == object.path; });
+    const auto light = std::ranges::find_if(
+        objects.lights, [&](const LightObject& each) { return each.path == object.path; });
     if (light == objects.lights.end()) return std::nullopt;
     grf::AreaLight moved = light->light;
     moved.corner = grf::Vec3f(position * light->to_world.inverse());
     return change_light(document_.scene(), object.path, moved, diagnostics);
   }
-  const auto observer = std::find_if(
-      objects.observers.begin(), objects.observers.end(),
-      [&](const ObserverObject& each) { return each.path == object.path && each.number == object.number; });
+  const auto observer = std::ranges::find_if(objects.observers, [&](const ObserverObject& each) {
+    return each.path == object.path && each.number == object.number;
+  });
   if (observer == objects.observers.end()) return std::nullopt;
   return move_observer(document_.scene(), *observer, position, diagnostics);
 }
