@@ -196,10 +196,8 @@ void Document::select(FaceSelection selection) {
 void Document::replace(const QString& text, grf::Scene scene, const QString& key) {
   grf::Diagnostics diagnostics;
   const std::size_t places = edit_all_places(scene_, scene, diagnostics);
-  if (diagnostics.error_count() > 0) {
-    emit told(QString::fromStdString(diagnostics.entries().front().message));
-    return;
-  }
+  if (diagnostics.error_count() > 0)
+    return emit told(QString::fromStdString(diagnostics.entries().front().message));
   push(text, ScenePatch::between(scene_, scene), key);
   if (places > 0) tell_of_places(places);
 }

@@ -160,10 +160,7 @@ void BrdfRow::define_common() {
   const auto& model = std::get<grf::BrdfModel>(*common_.value);
   grf::Diagnostics diagnostics;
   auto defined = define(document_.scene(), "my_" + grf::lower_case(model.keyword), model, diagnostics);
-  if (!defined) {
-    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
-    return;
-  }
+  if (!defined) return emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
   // Meshes are in the same order as before, so the selection is that of the new scene too.
   SurfaceEdit edit;
   edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{defined->name, {}});

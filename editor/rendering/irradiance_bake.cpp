@@ -46,14 +46,8 @@ QString IrradianceBake::file(const char* extension) const { return folder_.fileP
 
 void IrradianceBake::start(const grf::Scene& scene, const QString& path,
                            options::RenderOptions render_options, int directions) {
-  if (is_running_) {
-    emit failed(tr("irradiance is being baked: stop that first"));
-    return;
-  }
-  if (const QString why = process_.why_missing(); !why.isEmpty()) {
-    emit failed(why);
-    return;
-  }
+  if (is_running_) return emit failed(tr("irradiance is being baked: stop that first"));
+  if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
   is_running_ = true;
   is_stopped_ = false;
   const QString named = naming_path(path);

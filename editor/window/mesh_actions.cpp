@@ -96,15 +96,12 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   const FaceSelection selection = selected_or_all();
   const SelectedFaces faces = {document_.scene(), document_.objects(), selection};
   const double after = faces_after(faces, once);
-  if (after == 0) {
-    emit told(tr("The scene has no mesh"));
-    return;
-  }
+  if (after == 0) return emit told(tr("The scene has no mesh"));
   if (after > MostFaces) {
-    emit failed(tr("The meshes would have %1 faces, which is too much for the window: subdivide the file "
-                   "with grfconvert --subdivide")
-                    .arg(QLocale().toString(after, 'f', 0)));
-    return;
+    return emit failed(
+        tr("The meshes would have %1 faces, which is too much for the window: subdivide the file "
+           "with grfconvert --subdivide")
+            .arg(QLocale().toString(after, 'f', 0)));
   }
   const CommonVertices common = common_vertices(document_.objects(), selection);
   const bool had_irradiance = common.irradiance || common.are_irradiances_mixed;
@@ -115,19 +112,13 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
 
 void MeshActions::smooth() {
   const FaceSelection selection = selected_or_all();
-  if (selection.empty()) {
-    emit told(tr("The scene has no mesh"));
-    return;
-  }
+  if (selection.empty()) return emit told(tr("The scene has no mesh"));
   start(tr("Smooth vertices"), selection,
         [](const SelectedFaces& selected) { return with_smooth_meshes(selected, SmoothingSteps); });
 }
 
 void MeshActions::remove() {
-  if (document_.selection().empty()) {
-    emit told(tr("No face is selected"));
-    return;
-  }
+  if (document_.selection().empty()) return emit told(tr("No face is selected"));
   start(tr("Delete faces"), document_.selection(), without_faces);
 }
 
