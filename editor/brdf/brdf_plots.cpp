@@ -164,15 +164,6 @@ void BrdfPlots::set_kind(Kind kind) {
   draw();
 }
 
-void BrdfPlots::set_views(const std::vector<double>& views) {
-  views_ = views;
-  QStringList words;
-  for (const double view : views) words << number_text(view);
-  view_line_->setText(words.join(", "));
-  curves_are_old_ = true;
-  compute();
-}
-
 void BrdfPlots::take_views() {
   const auto views = read_views(view_line_->text());
   QPalette look = palette();

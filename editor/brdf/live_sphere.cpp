@@ -17,8 +17,7 @@ constexpr int LargestSide = 640;  // in pixels; larger ones are scaled
 
 }  // namespace
 
-LiveSphere::LiveSphere(QWidget* parent, const GraphicsDriver& driver)
-    : QWidget(parent), renderer_(SphereRenderer::Way::Best, driver) {
+LiveSphere::LiveSphere(QWidget* parent, const GraphicsDriver& driver) : QWidget(parent), renderer_(driver) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Sphere with the BRDF");
@@ -138,11 +137,6 @@ void LiveSphere::keyPressEvent(QKeyEvent* event) {
     default:
       QWidget::keyPressEvent(event);
   }
-}
-
-void LiveSphere::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) update();
-  QWidget::changeEvent(event);
 }
 
 }  // namespace editor

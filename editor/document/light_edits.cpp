@@ -134,14 +134,6 @@ std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathVi
   return changed;
 }
 
-grf::AreaLight scaled(const grf::AreaLight& light, float factor) {
-  grf::AreaLight result = light;
-  result.corner += (light.edge1 + light.edge2) * ((1 - factor) / 2);
-  result.edge1 *= factor;
-  result.edge2 *= factor;
-  return result;
-}
-
 grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position) {
   grf::Scene changed = scene;
   grf::BlockList& blocks = outermost_blocks(changed);

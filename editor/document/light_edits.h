@@ -50,8 +50,6 @@ grf::Scene add_light(const grf::Scene& scene, const grf::AreaLight& light);
 /// Another corner, other edges, another radiance; in the coordinates of the place.
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
                                        const grf::AreaLight& light, grf::Diagnostics& diagnostics);
-/// Makes the edges longer by a factor about the middle of the light. The radiance stays.
-grf::AreaLight scaled(const grf::AreaLight& light, float factor);
 
 /// Adds an observer at a place in the world.
 grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position);

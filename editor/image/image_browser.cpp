@@ -257,11 +257,7 @@ void ImageBrowser::take_analysis(const ImageAnalysis& made) {
   analysis_ = made;
   show_on_pane();
   figures_->setText(figures_text(made));
-  if (is_current(made)) {
-    emit analysed();
-  } else {
-    start_analysis();
-  }
+  if (!is_current(made)) start_analysis();
 }
 
 void ImageBrowser::show_pixel(const std::optional<QPoint>& pixel) {

@@ -43,15 +43,12 @@ class ImageBrowser : public QWidget {
   ScreenControls& controls() { return tools_->controls(); }
   /// With the actions, for menus.
   const ImageTools& tools() const { return *tools_; }
-  /// The last one that was made; it belongs to what is shown once `analysed` came after the last change.
-  const ImageAnalysis& analysis() const { return analysis_; }
 
  signals:
   void opened(const QString& path);
   void saved(const QString& path);
   /// What is wrong with a file; the browser itself shows it too.
   void reported(const grf::Diagnostics& diagnostics);
-  void analysed();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

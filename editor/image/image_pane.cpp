@@ -167,7 +167,6 @@ void ImagePane::set_wipe(double share) {
   const double wipe = std::clamp(share, 0.0, 1.0);
   if (wipe == wipe_) return;
   wipe_ = wipe;
-  emit wiped(wipe_);
   update();
 }
 

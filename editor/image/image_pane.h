@@ -66,7 +66,6 @@ class ImagePane : public QWidget {
   /// What is under the pointer; nothing: no pixel.
   void hovered(const std::optional<QPoint>& pixel);
   void zoomed(double zoom);
-  void wiped(double share);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -17,14 +17,6 @@ bool JobList::is_busy(const QString& queue) const {
   return std::ranges::any_of(jobs_, [&](const Job* job) { return job->queue() == queue; });
 }
 
-/// Those that wait go first: none of them shall begin because another one has ended.
-void JobList::cancel(const QString& queue) {
-  const std::vector<Job*> all = jobs_;
-  for (auto job = all.rbegin(); job != all.rend(); ++job) {
-    if ((*job)->queue() == queue) (*job)->cancel();
-  }
-}
-
 void JobList::remove(Job* job, const QString& problem) {
   const QString queue = job->queue();
   std::erase(jobs_, job);

@@ -19,7 +19,6 @@ class JobList : public QObject {
   const std::vector<Job*>& jobs() const { return jobs_; }
   /// Whether jobs of a queue wait or run.
   bool is_busy(const QString& queue) const;
-  void cancel(const QString& queue);
 
  signals:
   /// A job was added or has ended, or its state or progress are others.

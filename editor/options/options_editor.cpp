@@ -159,10 +159,6 @@ void OptionsEditor::follow_message(int row) {
   if (entry.location.line > 0) text_->go_to(entry.location.line, entry.location.column);
 }
 
-void OptionsEditor::go_to(const options::OptionInfo& option) { form_->go_to(option); }
-
-void OptionsEditor::start_search() { form_->search()->setFocus(Qt::ShortcutFocusReason); }
-
 /// Fields have steps of undo of their own, which would be in the way of those of the document.
 bool OptionsEditor::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {

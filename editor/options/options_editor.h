@@ -31,11 +31,6 @@ class OptionsEditor : public QWidget {
   bool save();
   bool save_as();
 
-  /// Shows an option and gives it the focus.
-  void go_to(const options::OptionInfo& option);
-
-  void start_search();
-
   QListWidget& messages() { return *messages_; }
   OptionsForm& form() { return *form_; }
   /// For menus; they have no shortcuts of their own, which belong to the window.

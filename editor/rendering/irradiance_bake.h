@@ -34,10 +34,8 @@ class IrradianceBake : public QObject {
   /// The path is that of the scene's file; empty: it has none yet. Of the options count those of light
   /// (surroundings, depth, sampling scheme), of effort (samples, which are a vertex's here, target error,
   /// time, threads), the seed, and the eye, which is noted as the observer of a scene that names none.
-  /// Directions: how many each vertex lists, up to 4096; 0: it has one value. What keeps it from that is said
-  /// by `failed`.
-  void start(const grf::Scene& scene, const QString& path, options::RenderOptions render_options = {},
-             int directions = 0);
+  /// What keeps it from that is said by `failed`.
+  void start(const grf::Scene& scene, const QString& path, options::RenderOptions render_options = {});
   /// Ends it with what there is.
   void stop();
   bool is_running() const { return is_running_; }
@@ -69,7 +67,6 @@ class IrradianceBake : public QObject {
   bool is_running_ = false;
   bool is_stopped_ = false;
   grf::Scene snapshot_;
-  int directions_ = 0;
   QFutureWatcher<QString> writing_;
   QFutureWatcher<std::shared_ptr<Baked>> reading_;
   RendererProcess process_;

@@ -56,9 +56,8 @@ class HandleGesture {
 
   void begin(const SceneHandle& handle, const grf::Vec2d& pixel);
   /// Moves it as far as the pointer: in the plane of the view, or only along the world's axis that is nearest
-  /// to the pointer's way. Returns the handle where it is then.
-  SceneHandle drag(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size,
-                   bool along_axis);
+  /// to the pointer's way.
+  void drag(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size, bool along_axis);
   /// Leaves it there, until other handles are set; or where it was. Returns the handle that was dragged.
   SceneHandle end(bool stays);
 

@@ -83,9 +83,8 @@ class SceneView : public QWidget {
  signals:
   void selection_made(const editor::FaceSelection& selection);
   void camera_moved();
-  /// While a thing is dragged, and once when it is let go, with its new SceneHandle::position. An AreaLight's
-  /// new corner is `position * to_world.inverse()`.
-  void object_moving(const editor::HandleId& object, const grf::Vec3d& position);
+  /// A thing that was dragged is let go, with its new SceneHandle::position. An AreaLight's new corner is
+  /// `position * to_world.inverse()`.
   void object_moved(const editor::HandleId& object, const grf::Vec3d& position);
   /// What is under the pointer, in words; empty: nothing.
   void hovered(const QString& text);

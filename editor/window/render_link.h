@@ -31,8 +31,8 @@ class RenderLink : public QObject {
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
 
-  /// Places the camera of renders; while it is dragged the steps are one.
-  void move_camera(const transport::View& camera, bool is_done);
+  /// Places the camera of renders.
+  void move_camera(const transport::View& camera);
   /// The camera that renders have now.
   transport::View camera() const;
   /// All options in a window of their own.

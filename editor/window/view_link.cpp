@@ -25,12 +25,7 @@ ViewLink::ViewLink(Document& document, const grf::Catalogue& catalogue, SceneVie
   connect(&document_, &Document::selection_changed, this,
           [this] { view_.set_selection(document_.selection()); });
   connect(&view_, &SceneView::selection_made, &document_, &Document::select);
-  connect(
-      &view_, &SceneView::object_moving, this,
-      [this](const HandleId& object, const grf::Vec3d& position) { move_object(object, position, false); });
-  connect(&view_, &SceneView::object_moved, this, [this](const HandleId& object, const grf::Vec3d& position) {
-    move_object(object, position, true);
-  });
+  connect(&view_, &SceneView::object_moved, this, &ViewLink::move_object);
 }
 
 std::optional<grf::Scene> ViewLink::scene_with(const HandleId& object, const grf::Vec3d& position,
@@ -51,14 +46,13 @@ std::optional<grf::Scene> ViewLink::scene_with(const HandleId& object, const grf
   return move_observer(document_.scene(), *observer, position, diagnostics);
 }
 
-void ViewLink::move_object(const HandleId& object, const grf::Vec3d& position, bool is_done) {
+void ViewLink::move_object(const HandleId& object, const grf::Vec3d& position) {
   if (object.kind == HandleKind::CameraViewer || object.kind == HandleKind::CameraTarget) {
     transport::View camera = render_.camera();
     (object.kind == HandleKind::CameraViewer ? camera.eye : camera.target) = position;
-    if (camera.eye != camera.target && is_done) render_.move_camera(camera, true);
+    if (camera.eye != camera.target) render_.move_camera(camera);
     return;
   }
-  if (!is_done) return;  // the view draws it meanwhile
   grf::Diagnostics diagnostics;
   auto scene = scene_with(object, position, diagnostics);
   if (scene) {
