@@ -1,11 +1,10 @@
 // The rows of the surface panel that choose a model: a BRDF, or a sampling scheme.
 #pragma once
 
-#include <QWidget>
 #include <functional>
 #include <optional>
 
-#include "editor/panels/surface_facts.h"
+#include "editor/panels/surface_row.h"
 #include "grf/catalogue.h"
 
 class QComboBox;
@@ -17,14 +16,12 @@ namespace editor {
 class ParameterRows;
 
 /// A BRDF of the scene by its name, or a new one of a model.
-class BrdfRow : public QWidget {
+class BrdfRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  signals:
   void edit_requested();
@@ -37,7 +34,6 @@ class BrdfRow : public QWidget {
   void assign(const QString& text, const AttributeEdit<grf::BrdfAttribute>& brdf);
   void define_common();
 
-  Document& document_;
   const grf::Catalogue& catalogue_;
   CommonValue<grf::BrdfAttribute> common_;
   QComboBox* choice_;
@@ -48,14 +44,12 @@ class BrdfRow : public QWidget {
 };
 
 /// A sampling scheme by its name, or on the spot with a row for each parameter.
-class PdfRow : public QWidget {
+class PdfRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// What the row's label leads to.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  private:
   void fill(const SurfaceFacts& facts);
@@ -66,7 +60,6 @@ class PdfRow : public QWidget {
   void show_parameters();
   void edit_parameters(const std::function<void(grf::Model&)>& edit, bool is_done);
 
-  Document& document_;
   const grf::Catalogue& catalogue_;
   std::optional<grf::PdfModel> model_;  ///< a scheme on the spot, as the rows have it
   QComboBox* choice_;

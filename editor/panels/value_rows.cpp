@@ -21,20 +21,6 @@ namespace {
 
 constexpr double Largest = std::numeric_limits<float>::max();
 
-QHBoxLayout* line_of(QWidget* row) {
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 4);
-  return layout;
-}
-
-QVBoxLayout* lines_of(QWidget* row) {
-  auto* layout = new QVBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 2);
-  return layout;
-}
-
 /// Shows a value that faces have in common.
 void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::Colour>& value) {
   if (is_mixed) {
@@ -49,15 +35,16 @@ void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::C
 }  // namespace
 
 ColourRow::ColourRow(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), choice_(new QComboBox(this)) {
+    : SurfaceRow(document, parent), choice_(new QComboBox(this)) {
   fields_ = new ColourFields(tr("Colour"), tr("multiplies what the BRDF reflects, linear"), 1, this);
+  field_ = fields_->field();
   choice_->setAccessibleName(tr("Name of the colour"));
   choice_->setToolTip(tr("A colour of the scene by its name, or numbers of these faces alone"));
   choice_->setFocusPolicy(Qt::StrongFocus);
   reset_ = tool_button(
       "reset", tr("Reset the colour"), {},
       [this] { assign(AttributeEdit<grf::ColourAttribute>::remove(), {}); }, this);
-  auto* lines = lines_of(this);
+  auto* lines = tight_layout<QVBoxLayout>(this);
   lines->addWidget(choice_);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
@@ -70,8 +57,6 @@ ColourRow::ColourRow(Document& document, QWidget* parent)
   });
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
-
-QWidget* ColourRow::field() const { return fields_->field(); }
 
 void ColourRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.colour;
@@ -116,12 +101,13 @@ void ColourRow::assign(const AttributeEdit<grf::ColourAttribute>& colour, const 
   document_.edit_surfaces(colour.value() ? tr("Colour") : tr("Reset colour"), edit, key);
 }
 
-EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+EmissionRow::EmissionRow(Document& document, QWidget* parent) : SurfaceRow(document, parent) {
   power_ = number_box({tr("Power"),
                        tr("What all selected faces emit together: π times their area times the mean "
                           "of the radiance's three numbers"),
                        0, Largest, 10, tr("W")},
                       this);
+  field_ = power_;
   reset_ = tool_button(
       "reset", tr("Take the light away"), {},
       [this] {
@@ -132,7 +118,7 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
       this);
   radiance_ =
       new ColourFields(tr("Radiance"), tr("what the fronts of the faces emit, W/(sr m²)"), Largest, this);
-  auto* lines = lines_of(this);
+  auto* lines = tight_layout<QVBoxLayout>(this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
   line->addWidget(power_, 1);
@@ -156,8 +142,6 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
   connect(radiance_, &ColourFields::finished, this, finish);
 }
 
-QWidget* EmissionRow::field() const { return power_; }
-
 void EmissionRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.emission;
   show_common(radiance_, common.is_mixed, common.value);
@@ -174,7 +158,7 @@ void EmissionRow::show_facts(const SurfaceFacts& facts) {
 }
 
 VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
-    : QWidget(parent), document_(document), kind_(kind) {
+    : SurfaceRow(document, parent), kind_(kind) {
   const bool is_colour = kind == Kind::Colour;
   fields_ = is_colour
                 ? new ColourFields(tr("Vertex colour"),
@@ -182,7 +166,8 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
                 : new ColourFields(tr("Irradiance"),
                                    tr("what arrives at the faces' vertices from all directions, W/m²"),
                                    Largest, this);
-  auto* line = line_of(this);
+  field_ = fields_->field();
+  auto* line = tight_layout<QHBoxLayout>(this, Grid / 4);
   line->addWidget(fields_, 1);
   if (!is_colour) {
     bake_ = tool_button(
@@ -197,8 +182,6 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
   connect(fields_, &ColourFields::edited, this, [this](const grf::Colour& colour) { put(colour); });
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
-
-QWidget* VertexRow::field() const { return fields_->field(); }
 
 void VertexRow::show_facts(const SurfaceFacts& facts) {
   const bool is_colour = kind_ == Kind::Colour;
@@ -221,14 +204,15 @@ void VertexRow::put(const std::optional<grf::Colour>& value) {
 }
 
 NormalsRow::NormalsRow(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), state_(new QLabel(this)) {
+    : SurfaceRow(document, parent), state_(new QLabel(this)) {
   constexpr double CommonCrease = 30;
   angle_ = number_box(
       {tr("Crease angle"), tr("Faces that are turned against each other by more keep an edge between them"),
        0, 180, 5, "deg"},
       this);
   angle_->set_value(CommonCrease);
-  auto* line = line_of(this);
+  field_ = angle_;
+  auto* line = tight_layout<QHBoxLayout>(this, Grid / 4);
   line->addWidget(state_, 1);
   line->addWidget(angle_, 1);
   line->addWidget(tool_button(
@@ -241,8 +225,6 @@ NormalsRow::NormalsRow(Document& document, QWidget* parent)
       "flip", tr("Flip the faces"), tr("Flip: fronts become backs, and normals point to the other side"),
       [this] { apply(Change::Flip); }, this));
 }
-
-QWidget* NormalsRow::field() const { return angle_; }
 
 void NormalsRow::show_facts(const SurfaceFacts& facts) {
   state_->setText(facts.vertices.have_normals ? tr("smooth") : tr("flat"));
