@@ -6,6 +6,7 @@
 
 #include "editor/document/face_selection.h"
 #include "editor/document/scene_objects.h"
+#include "editor/document/surface_edits.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -46,11 +47,9 @@ grf::Scene without_faces(const SelectedFaces& faces);
 
 /// What the vertices of selected faces have in common.
 struct CommonVertices {
-  bool have_normals = false;       ///< some
-  bool are_colours_mixed = false;  ///< else `colour` is that of all
-  std::optional<grf::Colour> colour;
-  bool are_irradiances_mixed = false;  ///< values from several directions are too
-  std::optional<grf::Colour> irradiance;
+  bool have_normals = false;  ///< some
+  CommonValue<grf::Colour> colour;
+  CommonValue<grf::Colour> irradiance;  ///< mixed too where values are from several directions
 };
 CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection& selection);
 

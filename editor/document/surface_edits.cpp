@@ -11,15 +11,6 @@
 namespace editor {
 namespace {
 
-template <class Value>
-void meet(CommonValue<Value>& common, const std::optional<Value>& value, bool is_first) {
-  if (is_first) {
-    common.value = value;
-  } else if (common.value != value) {
-    common.is_mixed = true;
-  }
-}
-
 /// What an edit gives to the faces of a mesh light, which have a radiance alone, as their colour.
 SurfaceEdit of_mesh_light(const SurfaceEdit& edit) {
   SurfaceEdit radiance;
@@ -164,11 +155,11 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
       if (!has[k]) continue;
       const grf::Surface& surface =
           object.is_light ? seen_as_mesh(object.looks[k]) : object.mesh->surfaces[k];
-      meet(common.colour, surface.colour, is_first);
-      meet(common.brdf, surface.brdf, is_first);
-      meet(common.pdf, surface.pdf, is_first);
-      meet(common.texture, surface.texture, is_first);
-      meet(common.emission, surface.emission, is_first);
+      common.colour.meet(surface.colour, is_first);
+      common.brdf.meet(surface.brdf, is_first);
+      common.pdf.meet(surface.pdf, is_first);
+      common.texture.meet(surface.texture, is_first);
+      common.emission.meet(surface.emission, is_first);
       is_first = false;
     }
   }

@@ -57,6 +57,15 @@ template <class Value>
 struct CommonValue {
   bool is_mixed = false;
   std::optional<Value> value;  ///< absent: no face has one; meaningless if it is mixed
+
+  /// Takes up what one more face has.
+  void meet(const std::optional<Value>& other, bool is_first) {
+    if (is_first) {
+      value = other;
+    } else if (value != other) {
+      is_mixed = true;
+    }
+  }
 };
 
 struct CommonSurface {

@@ -185,14 +185,13 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
 
 void VertexRow::show_facts(const SurfaceFacts& facts) {
   const bool is_colour = kind_ == Kind::Colour;
-  const bool is_mixed = is_colour ? facts.vertices.are_colours_mixed : facts.vertices.are_irradiances_mixed;
-  const auto& value = is_colour ? facts.vertices.colour : facts.vertices.irradiance;
-  show_common(fields_, is_mixed, value);
+  const auto& common = is_colour ? facts.vertices.colour : facts.vertices.irradiance;
+  show_common(fields_, common.is_mixed, common.value);
   const QString none =
       is_colour ? tr("The vertices have no colours.") : tr("The vertices have no irradiance.");
   enable(clear_,
          is_colour ? tr("Clear: the vertices have no colours") : tr("Clear: the vertices have no irradiance"),
-         is_mixed || value ? QString() : none);
+         common.is_mixed || common.value ? QString() : none);
 }
 
 void VertexRow::put(const std::optional<grf::Colour>& value) {

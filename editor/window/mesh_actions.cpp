@@ -104,7 +104,7 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
             .arg(QLocale().toString(after, 'f', 0)));
   }
   const CommonVertices common = common_vertices(document_.objects(), selection);
-  const bool had_irradiance = common.irradiance || common.are_irradiances_mixed;
+  const bool had_irradiance = common.irradiance.value || common.irradiance.is_mixed;
   start(tr("Subdivide"), selection,
         [once](const SelectedFaces& selected) { return with_subdivided_meshes(selected, once); });
   if (had_irradiance) emit told(tr("Subdivided meshes have no irradiance: bake it again"));
