@@ -72,6 +72,19 @@ void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths);
 /// The list to which new things of the scene go: inside the scope around the whole scene, if there is one.
 grf::BlockList& outermost_blocks(grf::Scene& scene);
 
+/// Calls an action with each include among blocks, but with none inside of another. `List` is const or not.
+template <class List, class Action>
+void for_each_include(List& list, const Action& action) {
+  for (auto& block : list.blocks) {
+    if (auto* include = std::get_if<grf::Include>(&block.content)) action(*include);
+    if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      for_each_include(transform->body, action);
+    } else if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
+      for_each_include(scope->body, action);
+    }
+  }
+}
+
 /// How often each file is included that was read, also by other included files; by its canonical path.
 std::map<std::string, std::size_t> included_files(const grf::Scene& scene);
 
