@@ -32,16 +32,9 @@ QString text_of(double number) {
 }
 
 QString name_of(const Emitter& emitter) {
-  QString name = QString::fromStdString(emitter.name);
-  switch (emitter.kind) {
-    case Emitter::Kind::AreaLight:
-      return LightPanel::tr("light");
-    case Emitter::Kind::MeshLight:
-      return LightPanel::tr("mesh light");
-    case Emitter::Kind::Faces:
-      return name.isEmpty() ? LightPanel::tr("faces of a mesh") : name;
-  }
-  return name;
+  if (emitter.kind == Emitter::Kind::AreaLight) return LightPanel::tr("light");
+  if (emitter.kind == Emitter::Kind::MeshLight) return LightPanel::tr("mesh light");
+  return emitter.name.empty() ? LightPanel::tr("faces of a mesh") : QString::fromStdString(emitter.name);
 }
 
 /// A light over the middle of what there is, that shines down.
