@@ -170,8 +170,7 @@ void BrdfForm::refresh_chooser() {
                                            : unknown.isEmpty() ? "mixed"
                                                                : unknown + " (unknown)");
   const QString paper = info_ != nullptr ? text_of(info_->paper) : QString();
-  paper_->setText(paper);
-  paper_->setVisible(!paper.isEmpty());
+  show_problem(paper_, paper);
   QString hint;
   if (models_.empty())
     hint = "Select faces to see and edit their BRDF.";
@@ -181,8 +180,7 @@ void BrdfForm::refresh_chooser() {
     hint = "The models differ. Choose one here to give it to all.";
   else if (info_->parameters.empty() && info_->takes == grf::ModelInfo::Takes::Parameters)
     hint = "It has no parameters.";
-  hint_->setText(hint);
-  hint_->setVisible(!hint.isEmpty());
+  show_problem(hint_, hint);
 }
 
 void BrdfForm::refresh_rows() {

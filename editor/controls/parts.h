@@ -8,6 +8,7 @@
 #include "editor/appearance/theme.h"
 
 class QComboBox;
+class QMimeData;
 class QObject;
 class QToolButton;
 class QWidget;
@@ -67,6 +68,9 @@ NumberBox* number_box(const NumberInfo& info, QWidget* parent);
 /// Calls `take` with each new number, and then `done` where it is more than a step on the way.
 void connect_number(NumberBox* box, QObject* context, const std::function<void(double)>& take,
                     const std::function<void()>& done);
+
+/// The files of this machine that are dragged.
+QStringList local_files(const QMimeData& data);
 
 /// Words for an empty widget: what to do next.
 QLabel* hint_label(const QString& text, QWidget* parent);

@@ -48,9 +48,7 @@ MessagePanel::MessagePanel(Document& document, grf::Catalogue catalogue, QWidget
                                   "while you edit."),
                                pages_));
   pages_->addWidget(view_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = tight_layout<QVBoxLayout>(this, 0);
   summary_->setContentsMargins(Grid, Grid / 2, Grid, Grid / 2);
   layout->addWidget(summary_);
   layout->addWidget(pages_, 1);
