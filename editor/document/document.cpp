@@ -202,11 +202,6 @@ void Document::replace(const QString& text, grf::Scene scene, const QString& key
   if (places > 0) tell_of_places(places);
 }
 
-void Document::edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key) {
-  edit_surfaces(
-      text, [&edit](const grf::Surface&) { return edit; }, key);
-}
-
 void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key) {
   if (selection_->empty()) return;
   const FaceSelection faces = at_all_places(scene_, *objects_, *selection_);

@@ -92,8 +92,6 @@ class Document : public QObject {
   /// Brings the scene into another state.
   void replace(const QString& text, grf::Scene scene, const QString& key = {});
   /// Edits what the selected faces have. Nothing happens if none is selected.
-  void edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key = {});
-  /// The same, where what they get depends on what they have.
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
   /// The next step is one of its own: a slider was let go.
   void finish_gesture();

@@ -193,11 +193,6 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
 }
 
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
-                               const SurfaceEdit& edit) {
-  return edited(objects, selection, [&edit](const grf::Surface&) { return edit; });
-}
-
-std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
                                const SurfaceEdits& edits) {
   const SurfaceEdits of_light = [&edits](const grf::Surface& surface) {
     return of_mesh_light(edits(surface));

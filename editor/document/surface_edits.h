@@ -44,9 +44,11 @@ struct SurfaceEdit {
   AttributeEdit<grf::Colour> emission;
 
   void apply(grf::Surface& surface) const;
+  /// Faces of any surface get the same.
+  const SurfaceEdit& operator()(const grf::Surface&) const { return *this; }
 };
 
-/// What to give the faces that have a surface.
+/// What to give the faces that have a surface; a SurfaceEdit is one, too.
 using SurfaceEdits = std::function<SurfaceEdit(const grf::Surface&)>;
 
 /// All that a surface has: for copies from face to face.
@@ -97,8 +99,6 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
 void remove_unused_surfaces(std::vector<grf::Surface>& surfaces, std::vector<std::uint32_t>& surface_of_face);
 
 /// The meshes with selected faces after edits. Mesh lights get their emission, and no more.
-std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
-                               const SurfaceEdit& edit);
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
                                const SurfaceEdits& edits);
 

@@ -1,12 +1,32 @@
 #pragma once
 
+#include <QOffscreenSurface>
 #include <QString>
 #include <QThread>
 #include <functional>
+#include <memory>
 
-#include "editor/graphics/offscreen_context.h"
+class QOpenGLContext;
 
 namespace editor {
+
+/// An OpenGL 3.3 core context without a window. It is made and destroyed in the GUI's thread, and used in
+/// one.
+class OffscreenContext {
+ public:
+  OffscreenContext();
+  ~OffscreenContext();
+
+  /// Makes the context when it is asked for first. Null without OpenGL 3.3.
+  QOpenGLContext* make_current();
+  /// In the thread that uses it, once what lives in the context is destroyed.
+  void end();
+
+ private:
+  QOffscreenSurface surface_;
+  std::unique_ptr<QOpenGLContext> context_;
+  bool is_refused_ = false;
+};
 
 /// A thread that draws by OpenGL into pictures, which widgets then show: drawing takes long, above all by
 /// software, and the window has to answer meanwhile.

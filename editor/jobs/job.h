@@ -19,10 +19,10 @@ class Job;
 /// What a job is and does.
 struct JobTask {
   QString title;
-  QString queue;                    ///< jobs of one queue run one after another
-  std::function<void(Job&)> begin;  ///< begins the work, which calls `end` once it is done
-  std::function<void()> cancel;     ///< asks the running work to end; empty: its result is dropped
-  QString cancel_tip;               ///< what becomes of running work that is cancelled; empty: it cannot be
+  QString queue;                      ///< jobs of one queue run one after another
+  std::function<void(Job&)> begin;    ///< begins the work, which calls `end` once it is done
+  std::function<void()> cancel = {};  ///< asks the running work to end; empty: its result is dropped
+  QString cancel_tip = {};            ///< what becomes of running work that is cancelled; empty: it cannot be
 };
 
 /// Long work that the window does not wait for: its author sees how far it is, and can cancel it. It works on

@@ -60,26 +60,17 @@ MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
                              {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
                               tr("Takes the selected faces away; meshes without faces go, too")},
                              [this] { remove(); });
-  of_meshes_ = {
-      new_action(window,
-                 {tr("Subdivide (&Catmull-Clark)"),
-                  {},
-                  {},
-                  tr("Subdivides the meshes %1; each face becomes as many as it has corners").arg(whole)},
-                 [this] { subdivide(convert::SubdivisionScheme::CatmullClark); }),
-      new_action(
-          window,
-          {tr("Subdivide (L&oop)"),
-           {},
-           {},
-           tr("Subdivides the meshes %1; they are triangulated, and each triangle becomes four").arg(whole)},
-          [this] { subdivide(convert::SubdivisionScheme::Loop); }),
-      new_action(window,
-                 {tr("&Smooth vertices"),
-                  {},
-                  {},
-                  tr("Smooths noise and small features away in the meshes %1").arg(whole)},
-                 [this] { smooth(); })};
+  const auto add = [&](const QString& text, const QString& tip, const std::function<void()>& action) {
+    of_meshes_.append(new_action(window, {text, {}, {}, tip.arg(whole)}, action));
+  };
+  add(tr("Subdivide (&Catmull-Clark)"),
+      tr("Subdivides the meshes %1; each face becomes as many as it has corners"),
+      [this] { subdivide(convert::SubdivisionScheme::CatmullClark); });
+  add(tr("Subdivide (L&oop)"),
+      tr("Subdivides the meshes %1; they are triangulated, and each triangle becomes four"),
+      [this] { subdivide(convert::SubdivisionScheme::Loop); });
+  add(tr("&Smooth vertices"), tr("Smooths noise and small features away in the meshes %1"),
+      [this] { smooth(); });
   connect(&jobs_, &JobList::changed, this, [this] {
     for (QAction* action : all()) action->setEnabled(!jobs_.is_busy(MeshQueue));
   });
