@@ -30,7 +30,7 @@ int fail(const QString& message) {
   return BadCommandLine;
 }
 
-/// Closes the window once it shows its scene in full, and says how long that took.
+/// Closes the window once the scene is shown in full, and prints how long that took.
 void tell_startup_time(editor::MainWindow& window, const QElapsedTimer& since) {
   auto* timer = new QTimer(&window);
   QObject::connect(timer, &QTimer::timeout, &window, [&window, since] {
@@ -70,26 +70,26 @@ int main(int argc, char** argv) {
   QApplication::setDesktopFileName("wannabe");
 
   QCommandLineParser parser;
-  parser.setApplicationDescription("Edits scenes whose faces have any reflectance.");
+  parser.setApplicationDescription("Edits GRF scenes with a BRDF per face.");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("FILE", "A scene or a model to open; others are merged into it.", "[FILE...]");
-  const QCommandLineOption tool("tool", "Opens a window for one task instead: " + list_of_tools(), "NAME");
-  const QCommandLineOption theme("theme", "dark or light, for this time; else as chosen last.", "NAME");
-  const QCommandLineOption startup("startup-time",
-                                   "Prints how long it took until the window answers, and ends.");
+  parser.addPositionalArgument("FILE", "A scene or a model to open; others are appended to it.", "[FILE...]");
+  const QCommandLineOption tool("tool", "Opens a single tool instead: " + list_of_tools(), "NAME");
+  const QCommandLineOption theme(
+      "theme", "Uses the theme dark or light for this session; the default is the last one chosen.", "NAME");
+  const QCommandLineOption startup("startup-time", "Prints the time until the window responds, and exits.");
   parser.addOptions({tool, theme, startup});
   if (!parser.parse(QApplication::arguments())) return fail(parser.errorText());
   if (parser.isSet("help")) parser.showHelp();
   if (parser.isSet("version")) parser.showVersion();
   const QString look =
       parser.isSet(theme) ? parser.value(theme) : QSettings().value("theme", "dark").toString();
-  if (look != "dark" && look != "light") return fail("--theme is dark or light, not " + look);
+  if (look != "dark" && look != "light") return fail("--theme must be dark or light, not " + look);
   editor::apply(look == "light" ? editor::Theme::Light : editor::Theme::Dark, application);
 
   const std::unique_ptr<QWidget> window = open_window(parser.value(tool), parser.positionalArguments());
   if (window == nullptr)
-    return fail("no tool is called " + parser.value(tool) + "; there are " + list_of_tools());
+    return fail("unknown tool " + parser.value(tool) + "; the tools are " + list_of_tools());
   auto* main_window = qobject_cast<editor::MainWindow*>(window.get());
   if (main_window != nullptr && parser.isSet(startup)) tell_startup_time(*main_window, since);
   return QApplication::exec();

@@ -7,13 +7,13 @@
 #include <QPalette>
 #include <QSvgRenderer>
 
-/// Resources of a static library are there once somebody asks for them. The macro has to be in no namespace.
+/// Registers the resources of the static library. The macro must be in no namespace.
 static void need_resources() { Q_INIT_RESOURCE(icons); }
 
 namespace editor {
 namespace {
 
-/// Draws when asked for a size, so that icons are sharp on all screens, and follow the theme.
+/// Renders SVG on demand at each size, so that icons are sharp on all screens, and follow the theme.
 class Engine : public QIconEngine {
  public:
   explicit Engine(QByteArray svg) : svg_(std::move(svg)) {}

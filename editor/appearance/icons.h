@@ -5,9 +5,9 @@
 
 namespace editor {
 
-/// The drawing `editor/icons/NAME.svg` in the colours of the application's palette, at any resolution;
-/// strokes of `currentColor` take that of text, of rows that are selected that of highlighted text. Disabled
-/// icons are fainter. The name has to be there.
+/// The icon `editor/icons/NAME.svg` in the colours of the application's palette, at any resolution; strokes
+/// of `currentColor` get the text colour, in selected rows that of highlighted text. Disabled icons are
+/// fainter. The name must exist.
 QIcon icon(const QString& name);
 
 }  // namespace editor

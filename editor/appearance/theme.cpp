@@ -13,9 +13,9 @@
 namespace editor {
 namespace {
 
-/// Fusion, with a line in the accent's colour under a button that is on, which else is a little darker alone,
-/// with an ellipsis where the text of a list's choice does not fit, and with a frame around the list or text
-/// that has the focus: Fusion marks fields and buttons alone.
+/// Extends Fusion by an accent line under checked buttons, which are otherwise only a little darker, by
+/// elided text in combo boxes, and by a focus frame around lists and texts: Fusion marks only fields and
+/// buttons.
 class EditorStyle : public QProxyStyle {
  public:
   EditorStyle() : QProxyStyle("Fusion") {
@@ -52,7 +52,7 @@ class EditorStyle : public QProxyStyle {
   }
 
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-    // Docks leave no room around a list. Items of lists have these margins, too: those stay.
+    // Docks have no space around a list. The margins of list items stay.
     const bool is_of_mark = widget == nullptr || widget->inherits("QFocusFrame");
     if (is_of_mark && (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin)) return 0;
     return QProxyStyle::pixelMetric(metric, option, widget);
@@ -77,7 +77,7 @@ class EditorStyle : public QProxyStyle {
     if (focus_mark_ != nullptr) focus_mark_->setWidget(area);
   }
 
-  QPointer<QFocusFrame> focus_mark_;  // the window of what it marks may delete it
+  QPointer<QFocusFrame> focus_mark_;  // may be deleted by the window of its widget
 };
 
 QPalette palette_of(Theme theme) {
@@ -92,7 +92,7 @@ QPalette palette_of(Theme theme) {
   palette.setColor(QPalette::PlaceholderText, colours.faint_text);
   palette.setColor(QPalette::Button, is_dark ? QColor(0x3a, 0x3d, 0x43) : QColor(0xe9, 0xeb, 0xee));
   palette.setColor(QPalette::ButtonText, colours.text);
-  // Fusion's lines at bars and tabs.
+  // Fusion draws its lines at bars and tabs in this role.
   palette.setColor(QPalette::Light, is_dark ? colours.line : QColor(0xff, 0xff, 0xff));
   palette.setColor(QPalette::BrightText, colours.error);
   palette.setColor(QPalette::ToolTipBase, is_dark ? QColor(0x45, 0x48, 0x4f) : QColor(0xff, 0xff, 0xff));

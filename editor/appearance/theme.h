@@ -1,4 +1,4 @@
-// How the editor looks: one palette for dark, one for light, and one accent colour.
+// The dark and light themes: a palette each, and one accent colour.
 #pragma once
 
 #include <QColor>
@@ -10,13 +10,13 @@ namespace editor {
 
 enum class Theme { Dark, Light };
 
-/// Sizes are multiples of this many device-independent pixels.
+/// The layout grid: sizes are multiples of this many device-independent pixels.
 inline constexpr int Grid = 8;
 
-/// What plots, the 3D view and icons draw with.
+/// Colours of plots, the 3D view and icons.
 struct ThemeColours {
-  QColor window;      ///< behind controls
-  QColor base;        ///< behind text, plots and the 3D view
+  QColor window;      ///< background of controls
+  QColor base;        ///< background of text, plots and the 3D view
   QColor text;        ///< contrast with `base` 7:1 or more
   QColor faint_text;  ///< of less importance, 4.5:1 or more
   QColor line;        ///< axes, grids and borders
@@ -27,13 +27,13 @@ struct ThemeColours {
 
 ThemeColours colours_of(Theme theme);
 
-/// Colours of lines in one plot, apart for the colour-blind too (Okabe and Ito, 2008), by their number.
+/// The colour of a plot's curve by its number, distinct for the colour-blind (Okabe and Ito, 2008).
 QColor series_colour(Theme theme, int number);
 
-/// A style like Qt's Fusion, with the palette of a theme.
+/// Applies a style like Qt's Fusion, with the palette of a theme.
 void apply(Theme theme, QApplication& application);
 
-/// The theme that a palette belongs to.
+/// The theme of a palette.
 Theme theme_of(const QPalette& palette);
 
 }  // namespace editor

@@ -22,13 +22,13 @@ namespace {
 
 constexpr int UnfoldedWidth = 110 * Grid;
 
-/// What views say that cannot show a BRDF with mistakes.
+/// The hint of views that cannot show an invalid BRDF.
 QString hint_of(const std::vector<QString>& mistakes) {
   if (mistakes.empty()) return {};
-  return "This BRDF cannot be shown:\n" + QStringList(mistakes.begin(), mistakes.end()).join('\n');
+  return "Cannot show this BRDF:\n" + QStringList(mistakes.begin(), mistakes.end()).join('\n');
 }
 
-/// A slider and a box for one number of a view.
+/// A slider and a number box for one parameter of a view.
 template <class Take>
 void add_number(QHBoxLayout& row, const QString& name, const QString& help, const QString& unit,
                 double minimum, double maximum, double value, const Take& take) {
@@ -84,8 +84,9 @@ BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
   add_view(View::Sphere, "sphere", "Sphere", "The BRDF on a sphere", sphere_with_exposure());
   add_view(View::Lobe, "lobe", "Lobe", "The lobe in three dimensions", lobe_with_choices());
   add_view(View::Plots, "curve", "Plots", "Plots in the plane of incidence, and albedo", plots_);
-  add_view(View::Library, "library", "Library", "Presets, the scene's BRDFs, and yours", library_);
-  // Only now, so that Tab leads through the buttons of all views before it leads into one.
+  add_view(View::Library, "library", "Library", "Presets, BRDFs of the scene, and your own library",
+           library_);
+  // Only now, so that the tab order visits the buttons of all views before the contents of one.
   for (std::size_t i = 0; i < views_.size(); ++i)
     grid->addWidget(views_[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
   auto* scroll = new QScrollArea(splitter_);
@@ -132,7 +133,7 @@ QWidget* BrdfEditor::sphere_with_exposure() {
   sphere_ = new LiveSphere;
   column->addWidget(sphere_, 1);
   auto* row = new QHBoxLayout;
-  add_number(*row, "Exposure", "Exposure of the sphere in powers of two", "", -5, 5, 0,
+  add_number(*row, "Exposure", "Exposure of the sphere in stops", "", -5, 5, 0,
              [this](double stops) { sphere_->set_exposure(stops); });
   column->addLayout(row);
   return holder;
@@ -144,15 +145,15 @@ QWidget* BrdfEditor::lobe_with_choices() {
   lobe_ = new LobeView;
   column->addWidget(lobe_, 1);
   auto* row = new QHBoxLayout;
-  add_number(*row, "View", "Angle of view in degrees from the normal", "deg", 0, 89, lobe_->view(),
+  add_number(*row, "View", "View angle from the normal, in degrees", "deg", 0, 89, lobe_->view(),
              [this](double degrees) { lobe_->set_view(degrees); });
   auto* cosine = new QCheckBox("cos");
   cosine->setChecked(true);
-  cosine->setToolTip("Times the cosine of the light's angle");
+  cosine->setToolTip("Multiply by the cosine of the light direction");
   cosine->setAccessibleName("Times cosine");
   auto* logarithmic = new QCheckBox("Log");
-  logarithmic->setToolTip("Lengths over five powers of ten");
-  logarithmic->setAccessibleName("Logarithmic lengths");
+  logarithmic->setToolTip("Logarithmic radius over five decades");
+  logarithmic->setAccessibleName("Logarithmic radius");
   row->addWidget(cosine);
   row->addWidget(logarithmic);
   connect(cosine, &QCheckBox::toggled, lobe_, &LobeView::set_with_cosine);
@@ -179,7 +180,7 @@ void BrdfEditor::arrange() {
   lead_tab_through({is_unfolded_ ? bar_ : splitter_->widget(0), form});
   form->setMinimumWidth(is_unfolded_ ? 40 * Grid : 0);
   form->setMaximumWidth(is_unfolded_ ? 50 * Grid : QWIDGETSIZE_MAX);
-  // In a dock both have about half of the height; a form that needs more is scrolled.
+  // In a dock both have about half of the height; a taller form is scrolled.
   splitter_->setStretchFactor(splitter_->indexOf(form), is_unfolded_ ? 0 : 1);
   splitter_->setStretchFactor(1 - splitter_->indexOf(form), 1);
   splitter_->setSizes(is_unfolded_ ? QList<int>{40 * Grid, 100 * Grid} : QList<int>{55 * Grid, 40 * Grid});

@@ -16,8 +16,8 @@ class QSplitter;
 
 namespace editor {
 
-/// All there is for one BRDF: its form, and a sphere, the lobe, plots and the library, one at a time where
-/// there is little room, and all at once in a large window. The views follow each drag of a control.
+/// The BRDF editor: the form of a BRDF, and four views (sphere, lobe, plots, library), one at a time where
+/// space is limited, all at once in a large window. The views follow each drag of a control.
 class BrdfEditor : public QWidget {
   Q_OBJECT
 
@@ -26,14 +26,14 @@ class BrdfEditor : public QWidget {
 
   explicit BrdfEditor(QWidget* parent = nullptr);
 
-  /// The BRDFs of what is selected, without a signal; the views show the first.
+  /// Sets the BRDFs of the selection, without a signal; the views show the first.
   void set_models(const std::vector<grf::BrdfModel>& models);
   const std::vector<grf::BrdfModel>& models() const { return form_->models(); }
-  /// The definitions in scope where they stand.
+  /// Sets the definitions in scope of the selection.
   void set_definitions(const Definitions& definitions);
-  /// The sampling scheme of what is selected, whose density the plots show.
+  /// Sets the sampling scheme of the selection, whose pdf the plots show.
   void set_scheme(const std::optional<grf::PdfModel>& scheme) { plots_->set_scheme(scheme); }
-  /// The view that is shown where there is room for one.
+  /// Sets the view that is shown where there is space for one.
   void set_view(View view);
 
   BrdfForm& form() { return *form_; }
@@ -46,11 +46,11 @@ class BrdfEditor : public QWidget {
   bool is_unfolded() const { return is_unfolded_; }
 
  signals:
-  /// While a control is dragged; as many models as were set, in their order.
+  /// Emitted while a control is dragged, with as many models as were set, in their order.
   void changing(const std::vector<grf::BrdfModel>& models);
-  /// Once, when it is released.
+  /// Emitted once, when the control is released.
   void edited(const std::vector<grf::BrdfModel>& models);
-  /// Somebody took a definition of the scene out of the library, to share it by its name.
+  /// Emitted when a definition of the scene is chosen in the library, to be shared by its name.
   void definition_chosen(const QString& name);
 
  protected:

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int TileSide = 8 * Grid;
 constexpr int TileMargin = Grid / 2;
-/// The light alone shows a white matte surface as white, and there is a sky besides.
+/// The light alone shows a white diffuse surface as white, and the sky adds to it.
 constexpr double PictureStops = -1;
 constexpr int PictureSamples = 32;
 
@@ -52,10 +52,10 @@ void add_presets(std::vector<LibraryEntry>& entries) {
   }
 }
 
-/// The same for BRDFs that look the same.
+/// Cache key of thumbnails, equal for BRDFs with the same text.
 QString picture_key(const LibraryEntry& entry) { return QString::fromStdString(grf::to_text(entry.brdf)); }
 
-/// A sphere with some room around it, for a screen of that many pixels a device-independent one.
+/// A thumbnail of a sphere with a margin, for a device pixel ratio.
 QImage picture_of(const grf::BrdfModel& model, const Definitions& definitions, double ratio,
                   const StopFlag& stop) {
   SphereScene scene;
@@ -74,7 +74,7 @@ QImage picture_of(const grf::BrdfModel& model, const Definitions& definitions, d
   return picture;
 }
 
-/// A picture, or an empty tile, which has the colours of its BRDF, selected or not.
+/// An icon with the same colours whether selected or not; an empty tile without a thumbnail.
 QIcon icon_of(QPixmap picture) {
   if (picture.isNull()) {
     picture = QPixmap(TileSide, TileSide);
@@ -105,7 +105,7 @@ LibraryList::LibraryList(QWidget* parent) : QListWidget(parent) {
   setTextElideMode(Qt::ElideRight);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setAccessibleName("BRDFs of the library");
-  setToolTip("A double click or Return gives a BRDF to the selected faces, and so does a drag");
+  setToolTip("Double-click, press Return or drag to assign a BRDF to the selected faces");
 }
 
 void LibraryList::set_entries(std::vector<LibraryEntry> entries) {
@@ -154,9 +154,9 @@ void BrdfLibrary::build_controls() {
   search_ = new QLineEdit(this);
   search_->setPlaceholderText("Search");
   search_->setClearButtonEnabled(true);
-  search_->setAccessibleName("Search in the library");
-  search_->setToolTip("A part of a name, a model or a value");
-  group_ = narrow_list("Part of the library", "The part of the library that is shown", 8, this);
+  search_->setAccessibleName("Search the library");
+  search_->setToolTip("Search by name, model or parameter value");
+  group_ = narrow_list("Category", "Category of BRDFs that is shown", 8, this);
   top->addWidget(search_, 1);
   top->addWidget(group_, 1);
   column->addLayout(top);
@@ -167,13 +167,13 @@ void BrdfLibrary::build_controls() {
   auto* bottom = new QHBoxLayout;
   bottom->setSpacing(Grid / 2);
   add_ = tool_button(
-      "plus", "Keep the BRDF in the library", {}, [this] { add(); }, this);
+      "plus", "Save the BRDF to the library", {}, [this] { add(); }, this);
   rename_ = tool_button(
       "rename", "Rename", {}, [this] { list_->editItem(list_->currentItem()); }, this);
   remove_ = tool_button(
       "remove", "Remove", {}, [this] { remove(); }, this);
   auto* folder = tool_button(
-      "folder", "Choose the library's folder", "The folder where BRDFs are kept, one in a file",
+      "folder", "Choose the library's folder", "Folder of the library, with one file per BRDF",
       [this] { choose_folder(); }, this);
   for (QToolButton* button : {add_, rename_, remove_}) bottom->addWidget(button);
   bottom->addStretch(1);
@@ -264,7 +264,7 @@ void BrdfLibrary::filter() {
     if (in_group && is_found) ++shown;
   }
   QString text;
-  if (shown == 0) text = word.isEmpty() ? "Nothing here yet." : QString("Nothing has '%1' in it.").arg(word);
+  if (shown == 0) text = word.isEmpty() ? "No BRDFs yet." : QString("No BRDF matches '%1'.").arg(word);
   for (const QString& problem : problems_) text += (text.isEmpty() ? "" : "\n") + problem;
   show_problem(message_, text);
   show_state();
@@ -273,12 +273,12 @@ void BrdfLibrary::filter() {
 void BrdfLibrary::show_state() {
   const LibraryEntry* entry = list_->current_entry();
   const bool is_own = entry != nullptr && entry->source == LibraryEntry::Source::Folder;
-  enable(add_, "Keep the BRDF that is edited in the library's folder",
+  enable(add_, "Save the edited BRDF to the library's folder",
          folder_.path().isEmpty() ? "Choose a folder for the library first"
-         : !current_              ? "There is no BRDF to keep: select faces, or choose one"
+         : !current_              ? "There is no BRDF to save: select faces, or choose one"
                                   : QString());
-  const QString why = entry == nullptr ? "Choose an entry of your library first"
-                                       : "Only what is in your library's folder can be changed here";
+  const QString why = entry == nullptr ? "Select an entry of your library first"
+                                       : "Only entries of your library's folder can be changed";
   enable(rename_, "Rename the file (F2)", is_own ? QString() : why);
   enable(remove_, "Move the file to the trash", is_own ? QString() : why);
 }
@@ -302,7 +302,7 @@ void BrdfLibrary::rename(QListWidgetItem* item) {
   const LibraryEntry entry = list_->entries()[static_cast<std::size_t>(list_->row(item))];
   if (entry.source != LibraryEntry::Source::Folder || item->text() == entry.name) return;
   const QString problem = folder_.rename(entry.name, item->text());
-  // Not from inside of the item's own signal.
+  // Queued, since this runs inside the item's own signal.
   QMetaObject::invokeMethod(
       this,
       [this, problem] {

@@ -19,7 +19,7 @@ class QToolButton;
 
 namespace editor {
 
-/// What the library shows one of.
+/// A BRDF of the library, with its group.
 struct LibraryEntry {
   enum class Source { Preset, Scene, Folder };
   Source source = Source::Preset;
@@ -47,8 +47,8 @@ class LibraryList : public QListWidget {
   std::vector<LibraryEntry> entries_;
 };
 
-/// Presets, the definitions of the scene and a folder on disk, as spheres with names, which one can search,
-/// take and drag away; those of the folder are added, renamed and removed here.
+/// A searchable library of presets, the definitions of the scene and a folder on disk, shown as spheres with
+/// names that can be assigned and dragged. BRDFs of the folder can be added, renamed and removed.
 class BrdfLibrary : public QWidget {
   Q_OBJECT
 
@@ -56,16 +56,16 @@ class BrdfLibrary : public QWidget {
   explicit BrdfLibrary(QWidget* parent = nullptr);
 
   void set_definitions(Definitions definitions);
-  /// Changes of the folder by others are followed.
+  /// Sets the folder, which is watched for external changes.
   void set_folder(const QString& path);
-  /// What the button that adds would keep; none: it is disabled.
+  /// Sets the BRDF that the Save button adds; without one the button is disabled.
   void set_current(const std::optional<grf::BrdfModel>& brdf);
 
   LibraryList& list() { return *list_; }
   bool is_busy() const { return pictures_job_.is_busy() || !waiting_.empty(); }
 
  signals:
-  /// By a double click or Enter. The name is that of a definition, for entries of the scene.
+  /// Emitted on double click or Return. The name is that of the definition, for entries of the scene.
   void chosen(const grf::BrdfModel& brdf, const QString& definition_name);
   void failed(const QString& message);
 

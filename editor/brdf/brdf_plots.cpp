@@ -34,7 +34,7 @@ QComboBox* list_of(const QStringList& items, const QString& name, const QString&
   return list;
 }
 
-/// Angles in degrees, or nothing if one is none.
+/// Parses angles in degrees; nothing if one is invalid.
 std::optional<std::vector<double>> read_views(const QString& text) {
   std::vector<double> views;
   for (const QString& word : text.split(QRegularExpression("[,;\\s]+"), Qt::SkipEmptyParts)) {
@@ -65,7 +65,7 @@ BrdfPlots::BrdfPlots(QWidget* parent) : QWidget(parent) {
   plot_ = new QCustomPlot(this);
   plot_->setMinimumSize(25 * Grid, 22 * Grid);
   plot_->setAccessibleName("Plot of the BRDF");
-  plot_->setToolTip("The button with the arrow saves it");
+  plot_->setToolTip("Plot of the BRDF; the button with the arrow exports it");
   plot_->plotLayout()->addElement(1, 0, new QCPLayoutGrid);
   auto* below = static_cast<QCPLayoutGrid*>(plot_->plotLayout()->element(1, 0));
   below->addElement(0, 0, plot_->legend);
@@ -90,9 +90,11 @@ void BrdfPlots::build_kinds(QHBoxLayout& row) {
     kinds_->addButton(button, static_cast<int>(kind));
     row.addWidget(button);
   };
-  add(Kind::Polar, "Polar", "The lobe in the plane of incidence, its length the value in 1/sr");
-  add(Kind::Cartesian, "Angle", "The value in 1/sr over the light's angle in degrees");
-  add(Kind::Albedo, "Albedo", "The share of light that is reflected, over the view's angle in degrees");
+  add(Kind::Polar, "Polar",
+      "Polar plot of the lobe in the plane of incidence; the radius is the value in 1/sr");
+  add(Kind::Cartesian, "Angle", "Cartesian plot of the value in 1/sr against the light's angle in degrees");
+  add(Kind::Albedo, "Albedo",
+      "Directional albedo: the fraction of light reflected, against the view angle in degrees");
   connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { set_kind(static_cast<Kind>(id)); });
   row.addWidget(tool_button(
       "export", "Save the plot", "Save the plot as SVG, PNG or PDF, or its values as CSV",
@@ -101,12 +103,12 @@ void BrdfPlots::build_kinds(QHBoxLayout& row) {
 
 void BrdfPlots::build_choices(QHBoxLayout& row) {
   row.setSpacing(Grid / 2);
-  quantity_ = list_of({"f", "f cos"}, "What is plotted",
+  quantity_ = list_of({"f", "f cos"}, "Plotted quantity",
                       "The BRDF f itself, or f times the cosine of the light's angle: both in 1/sr", this);
   channel_ = list_of({"Luminance", "Red", "Green", "Blue"}, "Channel",
                      "The channel of the value, or its luminance", this);
   logarithmic_ = new QCheckBox("Log", this);
-  logarithmic_->setToolTip("A logarithmic scale, of powers of ten under the peak");
+  logarithmic_->setToolTip("Logarithmic scale, in decades below the peak");
   logarithmic_->setAccessibleName("Logarithmic scale");
   row.addWidget(quantity_, 1);
   row.addWidget(channel_, 2);
@@ -120,13 +122,12 @@ void BrdfPlots::build_views(QHBoxLayout& row) {
   row.setSpacing(Grid / 2);
   auto* label = new QLabel("Views", this);
   view_line_ = new QLineEdit("0, 30, 60, 80", this);
-  view_line_->setAccessibleName("Angles of view");
-  view_line_->setToolTip(
-      "Angles of view in degrees from the normal, from 0 to under 90, with commas between");
+  view_line_->setAccessibleName("View angles");
+  view_line_->setToolTip("View angles from the normal in degrees, 0 to below 90, separated by commas");
   label->setBuddy(view_line_);
   connect(view_line_, &QLineEdit::editingFinished, this, &BrdfPlots::take_views);
-  scheme_ = list_of({"No density"}, "Sampling scheme",
-                    "A sampling scheme whose density in 1/sr is drawn, dashed", this);
+  scheme_ =
+      list_of({"No pdf"}, "Sampling scheme", "Sampling scheme whose pdf in 1/sr is drawn, dashed", this);
   for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
     const QString keyword = text_of(info.keyword);
     scheme_->addItem(keyword, keyword);
@@ -169,7 +170,7 @@ void BrdfPlots::take_views() {
   QPalette look = palette();
   if (!views) look.setColor(QPalette::Text, colours_of(theme_of(palette())).error);
   view_line_->setPalette(look);
-  if (!views) return show_words("Views are angles from 0 to under 90 degrees, such as 0, 30, 60.", true);
+  if (!views) return show_words("Enter view angles from 0 to below 90 degrees, such as 0, 30, 60.", true);
   if (*views == views_) return draw();
   views_ = *views;
   curves_are_old_ = true;
@@ -184,7 +185,7 @@ void BrdfPlots::compute() {
     albedo_ = {};
     return draw();
   }
-  // What is not looked at waits.
+  // Hidden plots are updated when they are shown.
   if (!isVisible()) return;
   if (kind_ == Kind::Albedo) {
     if (albedo_is_old_) compute_albedo(RoughSamples);
@@ -232,7 +233,7 @@ void BrdfPlots::draw() {
   const bool is_empty = is_albedo ? albedo_.degrees.empty() : curves_.curves.empty();
   plot_->setVisible(!is_empty);
   lobe_controls_->setVisible(!is_albedo && !is_empty);
-  layout()->activate();  // a polar plot follows the shape of its place
+  layout()->activate();  // a polar plot depends on the aspect ratio of its widget
   if (is_empty) {
     words_->setAlignment(Qt::AlignCenter);
     show_words(brdf_ ? QString() : hint_, false);
@@ -260,8 +261,10 @@ void BrdfPlots::draw_lobes() {
   const bool has_mirror = std::ranges::any_of(
       curves_.curves, [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
   QStringList words;
-  if (!curves_.scheme_mistake.isEmpty()) words << "No density: " + curves_.scheme_mistake + ".";
-  if (has_mirror) words << "Straight lines: the mirror part, as long as the share of light it carries.";
+  if (!curves_.scheme_mistake.isEmpty()) words << "No pdf: " + curves_.scheme_mistake + ".";
+  if (has_mirror)
+    words
+        << "Straight lines: the specular (delta) part; its length is the fraction of light that it reflects.";
   show_words(words.join('\n'), !curves_.scheme_mistake.isEmpty());
 }
 
@@ -296,9 +299,9 @@ QString BrdfPlots::export_to(const QString& path) {
   } else if (has_ending(".png")) {
     is_written = plot_->savePng(path, width, height, 2);
   } else {
-    return "The name of a plot's file ends in .svg, .png, .pdf or .csv.";
+    return "Cannot save the plot: the file name must end in .svg, .png, .pdf or .csv.";
   }
-  return is_written ? QString() : QString("'%1' cannot be written.").arg(path);
+  return is_written ? QString() : QString("Cannot write '%1'.").arg(path);
 }
 
 void BrdfPlots::choose_export() {

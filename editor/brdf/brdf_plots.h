@@ -18,8 +18,8 @@ namespace editor {
 
 class ThemedLabel;
 
-/// Plots of a BRDF in the plane of incidence, polar and over the angle, with the density of a sampling
-/// scheme, and its albedo over the angle of view. All is computed in threads, and stopped when the BRDF
+/// Plots a BRDF in the plane of incidence, polar and Cartesian, with the pdf of a sampling scheme, and its
+/// albedo against the view angle. The curves are computed in threads, which are cancelled when the BRDF
 /// changes.
 class BrdfPlots : public QWidget {
   Q_OBJECT
@@ -29,25 +29,25 @@ class BrdfPlots : public QWidget {
 
   explicit BrdfPlots(QWidget* parent = nullptr);
 
-  /// Null: none, and the hint is shown instead: why not, or what to do.
+  /// Sets the BRDF; for null, the hint is shown instead: why not, or what to do.
   void set_brdf(SharedBrdf brdf, const QString& hint = {});
-  /// The scheme whose density is drawn, none for none. The person may choose another one.
+  /// Sets the scheme whose pdf is drawn, if any. The user may choose another one.
   void set_scheme(const std::optional<grf::PdfModel>& scheme);
   void set_kind(Kind kind);
   Kind kind() const { return kind_; }
 
-  /// What is drawn now.
+  /// The curves that are drawn now.
   const LobeCurves& curves() const { return curves_; }
   const plot::AlbedoCurve& albedo() const { return albedo_; }
   bool is_busy() const { return curves_job_.is_busy() || albedo_job_.is_busy(); }
 
-  /// Writes the plot as .svg, .png or .pdf, or its values as .csv; what failed is in the answer, empty if
-  /// nothing.
+  /// Exports the plot as .svg, .png or .pdf, or its values as .csv. Returns an error message, empty on
+  /// success.
   QString export_to(const QString& path);
 
  signals:
-  void updated();                       ///< a plot with new values is there
-  void failed(const QString& message);  ///< an export
+  void updated();                       ///< the plot was redrawn with new values
+  void failed(const QString& message);  ///< an export failed
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -81,7 +81,7 @@ class BrdfPlots : public QWidget {
   QCheckBox* logarithmic_ = nullptr;
   QLineEdit* view_line_ = nullptr;
   QComboBox* scheme_ = nullptr;
-  std::optional<grf::PdfModel> own_scheme_;  ///< with parameters, as the caller set it
+  std::optional<grf::PdfModel> own_scheme_;  ///< set by the caller, with parameters
   QCustomPlot* plot_ = nullptr;
   QString hint_;  // instead of plots
   ThemedLabel* words_ = nullptr;

@@ -15,7 +15,7 @@ DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
   auto* name = new QLabel("Data", this);
   line_ = new QLineEdit(this);
   line_->setAccessibleName("File of measured data");
-  line_->setToolTip("A .binary file of the MERL data base, by its path or its place beside the scene");
+  line_->setToolTip("A .binary file of the MERL BRDF database, by its path or relative to the scene");
   name->setBuddy(line_);
   const QString choose_file = "Choose the file of measured data";
   row->addWidget(name);
@@ -28,7 +28,7 @@ DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
 void DataFileRow::set_file(const QString& file, bool is_mixed) {
   file_ = file;
   if (line_->text() != file) line_->setText(file);
-  line_->setPlaceholderText(is_mixed ? "mixed" : "choose a file of measurements");
+  line_->setPlaceholderText(is_mixed ? "mixed" : "choose a measured BRDF");
 }
 
 void DataFileRow::choose() {

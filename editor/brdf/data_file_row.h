@@ -6,14 +6,14 @@ class QLineEdit;
 
 namespace editor {
 
-/// The name of a file of measured data, typed or chosen.
+/// Edits the file name of a measured BRDF.
 class DataFileRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit DataFileRow(QWidget* parent = nullptr);
 
-  /// Without a signal.
+  /// Sets the file name, without a signal.
   void set_file(const QString& file, bool is_mixed);
 
  signals:

@@ -7,31 +7,31 @@
 
 namespace editor {
 
-/// A BRDF that a file of a library holds.
+/// A BRDF file of the library.
 struct LibraryFile {
-  QString name;  ///< of the file, without its ending
+  QString name;  ///< file name without its extension
   grf::BrdfModel brdf;
 };
 
-/// A folder of files with one BRDF each, as GRF text, named `NAME.brdf`: scenes can name such files in place
-/// of a BRDF. What fails is said in the answer, in a sentence; empty: it is done.
+/// A folder with one BRDF per file, as GRF text, named `NAME.brdf`: scenes can refer to such files in place
+/// of a BRDF. Functions return an error message, empty on success.
 class LibraryFolder {
  public:
   LibraryFolder() = default;
-  /// It is made when something is added.
+  /// The folder is created when the first BRDF is added.
   explicit LibraryFolder(QString path) : path_(std::move(path)) {}
 
   const QString& path() const { return path_; }
 
-  /// By name. Files that cannot be read are left out, and `problems` says why.
+  /// The files sorted by name. Unreadable files are left out and reported in `problems`.
   std::vector<LibraryFile> files(std::vector<QString>& problems) const;
 
-  /// A name like that one that no file has, with nothing in it that a file's name cannot have.
+  /// Returns an unused file name like the given one, without characters that file names cannot have.
   QString free_name(const QString& name) const;
 
   QString add(const QString& name, const grf::BrdfModel& brdf) const;
   QString rename(const QString& name, const QString& new_name) const;
-  /// Into the desktop's trash.
+  /// Moves the file to the desktop's trash.
   QString remove(const QString& name) const;
 
  private:

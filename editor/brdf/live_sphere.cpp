@@ -110,7 +110,7 @@ void LiveSphere::move_highlight(const QPointF& pointer) {
     n.z = 0;
     n.normalize();
   }
-  // The direction whose mirror image is seen there.
+  // The light direction whose reflection is seen there.
   set_light(reflectance::reflected(Vec3f(0, 0, 1), n));
 }
 

@@ -7,21 +7,21 @@
 
 namespace editor {
 
-/// A sphere with a BRDF under a light that the pointer or the arrow keys move, and a sky. It is shaded while
-/// one looks, first roughly, and encoded for the screen with an exposure.
+/// A sphere with a BRDF under a sky and a light that the pointer or the arrow keys move. It is shaded
+/// progressively, and exposed for the screen.
 class LiveSphere : public QWidget {
   Q_OBJECT
 
  public:
   explicit LiveSphere(QWidget* parent = nullptr, const GraphicsDriver& driver = {});
 
-  /// Null: none, and the hint is shown instead: why not, or what to do.
+  /// Sets the BRDF; for null, the hint is shown instead: why not, or what to do.
   void set_brdf(SharedBrdf brdf, const QString& hint = {});
-  /// In powers of two.
+  /// Sets the exposure in stops.
   void set_exposure(double stops);
   double exposure() const { return exposure_; }
 
-  /// Towards the light: x to the right, y up, z to the eye.
+  /// Direction towards the light: x to the right, y up, z to the eye.
   const reflectance::Vec3f& light() const { return scene_.light; }
   void set_light(const reflectance::Vec3f& light);
 

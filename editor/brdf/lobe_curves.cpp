@@ -12,12 +12,12 @@ grf::ModelInfo info_of(const reflectance::Brdf& brdf) {
   return std::visit([]<class Model>(const Model&) { return reflectance::info_of<Model>(); }, brdf);
 }
 
-/// The scheme with its tables, or why there is none.
+/// Builds the scheme with its tables, or reports why it cannot.
 std::shared_ptr<const Reflector> reflector_of(const reflectance::Brdf& brdf, const grf::PdfModel& data,
                                               QString& mistake) {
   const auto scheme = reflectance::make_scheme(data);
   if (!scheme) {
-    mistake = QString("there is no scheme '%1'").arg(QString::fromStdString(data.keyword));
+    mistake = QString("unknown sampling scheme '%1'").arg(QString::fromStdString(data.keyword));
     return nullptr;
   }
   mistake = QString::fromStdString(reflectance::refusal(*scheme, brdf));

@@ -1,4 +1,4 @@
-// Computes in threads what the plots of a BRDF show, without any window.
+// Computes the curves of BRDF plots in threads, without any window.
 #pragma once
 
 #include <QString>
@@ -15,22 +15,22 @@ using SharedBrdf = std::shared_ptr<const reflectance::Brdf>;
 
 struct LobeCurves {
   std::vector<plot::LobeCurve> curves;
-  QString scheme_mistake;  ///< why there is no density though one was asked for
+  QString scheme_mistake;  ///< why there is no pdf though one was requested
 };
 
-/// The scheme's tables are made first, which may take seconds and is not stopped half-way; values are without
-/// it quick. Half a result, which nobody sees, if the flag is set.
+/// Evaluates the BRDF and the pdf along the plane of incidence. Building the scheme's tables may take seconds
+/// and is not interruptible; evaluation is fast. The result is incomplete if the flag was set.
 LobeCurves lobe_curves(const reflectance::Brdf& brdf, const std::vector<double>& views,
                        const std::optional<grf::PdfModel>& scheme, const StopFlag& stop);
 
-/// In the model's own words: what is said of energy, and where it reflects more than it receives.
+/// The model's statement about energy conservation, and where it reflects more light than it receives.
 struct EnergyWords {
   QString text;
   bool is_warning = false;
 };
 EnergyWords energy_words(const reflectance::Brdf& brdf, const grf::LargestAlbedo& largest);
 
-/// Comma-separated columns: angles, then f of each view in three channels, and densities where there are any.
+/// Formats comma-separated columns: angles, then f of each view in three channels, and pdfs if there are any.
 QString curves_csv(const LobeCurves& curves);
 QString albedo_csv(const plot::AlbedoCurve& curve);
 

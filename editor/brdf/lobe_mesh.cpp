@@ -9,11 +9,11 @@ namespace {
 
 using reflectance::Vec3f;
 
-constexpr int Rings = 72;     // about the mirror direction
+constexpr int Rings = 72;     // about the specular direction
 constexpr int Sectors = 128;  // around it
 constexpr double LobeDecades = 5;
 
-/// Directions in rings about the mirror direction, the last at the horizon.
+/// Directions in rings about the specular direction, the last ring at the horizon.
 std::vector<Vec3f> directions_about(double degrees) {
   // At the horizon itself the rings would have no width.
   const double theta = std::min(degrees, 89.0) * std::numbers::pi / 180;

@@ -18,13 +18,13 @@ namespace editor {
 struct LobePicture {
   std::shared_ptr<const LobeMesh> mesh;
   QMatrix4x4 to_clip;
-  QVector3D eye;  ///< towards it
+  QVector3D eye;  ///< direction towards the eye
   QColor colour;
   QColor background;
-  QSize size;  ///< in pixels of the screen
+  QSize size;  ///< device pixels
 };
 
-/// Draws lobes by OpenGL. It is made, used and destroyed while its context is current.
+/// Draws lobes with OpenGL. It is created, used and destroyed while its context is current.
 class LobePainter {
  public:
   explicit LobePainter(QOpenGLContext& context);

@@ -18,7 +18,7 @@ namespace {
 
 using reflectance::Vec3f;
 
-/// Towards the eye.
+/// Direction towards the eye.
 QVector3D eye_direction(double azimuth, double elevation) {
   const double a = azimuth * std::numbers::pi / 180;
   const double e = elevation * std::numbers::pi / 180;
@@ -36,8 +36,8 @@ LobeView::LobeView(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Lobe of the BRDF");
   setToolTip(
-      "The value over all directions of light, in 1/sr. Drag, or use the arrow keys, to look at it from "
-      "elsewhere; the wheel zooms; Page Up and Page Down move the view direction by 5 degrees");
+      "3D lobe: the value in 1/sr for all light directions. Drag or use the arrow keys to orbit, the wheel "
+      "to zoom; Page Up and Page Down change the view angle by 5 degrees");
 }
 
 LobeView::~LobeView() = default;
@@ -101,7 +101,7 @@ void LobeView::draw() {
   update();
   if (mesh_->peak <= 0) drawn_ = {};
   if (mesh_->peak <= 0 || !isVisible()) return;
-  // One picture at a time, so that they never pile up.
+  // Only one image is drawn at a time, so that requests never pile up.
   is_drawn_old_ = is_drawing_;
   if (is_drawing_) return;
   is_drawing_ = true;
@@ -124,7 +124,7 @@ void LobeView::draw() {
 QMatrix4x4 LobeView::to_clip() const {
   QMatrix4x4 matrix;
   const float aspect = static_cast<float>(width()) / static_cast<float>(std::max(1, height()));
-  // The disc and the lobe over it, in either shape of window.
+  // Fits the disc and the lobe over it, for either aspect ratio.
   const float half = 1.15F * static_cast<float>(zoom_) / std::min(1.0F, aspect);
   matrix.ortho(-half * aspect, half * aspect, -half, half, -10, 10);
   matrix.lookAt(eye_direction(azimuth_, elevation_) + QVector3D(0, 0, 0.35F), QVector3D(0, 0, 0.35F),
@@ -136,7 +136,7 @@ void LobeView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), colours_of(theme_of(palette())).base);
   if (!drawn_.isNull()) painter.drawImage(rect(), drawn_);
-  // What is over the lobe turns with it.
+  // The annotations rotate with the lobe.
   paint_over(painter, drawn_.isNull() ? to_clip() : drawn_to_clip_);
 }
 
@@ -171,17 +171,17 @@ void LobeView::paint_over(QPainter& painter, const QMatrix4x4& matrix) const {
     painter.setPen(QPen(series_colour(theme, series), 1.5, style));
     painter.drawLine(place_of(Vec3f(0), matrix), end);
     const QRectF place(end.x() - 30, end.y() - (end.y() < 16 ? 0 : 16), 60, 14);
-    QColor plate = colours.base;  // over the lobe its colour would not be read
+    QColor plate = colours.base;  // text would be unreadable on the lobe's colour
     plate.setAlphaF(0.8F);
     painter.fillRect(painter.boundingRect(place, Qt::AlignCenter, name), plate);
     painter.drawText(place, Qt::AlignCenter, name);
   };
   line(u, 0, Qt::SolidLine, "view");
-  line(r, 3, Qt::DashLine, "mirror");
+  line(r, 3, Qt::DashLine, "specular");
   line((u + r).normalized(), 2, Qt::DotLine, "half");
-  QString words = QString("%1: at most %2 1/sr, view %3\u00b0")
+  QString words = QString("%1: maximum %2 1/sr, view %3\u00b0")
                       .arg(with_cosine_ ? "f cos" : "f", number_text(mesh_->peak), number_text(view_));
-  if (mesh_->mirror > 0) words += QString(", mirror part %1").arg(number_text(mesh_->mirror));
+  if (mesh_->mirror > 0) words += QString(", specular part %1").arg(number_text(mesh_->mirror));
   painter.setPen(colours.faint_text);
   painter.drawText(rect().adjusted(Grid, 0, -Grid, -Grid / 2), Qt::AlignBottom | Qt::AlignLeft, words);
   if (hasFocus()) {

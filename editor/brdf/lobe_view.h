@@ -15,8 +15,8 @@ namespace editor {
 class LobePainter;
 struct LobePicture;
 
-/// The lobe of a BRDF in three dimensions, over the disc of the surface, with the directions of view, mirror
-/// and half vector. Orbited by the pointer and the arrow keys.
+/// The 3D lobe of a BRDF over the disc of the surface, with the view, specular and half directions. The
+/// pointer and the arrow keys orbit it.
 class LobeView : public QWidget {
   Q_OBJECT
 
@@ -24,9 +24,9 @@ class LobeView : public QWidget {
   explicit LobeView(QWidget* parent = nullptr);
   ~LobeView() override;
 
-  /// Null: none, and the widget says what to do.
+  /// Sets the BRDF; for null, the hint is shown instead.
   void set_brdf(SharedBrdf brdf, const QString& hint = {});
-  /// Degrees from the normal, from 0 to under 90.
+  /// Sets the view angle in degrees from the normal, from 0 to below 90.
   void set_view(double degrees);
   double view() const { return view_; }
   void set_with_cosine(bool with_cosine);
@@ -34,7 +34,7 @@ class LobeView : public QWidget {
 
   const LobeMesh& mesh() const { return *mesh_; }
   bool is_busy() const { return job_.is_busy() || is_drawing_; }
-  /// Degrees about the normal, and over the surface.
+  /// Angle about the normal, and elevation over the surface, in degrees.
   double azimuth() const { return azimuth_; }
   double elevation() const { return elevation_; }
 

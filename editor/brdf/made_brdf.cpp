@@ -10,7 +10,7 @@
 namespace editor {
 namespace {
 
-/// Without the albedos of models, which take long to find and are shown elsewhere.
+/// A catalogue without the models' albedos, which are slow to compute and are shown elsewhere.
 const grf::Catalogue& catalogue() {
   static const grf::Catalogue all = [] {
     grf::Catalogue models = reflectance::catalogue();
@@ -20,8 +20,8 @@ const grf::Catalogue& catalogue() {
   return all;
 }
 
-/// A scene in which the BRDF is defined where those names mean BRDFs, for `grf::check`: what the others are
-/// is not this one's mistake.
+/// A scene that defines the BRDF where the names refer to BRDFs, for `grf::check`: errors of other
+/// definitions are not this BRDF's.
 grf::Scene scene_of(const grf::BrdfModel& model, const Definitions& definitions) {
   grf::DefinitionScope others;
   for (const QString& name : brdf_names(definitions)) {

@@ -1,4 +1,4 @@
-// From BRDFs as data to BRDFs that can be evaluated.
+// Compiles BRDFs from data to BRDFs that can be evaluated.
 #pragma once
 
 #include <QString>
@@ -11,28 +11,28 @@
 
 namespace editor {
 
-/// BRDFs that names can mean, outer ones first: what the terms of a `combine` are looked up in. Other
-/// definitions may be among them.
+/// The definitions in scope, outer ones first, in which the terms of a `combine` are looked up. They need not
+/// all be BRDFs.
 using Definitions = std::vector<grf::Definition>;
 
-/// Names of the BRDFs among them, the innermost of each name.
+/// The names of the BRDFs among the definitions, the innermost of each name.
 std::vector<QString> brdf_names(const Definitions& definitions);
 
-/// The errors among what was reported.
+/// The error messages of the diagnostics.
 std::vector<QString> error_messages(const grf::Diagnostics& diagnostics);
 
 struct MadeBrdf {
-  std::shared_ptr<const reflectance::Brdf> brdf;  ///< null after a mistake
-  std::vector<QString> mistakes;                  ///< in the words of `grf::check` and of the renderer
+  std::shared_ptr<const reflectance::Brdf> brdf;  ///< null after an error
+  std::vector<QString> mistakes;                  ///< messages of `grf::check` and of the renderer
 };
 
-/// Checks a BRDF and makes it. Reads the file of measured data, which takes up to a tenth of a second.
+/// Checks and compiles a BRDF. Measured data is read from its file, which takes up to a tenth of a second.
 MadeBrdf made_brdf(const grf::BrdfModel& model, const Definitions& definitions);
 
-/// Whether making it reads a file.
+/// Whether compiling the BRDF reads a file.
 bool reads_data(const grf::BrdfModel& model, const Definitions& definitions);
 
-/// What is wrong with a BRDF, as `grf::check` says it, without reading any file.
+/// The errors that `grf::check` reports for a BRDF, without reading any file.
 std::vector<QString> mistakes_of(const grf::BrdfModel& model, const Definitions& definitions);
 
 }  // namespace editor

@@ -74,7 +74,7 @@ void BrdfForm::build_chooser() {
   chooser_->completer()->setCompletionMode(QCompleter::PopupCompletion);
   connect(chooser_, &QComboBox::activated, this, &BrdfForm::choose);
   connect(chooser_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
-    // What names no model goes back to the one that is there.
+    // Text that names no model reverts to the current model.
     if (chooser_->findText(chooser_->currentText(), Qt::MatchFixedString) < 0) refresh();
   });
 }
@@ -161,7 +161,7 @@ void BrdfForm::refresh() {
 
 void BrdfForm::refresh_chooser() {
   chooser_->setEnabled(!models_.empty());
-  chooser_->setToolTip(models_.empty()    ? "There is nothing selected that has a BRDF"
+  chooser_->setToolTip(models_.empty()    ? "No selected face has a BRDF"
                        : info_ != nullptr ? "<p>" + text_of(info_->about).toHtmlEscaped() + "</p>"
                                           : "The model of the BRDF; type a part of its name to search");
   chooser_->setCurrentIndex(info_ != nullptr ? static_cast<int>(info_ - infos_.data()) : -1);
@@ -175,11 +175,11 @@ void BrdfForm::refresh_chooser() {
   if (models_.empty())
     hint = "Select faces to see and edit their BRDF.";
   else if (!unknown.isEmpty())
-    hint = "There is no such model. Choose one here.";
+    hint = "Unknown BRDF model. Choose one here.";
   else if (info_ == nullptr)
-    hint = "The models differ. Choose one here to give it to all.";
+    hint = "The faces have different models. Choose one here to assign it to all.";
   else if (info_->parameters.empty() && info_->takes == grf::ModelInfo::Takes::Parameters)
-    hint = "It has no parameters.";
+    hint = "This model has no parameters.";
   show_problem(hint_, hint);
 }
 

@@ -16,34 +16,34 @@ class DataFileRow;
 class ParameterRows;
 class TermsEditor;
 
-/// A form for BRDFs, made from the tables that describe them: a chooser of models, and a row for each
-/// parameter. It edits several at once: a change of a parameter is one of each, and what differs is shown as
-/// mixed. Values that `grf::check` finds wrong stay in the form, with its messages, and are not reported
-/// until they are right.
+/// A form for BRDFs, generated from the models' parameter tables: a model chooser, and a row for each
+/// parameter. It edits several BRDFs at once: a parameter change applies to all, and differing values are
+/// shown as mixed. Values that `grf::check` rejects stay in the form with its messages, and are not reported
+/// until they are valid.
 class BrdfForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit BrdfForm(QWidget* parent = nullptr);
 
-  /// Sets the models that are edited, without a signal; with none, the form says what to do.
+  /// Sets the BRDFs that are edited, without a signal; without any, the form says what to do.
   void set_models(std::vector<grf::BrdfModel> models);
   const std::vector<grf::BrdfModel>& models() const { return models_; }
 
-  /// Sets the definitions that the terms of a sum can name.
+  /// Sets the definitions that the terms of a sum can refer to.
   void set_definitions(Definitions definitions);
 
-  /// The messages of the last check, none if all is right.
+  /// The messages of the last check, empty if all values are valid.
   const std::vector<QString>& mistakes() const { return mistakes_; }
 
  signals:
-  /// While a control is dragged; as many models as were set, in their order.
+  /// Emitted while a control is dragged, with as many models as were set, in their order.
   void changing(const std::vector<grf::BrdfModel>& models);
-  /// Once, when it is released.
+  /// Emitted once, when the control is released.
   void edited(const std::vector<grf::BrdfModel>& models);
 
  protected:
-  /// It has no focus of its own: the list of models takes it.
+  /// Passes the focus to the list of models.
   void focusInEvent(QFocusEvent* event) override;
 
  private:
@@ -55,18 +55,18 @@ class BrdfForm : public QWidget {
   void refresh_rows();
   void apply(bool is_done);
   void check_models();
-  /// That all models have; empty: there is none.
+  /// The keyword that all models share; empty if they differ.
   std::string common_keyword() const;
 
   std::vector<grf::ModelInfo> infos_;
   std::vector<grf::BrdfModel> models_;
   Definitions definitions_;
   std::vector<QString> mistakes_;
-  const grf::ModelInfo* info_ = nullptr;  ///< of the model that all have in common; null: there is none
+  const grf::ModelInfo* info_ = nullptr;  ///< of the model that all share; null if they differ
 
   QComboBox* chooser_ = nullptr;
   QLabel* paper_;
-  QVBoxLayout* rows_;  ///< the parameters' rows come last, behind what else the model takes
+  QVBoxLayout* rows_;  ///< the rows of the parameters come last, after the other fields of the model
   ParameterRows* parameters_;
   TermsEditor* terms_ = nullptr;
   DataFileRow* data_file_ = nullptr;

@@ -1,4 +1,4 @@
-// Values of a model by its descriptor table: those that are written, and the defaults of those that are not.
+// Parameter values of a model by its parameter table: the written ones, and the defaults of the others.
 #pragma once
 
 #include <QString>
@@ -7,22 +7,22 @@
 
 namespace editor {
 
-/// The value that holds: the one that is written, else that of the parameter it follows, else the default.
+/// The value in force: the written one, else that of the parameter it follows, else the default.
 grf::Value value_of(const grf::Model& model, const grf::ModelInfo& info, const grf::ParameterInfo& parameter);
 
-/// True if nothing is written for the parameter, so that its default holds.
+/// True if no value is written for the parameter.
 bool is_default(const grf::Model& model, const grf::ParameterInfo& parameter);
 
-/// Writes a value in the place of the former one, or behind the others.
+/// Sets a value in place of the former one, or appends it.
 void set_value(grf::Model& model, const grf::ParameterInfo& parameter, const grf::Value& value);
 
-/// Takes away what is written.
+/// Removes the written value, so that the default applies.
 void reset_value(grf::Model& model, const grf::ParameterInfo& parameter);
 
-/// As a reader would write it.
+/// Formats a value as in GRF text.
 QString text_of(const grf::Value& value);
 
-/// Help, range, unit and default in some lines.
+/// Help, range, unit and default as lines of rich text.
 QString help_of(const grf::ParameterInfo& parameter);
 
 }  // namespace editor

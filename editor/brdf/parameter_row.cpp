@@ -25,7 +25,7 @@ bool are_equal(const std::vector<Value>& values) {
   return std::ranges::all_of(values, [&](const Value& one) { return one == values.front(); });
 }
 
-/// Where a slider ends whose parameter has no end.
+/// The upper end of the slider of an unbounded parameter.
 double slider_end(const grf::ParameterInfo& parameter) {
   return parameter.maximum < 1e30F ? parameter.maximum : 100 * std::max(1.0F, parameter.default_value);
 }
@@ -156,13 +156,13 @@ void ParameterRow::add_choice() {
 
 void ParameterRow::add_reset() {
   reset_ = tool_button(
-      "reset", text_of(parameter_.name) + ", back to default", {}, [this] { emit reset(); }, this);
+      "reset", text_of(parameter_.name) + ", reset to default", {}, [this] { emit reset(); }, this);
   layout()->addWidget(reset_);
 }
 
 void ParameterRow::show_values(const std::vector<Value>& values, bool is_default) {
   const QScopedValueRollback told(is_told_, true);
-  enable(reset_, "Back to the default", is_default ? "Has its default already" : QString());
+  enable(reset_, "Reset to the default", is_default ? "Already at its default" : QString());
   if (check_ != nullptr) {
     const auto* flag = std::get_if<bool>(&values.front());
     check_->setTristate(!are_equal(values));

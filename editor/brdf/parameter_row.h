@@ -17,8 +17,8 @@ class ColourButton;
 class NumberBox;
 class ScaledSlider;
 
-/// The controls of one parameter, as its descriptor has it: a slider and a box for a number, three boxes for
-/// RGB, a check box or a choice of words, and a button that brings the default back.
+/// The controls of one parameter, generated from its description: a slider and a number field, three fields
+/// for RGB, a check box or a choice of words, and a reset button.
 class ParameterRow : public QWidget {
   Q_OBJECT
 
@@ -27,11 +27,11 @@ class ParameterRow : public QWidget {
 
   const grf::ParameterInfo& parameter() const { return parameter_; }
 
-  /// The values of the models that are edited: where they differ, the row shows `mixed`.
+  /// Shows the values of the edited models; `mixed` where they differ.
   void show_values(const std::vector<grf::Value>& values, bool is_default);
-  /// What is wrong with the value; empty: nothing.
+  /// Shows an error of the value; an empty message clears it.
   void set_message(const QString& message);
-  /// Of the column of names, the same for all rows.
+  /// Sets the width of the name column, the same for all rows.
   void set_name_width(int width);
   int name_width() const;
 

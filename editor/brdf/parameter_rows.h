@@ -12,22 +12,20 @@ namespace editor {
 
 class ParameterRow;
 
-/// A row for each parameter of a model, which shows the values of several instances at once: those that
-/// differ as mixed.
+/// A row for each parameter of a model, for several instances at once; values that differ are shown as mixed.
 class ParameterRows : public QWidget {
   Q_OBJECT
 
  public:
   explicit ParameterRows(QWidget* parent = nullptr);
 
-  /// The descriptor outlives this; null: there are no rows. All instances are of that model, and one is
-  /// there.
+  /// Shows instances of one model, at least one. The model's description outlives this; null shows no rows.
   void show_models(const grf::ModelInfo* info, const std::vector<const grf::Model*>& models);
-  /// Marks the rows that the messages of `grf::check` are about.
+  /// Marks the rows that the messages of `grf::check` refer to.
   void show_mistakes(const std::vector<QString>& mistakes);
 
  signals:
-  /// A control changes each of the instances so; done once it is let go.
+  /// Emitted with an edit to apply to each instance; `is_done` once the control is released.
   void edited(const std::function<void(grf::Model&)>& edit, bool is_done);
 
  private:

@@ -4,8 +4,8 @@
 
 namespace editor {
 
-/// Draws items of a list of pictures, each on a tile of its own that stands out from bright and from dark
-/// pictures alike; the tile of a selected item has a border of the accent colour. It is as large as the icon.
+/// Draws the items of an icon list, each on a tile that contrasts with bright and dark pictures alike; the
+/// tile of a selected item has a border in the accent colour, as large as the icon.
 class PictureTiles : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -14,15 +14,15 @@ class PictureTiles : public QStyledItemDelegate {
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-  /// As wide as the list's grid, if it has one: names have all of that.
+  /// As wide as the list's grid, if it has one, so that names have all of its width.
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  protected:
-  /// Names with a word that is too wide for the tile have narrower letters: smaller ones are hard to read.
+  /// Condenses names with a word that is too wide for the tile, since smaller letters are hard to read.
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 };
 
-/// What is behind pictures where the palette is this one.
+/// The tile colour for a palette.
 QColor tile_colour(const QPalette& palette);
 
 }  // namespace editor

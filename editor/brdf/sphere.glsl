@@ -1,7 +1,8 @@
-// A sphere under a light and a sky, in the common subset of GLSL and C++: see sphere_shading.h. World frame: x to
-// the right, y up, z to the eye, which is far away. `brdf_value` and `brdf_mirror` are the BRDF's.
+// Shades a sphere under a light and a sky, in the common subset of GLSL and C++: see sphere_shading.h. World
+// frame: x to the right, y up, z to the eye, which is far away. `brdf_value` and `brdf_mirror` are the
+// BRDF's.
 
-// A dim studio: brighter from above, with a soft window at the upper left.
+// A dim studio environment: brighter from above, with a soft window at the upper left.
 vec3 sky_radiance(vec3 d) {
   real up = real(0.5f) + real(0.5f) * d.y;
   real window = exp(real(30.0f) * ((-d.x * real(0.55f) + d.y * real(0.65f) + d.z * real(0.524f)) - real(1.0f)));
@@ -23,8 +24,9 @@ real along(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 vec3 to_local(vec3 n, vec3 d) { return vec3(along(d, sphere_tangent(n)), along(d, sphere_bitangent(n)), along(d, n)); }
 vec3 to_world(vec3 n, vec3 d) { return sphere_tangent(n) * d.x + sphere_bitangent(n) * d.y + n * d.z; }
 
-// Directions are drawn about the normal by cosine, and about the mirror direction from three lobes, wide to narrow,
-// one after the other: so that matte and glossy BRDFs both have some where they need them. The density is of all four.
+// Directions are sampled about the normal by cosine, and about the specular direction from three lobes, wide
+// to narrow, in turn, so that both diffuse and glossy BRDFs are sampled well. The pdf is that of the mixture
+// of all four.
 real lobe_exponent(int lobe) { return lobe == 1 ? real(8.0f) : lobe == 2 ? real(150.0f) : real(4000.0f); }
 real lobe_density(real cosine, real n) {
   return cosine > 0 ? (n + 1) / (2 * PI) * exp(n * log(max(cosine, real(1e-6f)))) : real(0);
@@ -36,7 +38,7 @@ real drawn_density(vec3 u, vec3 v) {
   return sum / 4;
 }
 real part_above_floor(real x) { return x - floor(x); }
-// The i-th of points that fill the plane evenly (the R2 sequence), as cosine and azimuth about an axis.
+// The i-th point of the R2 sequence, which fills the plane evenly, as cosine and azimuth about an axis.
 vec3 drawn_about(vec3 axis, real n, int i) {
   real a = part_above_floor(real(0.5f) + real(0.7548776662f) * real(i));
   real b = 2 * PI * part_above_floor(real(0.5f) + real(0.5698402910f) * real(i));
@@ -56,7 +58,8 @@ vec3 drawn_direction(vec3 u, int i) {
   return drawn_about(vec3(-u.x, -u.y, u.z), lobe_exponent(lobe), i / 4);
 }
 
-// What a light of irradiance `strength` from direction `light` gives, and the mirror part's sky.
+// The radiance due to a light of irradiance `strength` from direction `light`, and the specular reflection of
+// the sky.
 vec3 direct_radiance(vec3 n, vec3 light, real strength) {
   vec3 u = to_local(n, vec3(real(0), real(0), real(1)));
   vec3 v = to_local(n, light);
@@ -64,7 +67,7 @@ vec3 direct_radiance(vec3 n, vec3 light, real strength) {
   return sum + brdf_mirror(u) * sky_radiance(to_world(n, vec3(-u.x, -u.y, u.z)));
 }
 
-// The sum of `count` estimates of what the sky gives.
+// The sum of `count` Monte Carlo estimates of the radiance due to the sky.
 vec3 sky_sum(vec3 n, int first, int count) {
   vec3 u = to_local(n, vec3(real(0), real(0), real(1)));
   vec3 sum = vec3(real(0));

@@ -51,8 +51,7 @@ void SphereRenderer::warn_of_refusal() {
       this,
       [this, why = shader_->refusal()] {
         emit warned(
-            tr("The graphics driver refuses the shader of a BRDF, whose sphere is therefore shaded by "
-               "C++: %1")
+            tr("The graphics driver cannot compile the shader of a BRDF: its sphere is shaded on the CPU: %1")
                 .arg(why));
       },
       Qt::QueuedConnection);

@@ -8,8 +8,7 @@
 
 namespace editor {
 
-/// Shades spheres in a thread of its own, by GLSL where that is possible, and else by C++. Of several
-/// requests only the latest counts.
+/// Shades spheres in a thread, with GLSL where possible, else on the CPU. Only the latest request counts.
 class SphereRenderer : public QObject {
   Q_OBJECT
 
@@ -22,9 +21,9 @@ class SphereRenderer : public QObject {
   bool is_busy() const { return is_busy_; }
 
  signals:
-  /// A first picture with few samples, then the final one.
+  /// Emitted with a noisy image of few samples, then with the final one.
   void shaded(const editor::SphereImage& image, bool is_final);
-  /// The graphics driver refuses the BRDF's shader, so C++ shades it; why, in words.
+  /// Emitted when the graphics driver cannot compile the BRDF's shader, so that the CPU shades it.
   void warned(const QString& message);
 
  private:

@@ -1,4 +1,4 @@
-// The sphere by GLSL: a triangle over the picture, whose fragments find what is seen at their place.
+// Renders the sphere with GLSL: a triangle covers the image, and its fragments intersect the sphere.
 #include <QElapsedTimer>
 #include <QFile>
 #include <QOpenGLContext>
@@ -19,7 +19,7 @@ namespace editor {
 namespace {
 
 constexpr std::size_t MostPrograms = 24;
-/// Seconds of drawing at a time: a software rasteriser draws nothing else meanwhile, the window neither.
+/// Seconds of drawing per slice: a software rasteriser blocks everything else meanwhile, also the window.
 constexpr double MostDrawing = 0.004;
 constexpr int FewestRows = 4;
 
@@ -74,7 +74,7 @@ struct SphereShader::Parts {
   Parts(QOpenGLContext& own_context, const GraphicsDriver& own_driver)
       : context(own_context), driver(own_driver) {}
 
-  /// Without a program if the driver refuses the text. Compiling takes long, so programs are kept.
+  /// Returns no program if the driver cannot compile the text. Programs are cached, since compiling is slow.
   const CompiledProgram& program_of(const std::string& brdf_text) {
     if (programs.size() > MostPrograms) programs.clear();
     const auto [entry, is_new] = programs.try_emplace(brdf_text);
@@ -133,7 +133,7 @@ struct SphereShader::Parts {
     SphereImage image;
     image.side = side;
     image.is_by_glsl = true;
-    for (int row = side - 1; row >= 0; --row) {  // OpenGL's are from the bottom
+    for (int row = side - 1; row >= 0; --row) {  // OpenGL's rows start at the bottom
       for (int column = 0; column < side; ++column) {
         const float* c = &values[static_cast<std::size_t>(row * side + column) * 4];
         image.radiance.emplace_back(c[0], c[1], c[2]);

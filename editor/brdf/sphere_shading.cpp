@@ -14,7 +14,7 @@ namespace {
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-/// The C++ half of sphere.glsl.
+/// The C++ side of sphere.glsl.
 template <class real>
 struct SphereFormula {
   using vec3 = Imath::Vec3<real>;

@@ -54,16 +54,16 @@ void TermsEditor::rebuild() {
   for (std::size_t i = 0; i < terms_.size(); ++i) add_row(i);
   lead_tab_through({holder_, add_});
   if (names_.empty()) {
-    hint_->setText("Define BRDFs by name in the scene first: a sum is made of those.");
+    hint_->setText("Define named BRDFs in the scene first: a sum refers to those.");
   } else if (are_mixed_) {
-    hint_->setText("The sums differ. What is added here replaces them.");
+    hint_->setText("The faces have different sums. Adding a BRDF here replaces them.");
   } else {
-    hint_->setText("Add the BRDFs that the sum is made of.");
+    hint_->setText("Add the BRDFs of the sum.");
   }
   hint_->setVisible(terms_.empty());
   add_->setEnabled(!names_.empty());
-  add_->setToolTip(names_.empty() ? "The scene has no BRDFs with a name"
-                                  : "One more BRDF of the scene, with its weight");
+  add_->setToolTip(names_.empty() ? "The scene has no named BRDFs"
+                                  : "Add a BRDF of the scene, with a weight");
 }
 
 void TermsEditor::add_row(std::size_t index) {
@@ -87,7 +87,7 @@ void TermsEditor::add_row(std::size_t index) {
     rebuild();
     emit edited(terms_);
   };
-  line->addWidget(tool_button("remove", "take out " + name, "Take this BRDF out of the sum", take_out, row));
+  line->addWidget(tool_button("remove", "remove " + name, "Remove this BRDF from the sum", take_out, row));
   rows_->addWidget(row);
   row->show();
   connect(weight, &NumberBox::changing, this, [this, index](double value) {
@@ -105,7 +105,7 @@ void TermsEditor::add_row(std::size_t index) {
 }
 
 void TermsEditor::add_term() {
-  // One that is not there yet, if there is one.
+  // Prefers a BRDF that is not in the sum yet.
   const auto is_new = [this](const QString& name) {
     return std::ranges::none_of(
         terms_, [&](const grf::CombineTerm& term) { return QString::fromStdString(term.brdf.name) == name; });

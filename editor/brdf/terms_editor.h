@@ -11,16 +11,16 @@ class QVBoxLayout;
 
 namespace editor {
 
-/// The terms of a weighted sum: a weight and the name of a BRDF in each row.
+/// Edits the terms of a weighted sum: a weight and the name of a BRDF per row.
 class TermsEditor : public QWidget {
   Q_OBJECT
 
  public:
   explicit TermsEditor(QWidget* parent = nullptr);
 
-  /// What a term can name.
+  /// Sets the names that a term can refer to.
   void set_names(const std::vector<QString>& names);
-  /// Without a signal. Mixed terms are shown as such until somebody adds one.
+  /// Sets the terms, without a signal. Mixed terms are shown as such until one is added.
   void set_terms(const std::vector<grf::CombineTerm>& terms, bool are_mixed);
 
  signals:

@@ -22,7 +22,7 @@ QFont small_font(const QCustomPlot& plot) {
   return font;
 }
 
-/// An empty plot in the theme's colours, its legend under the axes.
+/// Clears the plot and sets the theme's colours, with the legend under the axes.
 ThemeColours prepare(QCustomPlot& plot) {
   const ThemeColours colours = colours_of(theme_of(plot.palette()));
   plot.clearPlottables();
@@ -63,9 +63,9 @@ ThemeColours prepare(QCustomPlot& plot) {
   return colours;
 }
 
-/// The theme's colour for one of documents.
+/// The theme's colour for a series colour of documents.
 QColor colour_of(const plot::Series& series, std::size_t index, Theme theme, const ThemeColours& colours) {
-  // By their places among the colours of series.
+  // Indices by position among the series colours.
   constexpr std::array<int, 6> Alike = {4, 0, 2, 5, 1, 3};
   const std::string_view colour = series.colour.empty() ? plot::colour_of_series(index) : series.colour;
   for (std::size_t i = 0; i < Alike.size(); ++i) {
@@ -85,7 +85,7 @@ QPen pen_of(const plot::Series& series, const QColor& colour) {
   return pen;
 }
 
-/// A line through places in the plot.
+/// Adds a polyline in plot coordinates.
 void add_line(QCustomPlot& plot, const QList<QPointF>& places, const QPen& pen, const QString& name = {}) {
   auto* curve = new QCPCurve(plot.xAxis, plot.yAxis);
   for (const QPointF& place : places) curve->addData(place.x(), place.y());
@@ -135,7 +135,7 @@ void lay_out(QCPAxis& axis, const plot::Axis& meaning, const plot::AxisEnds& end
   axis.setLabel(text_of(meaning.label));
   axis.setRange(ends.low, ends.high);
   if (meaning.is_logarithmic) axis.setScaleType(QCPAxis::stLogarithmic);
-  constexpr double TwoDecades = 100;  // within which powers of ten alone are too few
+  constexpr double TwoDecades = 100;  // within which labels only at powers of ten are too few
   if (meaning.is_logarithmic && ends.high > TwoDecades * ends.low) {
     axis.setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
     axis.setNumberPrecision(0);
@@ -147,12 +147,12 @@ void lay_out(QCPAxis& axis, const plot::Axis& meaning, const plot::AxisEnds& end
   }
 }
 
-/// A half circle as large as the place allows, which is known once all is laid out.
+/// Fits a half circle into the widget, whose size is known after layout.
 void fit_half_circle(QCustomPlot& plot) {
   plot.replot(QCustomPlot::rpQueuedRefresh);
   const QRect place = plot.axisRect()->rect();
   const double aspect = place.height() > 0 ? static_cast<double>(place.width()) / place.height() : 2;
-  constexpr double Wide = 2.36;  // of the half circle with its words
+  constexpr double Wide = 2.36;  // aspect ratio of the half circle with its labels
   constexpr double High = 1.28;
   const double width = std::max(Wide, High * aspect);
   const double height = width / aspect;

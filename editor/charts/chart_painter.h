@@ -9,8 +9,8 @@ struct PolarChart;
 
 namespace editor {
 
-// Draws the charts of `bpt`'s documents in a plot whose axes can be read and looked at closely. Each function
-// clears the plot and draws it anew, in the colours of the plot's palette; the caller replots.
+// Draws the charts of `bpt`'s documents in an interactive plot with labelled axes. Each function clears the
+// plot and draws it in the colours of the plot's palette; the caller replots.
 
 void draw(QCustomPlot& plot, const plot::Chart& chart);
 void draw(QCustomPlot& plot, const plot::PolarChart& chart);

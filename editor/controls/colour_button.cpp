@@ -14,7 +14,7 @@ namespace {
 
 float encoded(float linear) { return grf::srgb_encoded(std::clamp(linear, 0.0F, 1.0F)); }
 
-/// By what a colour is brought down to what screens can show.
+/// The factor by which a colour exceeds what the screen can show.
 float brightness(const grf::Colour& linear) { return std::max({1.0F, linear.x, linear.y, linear.z}); }
 
 }  // namespace
@@ -66,7 +66,7 @@ void ColourButton::choose() {
   chooser_->raise();
 }
 
-// The colours that come back while one chooses are those that were chosen: the scale stays.
+// Colours that come back during a choice are the chosen ones: the scale is kept.
 void ColourButton::take(const QColor& shown) {
   colour_ = linear_colour(shown) * scale_;
   has_changed_ = true;

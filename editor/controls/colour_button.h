@@ -11,13 +11,12 @@ class QColorDialog;
 
 namespace editor {
 
-/// A linear colour as screens want it: components over 1 are brought down together. And back.
+/// Converts a linear colour for the screen: colours with components over 1 are scaled down. And back.
 QColor shown_colour(const grf::Colour& linear);
 grf::Colour linear_colour(const QColor& shown);
 
-/// A swatch of a linear RGB colour. A click opens a chooser beside the window, which is not modal. Of a
-/// colour that is brighter than screens can show, say a radiance, the chosen one is brought up by as much as
-/// that one was brought down.
+/// A swatch of a linear RGB colour. A click opens a modeless colour chooser beside the window. For a colour
+/// brighter than the screen can show, such as a radiance, the chosen colour is scaled up by the same factor.
 class ColourButton : public QToolButton {
   Q_OBJECT
 
@@ -25,12 +24,12 @@ class ColourButton : public QToolButton {
   explicit ColourButton(QWidget* parent = nullptr);
   ~ColourButton() override;
 
-  /// Without a signal; nothing where several things differ.
+  /// Sets the colour, without a signal; nothing for mixed values.
   void set_colour(const std::optional<grf::Colour>& colour);
   const std::optional<grf::Colour>& colour() const { return colour_; }
 
  signals:
-  void changing(const grf::Colour& colour);  ///< while somebody chooses
+  void changing(const grf::Colour& colour);  ///< while choosing
   void edited(const grf::Colour& colour);    ///< after a pause, and when the chooser is closed
 
  protected:

@@ -7,9 +7,9 @@ namespace editor {
 QString count_text(std::size_t number) {
   constexpr std::size_t FirstInGroups = 10000;
   if (number < FirstInGroups) return QString::number(number);
-  constexpr QChar Space(0x00A0);  // at which no line is broken
+  constexpr QChar Space(0x00A0);  // non-breaking
   QLocale locale = QLocale::c();
-  locale.setNumberOptions(QLocale::DefaultNumberOptions);  // it leaves groups out by itself
+  locale.setNumberOptions(QLocale::DefaultNumberOptions);  // the C locale omits group separators by default
   return locale.toString(static_cast<qulonglong>(number)).replace(',', Space);
 }
 

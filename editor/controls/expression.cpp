@@ -8,7 +8,7 @@
 namespace editor {
 namespace {
 
-/// muParser takes plain functions for units: one a factor that is used.
+/// A unit as a function for muParser, one for each factor in use.
 template <int Numerator, int Denominator>
 double scaled(double x) {
   return x * Numerator / Denominator;
@@ -28,7 +28,7 @@ Scale scale_of(double factor) {
 constexpr double Degree = std::numbers::pi / 180;
 
 QString explained(const mu::ParserError& error, const QString& text) {
-  if (text.contains(',') && !text.contains('(')) return "Decimals are written with a point, as in 0.5.";
+  if (text.contains(',') && !text.contains('(')) return "Use a point as the decimal separator, as in 0.5.";
   return QString::fromStdString(error.GetMsg());
 }
 
@@ -56,8 +56,8 @@ Typed value_of(const QString& text, const std::vector<Unit>& units) {
     for (const Unit& unit : units) parser.DefinePostfixOprt(unit.name.toStdString(), scale_of(unit.factor));
     parser.SetExpr(expression.toStdString());
     const double value = parser.Eval();
-    if (parser.GetNumResults() != 1) return {{}, "Decimals are written with a point, as in 0.5."};
-    if (!std::isfinite(value)) return {{}, "That is no finite number."};
+    if (parser.GetNumResults() != 1) return {{}, "Use a point as the decimal separator, as in 0.5."};
+    if (!std::isfinite(value)) return {{}, "The value must be a finite number."};
     return {value, {}};
   } catch (const mu::ParserError& error) {
     return {{}, explained(error, text)};

@@ -1,4 +1,4 @@
-// Numbers as people type them: arithmetic, and units.
+// Parses typed numbers: arithmetic, and units.
 #pragma once
 
 #include <QString>
@@ -7,25 +7,25 @@
 
 namespace editor {
 
-/// A word that may stand behind a number, and what it multiplies it by.
+/// A unit suffix, and its conversion factor.
 struct Unit {
   QString name;
   double factor = 1;
 };
 
-/// What may be typed where a value is in that unit, the unit itself first: `rad` and `deg` for angles, `W`,
-/// `mW` and `kW` for power, `nm` and `um` for lengths that small. Of any other word, it alone; of none, none.
+/// The units that can be typed for a value in `unit`, which comes first: `rad` and `deg` for angles, `W`,
+/// `mW` and `kW` for power, `nm` and `um` for small lengths. Any other unit has no alternatives.
 std::vector<Unit> units_like(const QString& unit);
 
 struct Typed {
   std::optional<double> value;  ///< finite
-  QString error;                ///< why there is no value, in a sentence for the person who typed
+  QString error;                ///< error message for the user, a sentence
 };
 
-/// The value of `0.2*3`, `sqrt(2)/pi` or `20deg`. Decimals have a point.
+/// Evaluates `0.2*3`, `sqrt(2)/pi` or `20deg`. The decimal separator is a point.
 Typed value_of(const QString& text, const std::vector<Unit>& units);
 
-/// A value as a box shows it: up to seven digits, which is what a float has.
+/// Formats a value with up to seven digits, the precision of a float.
 QString number_text(double value);
 
 }  // namespace editor

@@ -4,7 +4,7 @@
 
 namespace editor {
 
-/// How long a control waits after the last key or turn of the wheel before its gesture is one undo step, in
+/// How long a control waits after the last key press or wheel turn before it commits an undo step, in
 /// milliseconds.
 inline constexpr int SettlingMilliseconds = 400;
 

@@ -42,7 +42,7 @@ void NoticeBar::show_notice(Kind kind, const QString& text, const std::vector<Ch
     });
   };
   for (const Choice& choice : choices) add(choice);
-  add({tr("Close"), tr("Hide this line"), {}});
+  add({tr("Close"), tr("Close this notice"), {}});
   lead_tab_through({this});
   update();
   show();
@@ -50,7 +50,7 @@ void NoticeBar::show_notice(Kind kind, const QString& text, const std::vector<Ch
 
 QString NoticeBar::text() const { return text_->text(); }
 
-// A stripe of the kind's colour on the left, so that the text keeps its contrast.
+// Paints a stripe in the notice's colour on the left, so that the text keeps its contrast.
 void NoticeBar::paintEvent(QPaintEvent* event) {
   QFrame::paintEvent(event);
   const ThemeColours colours = colours_of(theme_of(palette()));

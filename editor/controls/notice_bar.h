@@ -10,8 +10,8 @@ class QHBoxLayout;
 
 namespace editor {
 
-/// A line over the view that says something and offers what to do about it, without stopping anybody: work
-/// that can be recovered, a file that could not be read. Hidden while there is nothing to say.
+/// A notification bar over the view with actions, which is not modal: for work that can be recovered, or a
+/// file that could not be read. Hidden while there is no notice.
 class NoticeBar : public QFrame {
   Q_OBJECT
 
@@ -22,9 +22,9 @@ class NoticeBar : public QFrame {
   struct Choice {
     QString text;
     QString tip;
-    std::function<void()> action;  ///< the bar is hidden first
+    std::function<void()> action;  ///< the bar is hidden before it runs
   };
-  /// In place of what it said before. The last choice is always to close it.
+  /// Replaces the shown notice. The last choice always closes the bar.
   void show_notice(Kind kind, const QString& text, const std::vector<Choice>& choices = {});
   QString text() const;
 

@@ -18,16 +18,16 @@ namespace {
 
 constexpr double Endless = std::numeric_limits<float>::max();
 
-/// The same number, perhaps after arithmetic with floats.
+/// Whether two numbers are equal up to float rounding.
 bool are_alike(double a, double b) { return std::abs(a - b) <= 5e-7 * std::max(std::abs(a), std::abs(b)); }
 
-/// The unit as it stands behind a number.
+/// The unit as it follows a number.
 QString suffix_of(const QString& unit) {
   if (unit.isEmpty()) return {};
   return unit == "deg" ? QString(QChar(0xb0)) : " " + unit;
 }
 
-/// A key that may be a shortcut of the window, while Ctrl alone is none yet.
+/// Whether a key may be a shortcut of the window; modifiers by themselves are not.
 bool may_be_shortcut(const QKeyEvent& event) {
   const int key = event.key();
   if (key >= Qt::Key_F1 && key <= Qt::Key_F35) return true;
@@ -87,7 +87,7 @@ void NumberBox::set_blank(const QString& word) {
 }
 
 void NumberBox::set_value(double value) {
-  // What is being typed, and steps that are not done, are not ended by news of the same number.
+  // Typed text and unfinished steps are kept when the same number is set again.
   if (value_ && are_alike(*value_, value)) {
     value_ = value;
     return;
@@ -202,7 +202,7 @@ void NumberBox::take_typed() {
   value_ = typed.value;
   bool is_literal = false;
   text.toDouble(&is_literal);
-  // Digits beyond those of a float stay, for who reads the text.
+  // Digits beyond float precision are kept for the reader.
   show_text(is_literal && unit_.isEmpty() ? text : text_of(*value_));
   if (is_new) emit edited(*value_);
 }
@@ -231,7 +231,7 @@ void NumberBox::stepBy(int steps) {
   const double default_value = lineEdit()->placeholderText().toDouble(&is_number);
   const double start = value_.value_or(std::clamp(is_number ? default_value : 0.0, minimum_, maximum_));
   const double step = step_from(start);
-  // On multiples of the step, so that digits stay few.
+  // Multiples of the step have few digits.
   const double next = std::round(start / step + steps) * step;
   value_ = std::clamp(next, minimum_, maximum_);
   show_value();
@@ -243,8 +243,8 @@ QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const {
   return isReadOnly() ? StepNone : StepEnabled(StepUpEnabled | StepDownEnabled);
 }
 
-// Saving, say, takes no focus away, and what was typed has to be in the file. Keys that edit text are
-// accepted by the line.
+// A shortcut such as Save does not take the focus, but typed text has to be committed first. Keys that edit
+// text are accepted by the line edit.
 bool NumberBox::event(QEvent* event) {
   const bool is_known = QAbstractSpinBox::event(event);
   if (event->type() == QEvent::ShortcutOverride && !event->isAccepted() &&
@@ -265,7 +265,7 @@ void NumberBox::focusOutEvent(QFocusEvent* event) {
   fit();
 }
 
-// All digits, before the base class selects them.
+// Shows all digits before the base class selects them.
 void NumberBox::focusInEvent(QFocusEvent* event) {
   fit();
   QAbstractSpinBox::focusInEvent(event);
@@ -277,7 +277,7 @@ void NumberBox::resizeEvent(QResizeEvent* event) {
 }
 
 void NumberBox::wheelEvent(QWheelEvent* event) {
-  // A form that is scrolled under the pointer must not change values.
+  // Scrolling a form under the pointer must not change values.
   if (!hasFocus()) return event->ignore();
   QAbstractSpinBox::wheelEvent(event);
 }

@@ -9,13 +9,13 @@
 
 namespace editor {
 
-/// A box for a number, typed as arithmetic with units (`0.2*3`, `20deg`), or changed by arrow keys and wheel
-/// in steps of one digit. What cannot be read stays in the box, marked, with a sentence that says why (in its
-/// tool tip, and by `failed`), until it is mended or Escape brings the last number back. What was typed
-/// counts from the return key on, or when the focus goes, or with a shortcut that is none of text editing.
+/// A spin box for numbers, typed as arithmetic with units (`0.2*3`, `20deg`), or changed by arrow keys and
+/// wheel in steps of one digit. Invalid text stays in the box, marked, with the reason in its tool tip and by
+/// `failed`, until it is corrected or Escape restores the last number. Typed text is committed by Return,
+/// loss of focus, or a shortcut that does not edit text.
 ///
-/// The range limits steps alone: a number outside is taken, since the owner can say better what is wrong, but
-/// of a box that is strict.
+/// The range limits only steps: a number outside is accepted, since the owner can report it better, unless
+/// the box is strict.
 class NumberBox : public QAbstractSpinBox {
   Q_OBJECT
   Q_PROPERTY(double value READ value)
@@ -24,40 +24,40 @@ class NumberBox : public QAbstractSpinBox {
   explicit NumberBox(QWidget* parent = nullptr);
 
   void set_range(double minimum, double maximum);
-  /// The unit of `value`, shown behind it and among those that can be typed.
+  /// Sets the unit of `value`, shown as a suffix and accepted in typed text.
   void set_unit(const QString& unit);
-  /// What is typed and is outside of the range is no number for this box.
+  /// Makes typed numbers outside of the range invalid.
   void set_strict(bool is_strict) { is_strict_ = is_strict; }
-  /// Each step changes the second digit, or adds a hundredth of the range.
+  /// Makes each step change the second significant digit, instead of a hundredth of the range.
   void set_logarithmic(bool is_logarithmic) { is_logarithmic_ = is_logarithmic; }
-  /// Each step adds this.
+  /// Sets the increment of a step.
   void set_step(double step) { step_ = step; }
-  /// Whole numbers: steps of 1, and all digits are shown.
+  /// Makes the numbers integers: steps of 1, and all digits are shown.
   void set_whole(bool is_whole);
-  /// It may be left empty, which means this; if that is a number, steps begin there. See `cleared`.
+  /// Allows an empty box, which means this default; if that is a number, steps begin there. See `cleared`.
   void set_default(const QString& text);
-  /// What the control is for, perhaps as rich text; the box adds range and unit. Without it the tool tip is
-  /// the owner's, but where something is wrong. See also set_message.
+  /// Sets the help text, perhaps rich text, to which the box adds range and unit. Without it the owner sets
+  /// the tool tip, except for errors. See also set_message.
   void set_help(const QString& help);
 
-  /// Without a value nothing is shown but the word, until somebody types. Without a signal.
+  /// Shows a word in place of a value, until the user types. Without a signal.
   void set_blank(const QString& word);
-  /// Likewise, of several things that differ.
+  /// Shows that several values differ.
   void set_mixed() { set_blank("mixed"); }
   bool has_value() const { return value_.has_value(); }
-  /// Without a signal.
+  /// Sets the value, without a signal.
   void set_value(double value);
   double value() const { return value_.value_or(0); }
-  /// A number as a file has it, say `1e3`, which stays as it is until it is edited; empty: none. Words that
-  /// are no number are shown, too. Without a signal.
+  /// Sets a number as text, such as `1e3`, which is kept until it is edited; empty for none. Invalid text is
+  /// shown, too. Without a signal.
   void set_text(const QString& text);
-  /// The number as a file should have it, with its unit: as it was given or typed, or with up to seven
-  /// digits. A narrow box without the focus shows fewer.
+  /// The number as text with its unit: as it was set or typed, or with up to seven digits. A narrow box
+  /// without the focus shows fewer digits.
   QString full_text() const { return full_text_; }
-  /// Takes what was typed, as the return key does.
+  /// Commits typed text, as the Return key does.
   void commit();
 
-  /// Marks the box as wrong and says why; empty: it is right.
+  /// Marks the box as invalid with a reason; empty clears the mark.
   void set_message(const QString& message);
   QString message() const { return message_; }
 
@@ -65,10 +65,10 @@ class NumberBox : public QAbstractSpinBox {
   QSize minimumSizeHint() const override;
 
  signals:
-  void changing(double value);         ///< while the person steps
-  void edited(double value);           ///< once, when done
-  void cleared();                      ///< left empty, where it may be
-  void failed(const QString& reason);  ///< what was typed is no number
+  void changing(double value);         ///< while stepping
+  void edited(double value);           ///< once, when editing is finished
+  void cleared();                      ///< emptied, if it has a default
+  void failed(const QString& reason);  ///< typed text is invalid
 
  protected:
   bool event(QEvent* event) override;

@@ -1,4 +1,4 @@
-// Widgets that several parts of the window are put together from.
+// Helpers that build common form widgets.
 #pragma once
 
 #include <QLabel>
@@ -17,7 +17,7 @@ namespace editor {
 
 class NumberBox;
 
-/// A layout of all of a widget, without a margin.
+/// Adds a layout without margins to a widget.
 template <class Layout>
 Layout* tight_layout(QWidget* widget, int spacing = Grid / 2) {
   auto* layout = new Layout(widget);
@@ -26,17 +26,17 @@ Layout* tight_layout(QWidget* widget, int spacing = Grid / 2) {
   return layout;
 }
 
-/// A small button with a drawing alone; its text is for assistive technology.
+/// A small button with an icon; its text is for assistive technology.
 QToolButton* tool_button(const QString& icon, const QString& text, const QString& tool_tip,
                          const std::function<void()>& pressed, QWidget* parent);
 
-/// Enables a widget, or says in its tool tip why not; an empty reason enables it.
+/// Enables a widget, or disables it with the reason in its tool tip; an empty reason enables it.
 void enable(QWidget* widget, const QString& tool_tip, const QString& why_not);
 
-/// A list of choices that is as narrow as its place wants, and at least so many letters wide.
+/// A combo box that can shrink with its form, to no fewer than so many letters.
 QComboBox* narrow_list(const QString& name, const QString& tool_tip, int letters, QWidget* parent);
 
-/// A label of some lines, in a colour of the theme that the palette has no role for.
+/// A multi-line label in a colour of the theme that the palette has no role for.
 class ThemedLabel : public QLabel {
  public:
   ThemedLabel(QColor ThemeColours::*colour, QWidget* parent);
@@ -49,30 +49,30 @@ class ThemedLabel : public QLabel {
   QColor ThemeColours::*colour_;
 };
 
-/// A line that is hidden until it has something to say, in the colour of errors.
+/// A label in the error colour that is hidden while it is empty.
 QLabel* problem_label(QWidget* parent);
 void show_problem(QLabel* label, const QString& problem);
 
-/// What a number means and may be.
+/// Name, help, range and unit of a number field.
 struct NumberInfo {
-  QString name;  ///< for assistive technology
+  QString name;  ///< accessible name
   QString help;  ///< meaning; the box adds range and unit
   double minimum = 0;
   double maximum = std::numeric_limits<float>::max();
   double step = 0.1;
-  QString unit = {};  ///< empty: none
+  QString unit = {};  ///< empty for none
 };
 
-/// A box that takes numbers of the range alone, and is as narrow as it must be.
+/// A strict number box that is as narrow as possible.
 NumberBox* number_box(const NumberInfo& info, QWidget* parent);
-/// Calls `take` with each new number, and then `done` where it is more than a step on the way.
+/// Calls `take` with each new number, and then `done` unless more steps of the same edit may follow.
 void connect_number(NumberBox* box, QObject* context, const std::function<void(double)>& take,
                     const std::function<void()>& done);
 
-/// The files of this machine that are dragged.
+/// The local files among dragged data.
 QStringList local_files(const QMimeData& data);
 
-/// Words for an empty widget: what to do next.
+/// A label for an empty widget that says what to do next.
 QLabel* hint_label(const QString& text, QWidget* parent);
 
 }  // namespace editor

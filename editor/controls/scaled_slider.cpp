@@ -15,12 +15,12 @@ namespace {
 
 constexpr int Positions = 1000;
 
-/// Where a logarithmic way turns linear.
+/// The value below which a logarithmic scale is linear.
 double knee(double minimum, double maximum) {
   return minimum > 0 ? 0 : std::max(std::abs(minimum), maximum) * 1e-6;
 }
 
-/// Three digits: a person who drags does not mean more, and files stay readable.
+/// Rounds to three digits: dragging is not more precise, and files stay readable.
 double rounded(double number) {
   if (number == 0) return 0;
   const double unit = std::pow(10, std::floor(std::log10(std::abs(number))) - 2);
@@ -102,7 +102,7 @@ void ScaledSlider::mousePressEvent(QMouseEvent* event) {
     const QRect groove = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderGroove, this);
     setValue(QStyle::sliderValueFromPosition(0, Positions, point.x() - groove.x() - handle.width() / 2,
                                              groove.width() - handle.width(), option.upsideDown));
-    settling_.stop();  // the release finishes it
+    settling_.stop();  // the release ends the gesture
   }
   QSlider::mousePressEvent(event);
 }

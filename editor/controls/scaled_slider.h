@@ -5,25 +5,26 @@
 
 namespace editor {
 
-/// How a slider's way divides a range.
+/// How slider positions map to a range.
 enum class SliderScale { Linear, Logarithmic };
 
-/// A horizontal slider over real numbers. A click beside the handle brings it there.
+/// A horizontal slider over real numbers. A click beside the handle moves it there.
 class ScaledSlider : public QSlider {
   Q_OBJECT
 
  public:
   explicit ScaledSlider(QWidget* parent = nullptr);
 
-  /// A logarithmic way that begins at 0 or below is linear near 0, under a millionth of the maximum.
+  /// Sets the range. A logarithmic scale that begins at 0 or below is linear near 0, under a millionth of the
+  /// maximum.
   void set_range(double minimum, double maximum, SliderScale scale);
-  /// Without a signal. Numbers out of range are shown at the end.
+  /// Sets the number, without a signal. Numbers out of range are shown at the end.
   void set_number(double number);
   double number() const { return number_; }
 
  signals:
-  void changing(double number);  ///< while it moves
-  void edited(double number);    ///< once, when it is let go
+  void changing(double number);  ///< while dragging
+  void edited(double number);    ///< once, on release
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;

@@ -5,8 +5,7 @@
 namespace editor {
 namespace {
 
-/// The controls that are a part or in it, in the order of Tab; what has another one take its focus follows
-/// that.
+/// The controls that are a part or in it, in tab order; one with a focus proxy follows that.
 std::vector<QWidget*> controls_in(QWidget* part) {
   std::vector<QWidget*> controls;
   QWidget* each = part;

@@ -6,10 +6,9 @@ class QWidget;
 
 namespace editor {
 
-/// Has Tab lead through the controls in the first of these parts of a window, then through those in the next,
-/// in the order in which they were made. Qt keeps that order by itself for what is made once; what comes
-/// later, or changes places, it leaves behind all of the window. The first part stays where it is, and has a
-/// control.
+/// Sets the tab order: through the controls of the first of these widgets, then of the next, in creation
+/// order. Qt keeps that order only for widgets created once; later or moved ones it puts last in the window.
+/// The first widget keeps its place, and has a control.
 void lead_tab_through(const std::vector<QWidget*>& parts);
 
 }  // namespace editor

@@ -12,7 +12,7 @@ inline QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Lists the messages, a line each, without a line's end behind the last.
+/// Formats the messages, one per line, without a trailing line end.
 inline QString text_of(const grf::Diagnostics& diagnostics) {
   return QString::fromStdString(diagnostics.to_text()).trimmed();
 }

@@ -1,4 +1,4 @@
-// BRDFs that are dragged and copied.
+// MIME types for drag and drop, and copying, of BRDFs.
 #pragma once
 
 #include <QMimeData>
@@ -12,21 +12,19 @@
 
 namespace editor {
 
-/// The MIME type of a BRDF as GRF text, as it stands behind the word `brdf`.
+/// The MIME type of a BRDF as GRF text, as it follows the keyword `brdf`.
 inline constexpr const char* BrdfMimeType = "application/x-grf-brdf";
-/// That of the name of a definition, beside the former where there is one: whoever knows the scene can share
-/// it.
+/// The MIME type of the name of its definition, if any, so that a receiver with the same scene can share it.
 inline constexpr const char* BrdfNameMimeType = "application/x-grf-brdf-name";
 
-/// A BRDF that needs no other file to be understood: written out instead of named by the file that holds it,
-/// and its data file by the whole path.
+/// Makes a BRDF independent of other files: one that is named by its file is written out, and its data file
+/// gets an absolute path.
 grf::BrdfModel standing_alone(grf::BrdfModel brdf);
 
-/// As both types of text and, of a definition, its name.
+/// Encodes a BRDF in both text types and, for a definition, its name.
 std::unique_ptr<QMimeData> mime_of(const grf::BrdfModel& brdf, const QString& definition_name = {});
 
-/// The BRDF that is carried, or nothing and the reason: it cannot be read, or is none of the models. Whether
-/// its values are right is not looked at.
+/// Decodes a BRDF, or reports that it cannot be read or is an unknown model. Its values are not checked.
 std::optional<grf::BrdfModel> brdf_of(const QMimeData& mime, const std::vector<grf::ModelInfo>& models,
                                       grf::Diagnostics& diagnostics);
 

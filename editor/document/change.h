@@ -5,16 +5,15 @@
 
 namespace editor {
 
-/// A change says which parts of the scene an edit, an undo or a redo touched, so that views update these
-/// alone. Where `is_structural` holds, anything may be another, and objects have other numbers; else the rest
-/// says all.
+/// Which parts of the scene an edit, undo or redo touched, so that views update only these. If
+/// `is_structural`, anything may differ and objects are renumbered; else the other members are complete.
 struct Change {
-  bool is_structural = false;         ///< objects came, went, or got another place or geometry
-  bool definitions = false;           ///< what colours, BRDFs, PDFs or textures of a name are
-  bool lights = false;                ///< area lights or observers
-  bool names = false;                 ///< of meshes, with no other order of objects
-  bool references = false;            ///< faces name other definitions than before, or may do so
-  std::vector<std::uint32_t> meshes;  ///< whose faces have other surfaces; numbers of the scene's objects
+  bool is_structural = false;         ///< objects were added, removed, moved, or have another geometry
+  bool definitions = false;           ///< colours, BRDFs, PDFs or textures of a name differ
+  bool lights = false;                ///< area lights or observers differ
+  bool names = false;                 ///< names of meshes differ, in the same order of objects
+  bool references = false;            ///< faces may refer to other definitions
+  std::vector<std::uint32_t> meshes;  ///< meshes with edited surfaces; numbers of the scene's objects
 };
 
 }  // namespace editor

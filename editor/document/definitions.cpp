@@ -14,8 +14,7 @@
 namespace editor {
 namespace {
 
-/// Calls an action with each name in a thing that refers to a definition; the names can be changed where the
-/// thing can be.
+/// Visits each name by which an object refers to a definition; mutable objects allow to change it.
 template <class Brdf, class Action>
 void for_each_term(Brdf& brdf, const Action& action) {
   for (auto& term : brdf.terms) action(term.brdf);
@@ -35,17 +34,16 @@ void for_each_reference_of_surface(Surface& surface, const Action& action) {
   if (auto* brdf = std::get_if<grf::BrdfModel>(&*surface.brdf)) for_each_term(*brdf, action);
 }
 
-/// One reference: what holds it, and what its name means there (null: nothing).
+/// A reference: its owner, and the definition that its name resolves to there (null: none).
 struct FoundReference {
   grf::ScenePath owner;
   std::string name;
   const grf::Definition* definition = nullptr;
-  const grf::Definition* from = nullptr;  ///< the definition that holds it; null: a block does
-  std::size_t place =
-      0;  ///< at which of its places the definition is meant: a file may be included at several
+  const grf::Definition* from = nullptr;  ///< the definition that contains it; null if a block does
+  std::size_t place = 0;  ///< index of the definition's place: a file may be included at several
 };
 
-/// All references of a scene, in its order, and where each definition stands.
+/// All references of a scene in order, and the paths of each definition.
 struct References {
   std::vector<FoundReference> all;
   std::unordered_map<const grf::Definition*, std::vector<grf::ScenePath>> places;
@@ -56,7 +54,7 @@ References references_of(const grf::Scene& scene) {
   const auto adder = [&found](const grf::Placement& placement, const grf::Definition* from = nullptr) {
     return [&found, &placement, from](const grf::Reference& reference) {
       const grf::Definition* definition = placement.scope.find(reference.name);
-      const auto places = found.places.find(definition);  // which the definition was met at last
+      const auto places = found.places.find(definition);  // the last place where the definition was visited
       found.all.push_back({{placement.path.begin(), placement.path.end()},
                            reference.name,
                            definition,
@@ -91,9 +89,9 @@ References references_of(const grf::Scene& scene) {
   return found;
 }
 
-/// The definitions that blocks refer to, and those that these refer to. Definitions refer to earlier ones,
-/// so that one pass from the last reference on finds them all, however long their chains are: a second one
-/// is for files that are included at several places.
+/// The definitions that blocks refer to, and those that these refer to. Definitions refer to earlier ones, so
+/// one pass backwards from the last reference finds them all, however long the chains are: a second pass is
+/// for files that are included at several places.
 std::set<const grf::Definition*> used_definitions(const References& references) {
   std::set<const grf::Definition*> used;
   std::size_t before = 0;
@@ -125,7 +123,7 @@ void rename_in(grf::Scene& scene, const grf::ScenePath& owner, const std::string
   }
 }
 
-/// Whether references mean what they meant before: definitions at the same places.
+/// Whether references resolve to the same definitions as before, at the same paths.
 bool mean_the_same(const References& before, const References& after) {
   const auto place = [](const References& references, const FoundReference& reference) {
     const auto found = references.places.find(reference.definition);
@@ -136,7 +134,7 @@ bool mean_the_same(const References& before, const References& after) {
       [&](const FoundReference& a, const FoundReference& b) { return place(before, a) == place(after, b); });
 }
 
-/// Says so where a term of a BRDF is no BRDF at a place.
+/// Reports a term that does not resolve to a BRDF at a path.
 bool has_its_terms(const grf::Definition::Body& body, const std::vector<PlacedDefinition>& in_force,
                    const grf::SourceLocation& location, grf::Diagnostics& diagnostics) {
   const auto* brdf = std::get_if<grf::BrdfModel>(&body);
@@ -147,7 +145,7 @@ bool has_its_terms(const grf::Definition::Body& body, const std::vector<PlacedDe
              std::holds_alternative<grf::BrdfModel>(each.definition->body);
     });
     if (is_there) continue;
-    diagnostics.error(location, fmt::format("no BRDF called '{}' is defined there", term.brdf.name));
+    diagnostics.error(location, fmt::format("no BRDF '{}' is defined in that scope", term.brdf.name));
     return false;
   }
   return true;
@@ -183,11 +181,10 @@ std::set<std::string> taken_names(const grf::Scene& scene) {
 bool may_be_called(const std::string& name, const grf::Definition& definition,
                    grf::Diagnostics& diagnostics) {
   if (grf::is_identifier(name)) return true;
-  diagnostics.error(
-      definition.location,
-      fmt::format("'{}' cannot be a name: it has letters, digits, '_' and '$' alone, begins with "
-                  "no digit, and is none of begin, end, def, none, use, true, false",
-                  name));
+  diagnostics.error(definition.location,
+                    fmt::format("'{}' is not a valid name: use only letters, digits, '_' and '$', no digit "
+                                "first, and none of begin, end, def, none, use, true, false",
+                                name));
   return false;
 }
 
@@ -242,7 +239,7 @@ std::optional<grf::Scene> change_definition(const grf::Scene& scene, grf::SceneP
                                             grf::Diagnostics& diagnostics) {
   const grf::Definition* definition = definition_at(scene, path);
   if (definition == nullptr || definition->body.index() != body.index()) {
-    diagnostics.error({}, fmt::format("no {} is defined there", grf::kind_of(body)));
+    diagnostics.error({}, fmt::format("there is no {} definition at that place", grf::kind_of(body)));
     return std::nullopt;
   }
   if (!has_its_terms(body, definitions_at(scene, path), definition->location, diagnostics))
@@ -259,7 +256,7 @@ std::optional<grf::Scene> rename_definition(const grf::Scene& scene, grf::SceneP
                                             const std::string& name, grf::Diagnostics& diagnostics) {
   const grf::Definition* definition = definition_at(scene, path);
   if (definition == nullptr) {
-    diagnostics.error({}, "nothing is defined there");
+    diagnostics.error({}, "there is no definition at that place");
     return std::nullopt;
   }
   if (!may_be_called(name, *definition, diagnostics)) return std::nullopt;

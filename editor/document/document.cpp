@@ -19,10 +19,10 @@
 namespace editor {
 namespace {
 
-/// Radiance of the sky over a scene in which nothing emits.
+/// Radiance of the default sky over a scene without lights.
 const grf::Vec3f PlainSky = grf::Vec3f(0.7F);
 
-/// The file from which a scene names others: one that was never saved does so from the current folder.
+/// The file to which a scene's file names are relative; for an unsaved scene, in the current folder.
 QString naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("Untitled.grf") : path; }
 
 }  // namespace
@@ -32,7 +32,7 @@ grf::Scene moved(grf::Scene scene, const QString& from, const QString& to) {
   return scene;
 }
 
-/// One step of undo. What it holds names files as the document does: it follows where that was saved
+/// An undo command. Its file names are relative to the document's file, and are updated when that is saved
 /// elsewhere.
 class Document::Step : public QUndoCommand {
  public:
@@ -81,10 +81,10 @@ class Document::Step : public QUndoCommand {
 
   Document& document_;
   ScenePatch patch_;
-  grf::Shared<FaceSelection> selection_;  // before
+  grf::Shared<FaceSelection> selection_;  // before the step
   QString key_;
   int gesture_;
-  std::size_t relocations_;  // that it has followed
+  std::size_t relocations_;  // number of relocations that were applied to it
   bool takes_plain_sky_ = false;
 };
 
@@ -141,10 +141,10 @@ void Document::add_import(std::shared_ptr<const ImportFolder> folder) {
   if (folder) imports_.push_back(std::move(folder));
 }
 
-/// Says so where the scene has come to differ from its file, or to be as it is there.
+/// Emits a signal when the scene becomes modified, or equal to its file.
 void Document::set_saved(std::optional<std::uint64_t> revision) {
   saved_ = revision;
-  if (!is_modified()) undo_stack_.setClean();  // for windows that show the options alone
+  if (!is_modified()) undo_stack_.setClean();  // for windows that only show the options
   if (was_modified_ == is_modified()) return;
   was_modified_ = is_modified();
   emit modified_changed(was_modified_);
@@ -158,7 +158,7 @@ bool Document::save(const QString& path, grf::Diagnostics& diagnostics) {
 }
 
 SaveRequest Document::save_request(const QString& path) {
-  finish_gesture();  // what comes is no part of a step that is saved
+  finish_gesture();  // a later edit must not be merged into a saved step
   const bool has_options = options_.is_edited() || (path != path_ && options_.is_from_file());
   return {scene_,
           naming_path(path_).toStdString(),
@@ -211,21 +211,22 @@ void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, con
 }
 
 void Document::tell_of_places(std::size_t places) {
-  emit told(tr("The file is included at %n other place(s), where the edit holds too", nullptr, int(places)));
+  emit told(tr("The edit also applies at %n other place(s) that include the file", nullptr, int(places)));
 }
 
 void Document::push(const QString& text, ScenePatch patch, const QString& key) {
   if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key));
 }
 
-/// The sky is no edit of the author's, who need not save it.
+/// Sets the sky without an undo step, since it is not an edit that needs saving.
 void Document::set_background(const grf::Vec3f& radiance) {
   options::RenderOptions now = options_.valid_options();
   now.background = radiance;
   options_.follow(now);
 }
 
-/// A model without lights would be black; a scene that says how it is rendered is as its author wants it.
+/// Adds a default sky, since a model without lights would be black; a scene with render options is left as it
+/// is.
 void Document::light_by_plain_sky() {
   const options::RenderOptions& now = options_.valid_options();
   const bool is_dark = now.environment.empty() && now.background == grf::Vec3f(0) && objects_->faces > 0 &&
@@ -234,7 +235,7 @@ void Document::light_by_plain_sky() {
   if (has_plain_sky_) set_background(PlainSky);
 }
 
-/// Takes the sky away where something else emits now; false if there is nothing to take.
+/// Removes the default sky if there is another emitter now; returns false if there is nothing to remove.
 bool Document::take_plain_sky() {
   const bool is_replaced =
       has_plain_sky_ && options_.valid_options().background == PlainSky && !emitters_of(*objects_).empty();
@@ -264,7 +265,7 @@ void Document::show(grf::Scene scene) {
   show_change(change, nullptr);
 }
 
-/// Selects what is given, or what was selected before as it is now.
+/// Selects the given faces, or updates the present selection.
 void Document::show_change(const Change& change, const FaceSelection* selection) {
   const std::shared_ptr<const SceneObjects> before = objects_;
   if (change.is_structural) {
@@ -284,8 +285,8 @@ void Document::show_change(const Change& change, const FaceSelection* selection)
   if (selects) emit selection_changed();
 }
 
-/// The selection in the present objects. Meshes are the same where they have the same geometry, else where
-/// they stand at the same place and have as many faces.
+/// Transfers the selection to the new objects. Meshes correspond if they have the same geometry, else if they
+/// have the same path and number of faces.
 FaceSelection Document::carried_over(const SceneObjects& before) const {
   FaceSelection carried(*objects_);
   std::multimap<const grf::Geometry*, std::uint32_t> known;

@@ -25,13 +25,12 @@ struct ImportedModel;
 struct SaveRequest;
 struct SaveResult;
 
-/// A scene of the file `from` as the file `to` would name others. Without a path, names begin in the current
-/// folder.
+/// Converts a scene's references to files from the file `from` to the file `to`. Without a path they are
+/// relative to the current folder.
 grf::Scene moved(grf::Scene scene, const QString& from, const QString& to);
 
-/// The project being edited: a scene, the options of its renders, and what is selected. Every change of scene
-/// and options is an undo command of one stack; what is selected is not, but undo and redo select again what
-/// their command was about.
+/// The edited project: a scene, its render options, and the selection. Every change of scene and options is a
+/// command on one undo stack; the selection is not, but undo and redo restore the selection of their command.
 class Document : public QObject {
   Q_OBJECT
 
@@ -40,79 +39,75 @@ class Document : public QObject {
   ~Document() override;
 
   const grf::Scene& scene() const { return scene_; }
-  /// The scene's objects are what views draw: they are as old as the last `changed`.
+  /// The flattened scene that views draw, as of the last `changed`.
   const SceneObjects& objects() const { return *objects_; }
-  /// Shares the objects with who keeps them.
+  /// The same, for sharing with views.
   const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const FaceSelection& selection() const { return *selection_; }
-  /// Where the scene was read from or saved; empty: nowhere yet.
+  /// The file that the scene was read from or saved to; empty if there is none.
   const QString& path() const { return path_; }
-  /// The file's name for titles; `Untitled` if there is none.
+  /// The file name for titles; `Untitled` if there is none.
   QString name() const;
   bool is_modified() const { return saved_ != revision(); }
-  /// The number of the present state: a state that undo or redo brings back has the number that it had.
+  /// The number of the current state; undo and redo restore the number of their state.
   std::uint64_t revision() const { return undo_stack_.revision(); }
   QUndoStack& undo_stack() { return undo_stack_; }
-  /// The options of renders: those of the OP file beside the scene, which is written where the scene is
-  /// saved.
+  /// The render options: those of the OP file beside the scene, which is written when the scene is saved.
   OpDocument& options() { return options_; }
   const OpDocument& options() const { return options_; }
-  /// What reading and checking the scene's file said.
+  /// The diagnostics of reading and checking the scene's file.
   const grf::Diagnostics& diagnostics() const { return diagnostics_; }
 
-  /// Begins anew, without a way back.
+  /// Starts an empty scene. This cannot be undone.
   void clear();
-  /// Takes a scene as though it had been read from the path; a scene that was recovered is not as it is
-  /// there.
+  /// Sets a scene as if it had been read from the path; a recovered scene counts as modified.
   void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified = false);
-  /// Takes a model that was imported, as a new scene that is not saved yet.
+  /// Sets an imported model as a new, unsaved scene.
   void take_import(const ImportedModel& model);
-  /// Adds the blocks of another scene, whose file is `path`, to this one, where its names are in scope: one
-  /// step of undo.
+  /// Appends the blocks of another scene, whose file is `path`, in a scope of its names, as one undo step.
   void merge(const QString& text, const grf::Scene& scene, const QString& path);
   void merge_import(const QString& text, const ImportedModel& model);
-  /// Folders with images of models that were imported into this scene; they stay as long as someone has them.
+  /// Folders with images of imported models; each is kept as long as it is referenced.
   const ImportFolders& imports() const { return imports_; }
   void add_import(std::shared_ptr<const ImportFolder> folder);
 
-  /// Writes the scene; names of other files follow it to another folder, and images that stood inside an
-  /// imported model are copied there. After an error it is still modified.
+  /// Saves the scene; references to other files are adapted to its folder, and images embedded in imported
+  /// models are copied there. After an error it is still modified.
   bool save(const QString& path, grf::Diagnostics& diagnostics);
-  /// Save in two parts, so that the request can be written in a thread. What was edited meanwhile is not
-  /// saved.
+  /// Save in two parts, so that the request can be written in a thread. Edits made meanwhile are not saved.
   SaveRequest save_request(const QString& path);
   void take_saved(const SaveResult& result);
 
   void select(FaceSelection selection);
 
-  // Each edit is one step of undo; one that changes nothing is none. Steps with one key become one, until
-  // `finish_gesture`; an empty key is like no other. What stands in a file that is included at several places
-  // is edited at all of them.
+  // Each edit is one undo step, unless it changes nothing. Steps with the same key are merged until
+  // `finish_gesture`; an empty key never merges. Edits of a file that is included at several places are
+  // applied at all of them.
 
-  /// Brings the scene into another state.
+  /// Replaces the scene by an edited one.
   void replace(const QString& text, grf::Scene scene, const QString& key = {});
-  /// Edits what the selected faces have. Nothing happens if none is selected.
+  /// Edits the surfaces of the selected faces. Does nothing if none is selected.
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
-  /// The next step is one of its own: a slider was let go.
+  /// Ends the merging of steps: a slider was released.
   void finish_gesture();
 
  signals:
   void changed(const editor::Change& change);
-  /// An edit changed more than was asked for, or was not made, and why.
+  /// Emitted with a message if an edit changed more than requested, or failed.
   void told(const QString& message);
   void selection_changed();
   void path_changed();
-  /// Another scene is edited from now on: it was opened, imported, recovered or begun anew.
+  /// Emitted when another scene was opened, imported, recovered or started.
   void taken();
-  /// The scene that was taken has nothing that emits light: it has a grey sky until something does.
+  /// Emitted when the new scene has no lights: it uses a grey sky until it has one.
   void lit_by_a_plain_sky();
-  /// After the scene was written.
+  /// Emitted after the scene was written.
   void saved();
   void modified_changed(bool is_modified);
 
  private:
   class Step;
-  /// How names of other files were changed where the scene was saved to another folder.
+  /// How references to files changed when the scene was saved to another folder.
   struct Relocation {
     std::string from;
     std::string to;
@@ -139,8 +134,8 @@ class Document : public QObject {
   std::vector<Relocation> relocations_;  ///< since the first step
   int gesture_ = 0;
   EditStack undo_stack_;
-  std::uint64_t origin_ = 0;                ///< the revision with which the scene was taken
-  std::optional<std::uint64_t> saved_ = 0;  ///< the revision that its file holds; none: it holds another one
+  std::uint64_t origin_ = 0;                ///< the revision with which the scene was set
+  std::optional<std::uint64_t> saved_ = 0;  ///< the revision of its file; none if that holds another one
   bool was_modified_ = false;
   OpDocument options_{&undo_stack_};
   bool has_plain_sky_ = false;

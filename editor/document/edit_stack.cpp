@@ -16,7 +16,7 @@ void EditStack::push(QUndoCommand* step) {
   QUndoStack::push(step);
   is_pushing_ = false;
   const auto now = static_cast<std::size_t>(index());
-  if (now == before) revisions_[now] = latest_;  // it became part of the step before it
+  if (now == before) revisions_[now] = latest_;  // it was merged into the former step
   revisions_.resize(now + 1);
   emit revision_changed();
 }

@@ -6,8 +6,8 @@
 
 namespace editor {
 
-/// An undo stack that gives each state a number of its own. Undo and redo bring back the numbers of the
-/// states that they lead to, while an index means another state once a step was undone and another one made.
+/// An undo stack that numbers its states. Undo and redo restore the numbers of their states, while an index
+/// is reused when a step is undone and another one made.
 class EditStack : public QUndoStack {
   Q_OBJECT
 
@@ -15,12 +15,12 @@ class EditStack : public QUndoStack {
   explicit EditStack(QObject* parent = nullptr);
 
   void push(QUndoCommand* step);
-  /// Forgets all steps; what follows is another state.
+  /// Removes all steps; the current state gets a new number.
   void clear();
   std::uint64_t revision() const { return revisions_[static_cast<std::size_t>(index())]; }
 
  signals:
-  /// A step was made, undone or redone.
+  /// Emitted when a step was made, undone or redone.
   void revision_changed();
 
  private:

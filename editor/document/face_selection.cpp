@@ -10,7 +10,7 @@
 namespace editor {
 namespace {
 
-/// Spreads a selection over the edges of a mesh.
+/// Grows a selection over the edges of a mesh.
 class Spread {
  public:
   Spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& selection)
@@ -28,8 +28,7 @@ class Spread {
                             [this](std::size_t face) { front_.push_back(static_cast<std::uint32_t>(face)); });
   }
 
-  /// Goes from the selected faces to those that share an edge with one, and on from there, as long as
-  /// `admits(from, to)` does.
+  /// Breadth-first search from the selected faces over shared edges, as long as `admits(from, to)` is true.
   template <class Admits>
   void run(const Admits& admits) {
     while (!front_.empty()) {
@@ -65,12 +64,12 @@ class Spread {
   const grf::Mesh* geometry_;
   FaceSelection* selection_;
   grf::SharedEdges edges_;
-  std::vector<std::uint32_t> unselected_;  ///< by edge, how many of its faces are not selected
-  std::vector<std::uint32_t> front_;       ///< selected faces from which to go on
+  std::vector<std::uint32_t> unselected_;  ///< number of unselected faces per edge
+  std::vector<std::uint32_t> front_;       ///< selected faces that are still to be expanded
 };
 
-/// A key holds what is compared of faces: their surface as it is written, and what its names mean there. A
-/// name can mean other things in another scope.
+/// The compared attributes of a face: its surface as written, and the resolved values, since a name can
+/// resolve differently in another scope.
 struct LikenessKey {
   grf::Surface written;
   grf::Surface meant;
@@ -227,8 +226,8 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
       normals.push_back(grf::doubled_area_vector(*mesh.geometry, face, {}).normalized());
     }
-    // Each face is compared with the selected one that it was reached from, so that a bend of many small
-    // steps ends.
+    // Each face is compared with the selected face from which it was reached, so that gentle bends do not
+    // accumulate.
     std::vector<std::uint32_t> seeds(mesh.face_count());
     for (std::uint32_t face = 0; face < seeds.size(); ++face) seeds[face] = face;
     Spread(i, mesh, result).run([&](std::uint32_t from, std::uint32_t to) {

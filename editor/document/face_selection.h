@@ -1,4 +1,4 @@
-// Which faces are selected, and the ways to select more or fewer.
+// The selection of faces, and operations that extend or reduce it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace editor {
 
-/// A face of a mesh, each an index of its list.
+/// A face: the index of its mesh, and its index in the mesh.
 struct FaceId {
   std::uint32_t mesh = 0;
   std::uint32_t face = 0;
@@ -19,15 +19,14 @@ struct FaceId {
   bool operator==(const FaceId&) const = default;
 };
 
-/// A set of faces of the meshes of a scene's objects. A mesh that stands at several places is selected in
-/// all.
+/// A set of faces of a scene's meshes. A mesh with several instances is selected in all.
 class FaceSelection {
  public:
-  /// The bits say which faces of a mesh are selected.
+  /// One bit per face of a mesh: whether it is selected.
   using Faces = boost::dynamic_bitset<>;
 
   FaceSelection() = default;
-  /// No face of these.
+  /// Constructs an empty selection.
   explicit FaceSelection(const SceneObjects& objects);
 
   std::size_t count() const { return count_; }
@@ -35,26 +34,26 @@ class FaceSelection {
   bool has(FaceId face) const { return faces_[face.mesh][face.face]; }
   std::size_t mesh_count() const { return faces_.size(); }
   const Faces& of_mesh(std::uint32_t mesh) const { return faces_[mesh]; }
-  /// How many faces of a mesh are selected.
+  /// The number of selected faces of a mesh.
   std::size_t count(std::uint32_t mesh) const { return counts_[mesh]; }
-  /// Calls an action with the number of each selected face of a mesh, in time that is proportional to these.
+  /// Calls an action for each selected face of a mesh, in time proportional to their number.
   template <class Action>
   void for_each_face(std::uint32_t mesh, const Action& action) const {
     const Faces& faces = faces_[mesh];
     if (counts_[mesh] == 0) return;
     for (auto face = faces.find_first(); face != Faces::npos; face = faces.find_next(face)) action(face);
   }
-  /// Those of which some, but perhaps not all, faces are selected.
+  /// The meshes with at least one selected face.
   std::vector<std::uint32_t> meshes() const;
 
   void set(FaceId face, bool is_selected = true);
   void set_mesh(std::uint32_t mesh, bool is_selected = true);
-  /// Selects these faces of a mesh alone; as many bits as it has faces.
+  /// Sets the selected faces of a mesh; one bit per face.
   void set_faces(std::uint32_t mesh, const Faces& faces);
   void clear();
   void select_all();
   void invert();
-  /// Adds or takes away what another selection of the same objects has.
+  /// Adds or removes the faces of another selection of the same objects.
   void add(const FaceSelection& other);
   void remove(const FaceSelection& other);
 
@@ -64,31 +63,31 @@ class FaceSelection {
   void count_faces(std::uint32_t mesh);
 
   std::vector<Faces> faces_;
-  std::vector<std::size_t> counts_;  ///< of each mesh
+  std::vector<std::size_t> counts_;  ///< per mesh
   std::size_t count_ = 0;
 };
 
-/// Says which of the surfaces of a mesh, by its number, selected faces have.
+/// Flags the surfaces of a mesh that selected faces have.
 std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
                                     std::uint32_t mesh);
 
-/// The selection and all faces that share an edge with one of it; vertices at one place count as one.
+/// Grows the selection by all faces that share an edge with it; vertices at the same position count as one.
 FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects);
 
-/// The selection without the faces that share an edge with one that is not of it.
+/// Shrinks the selection by the faces that share an edge with an unselected one.
 FaceSelection shrunk(const FaceSelection& selection, const SceneObjects& objects);
 
-/// All faces that hang together with those of the selection by shared edges.
+/// All faces connected to the selection by shared edges.
 FaceSelection connected(const FaceSelection& selection, const SceneObjects& objects);
 
-/// The same, where the normal of each turns no more than so many radians from that of the selected face which
-/// it was reached from.
+/// The connected faces whose normal deviates by at most so many radians from that of the selected face from
+/// which they were reached.
 FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objects, double radians);
 
-/// What two surfaces have to have in common to be alike.
+/// The attribute in which surfaces must agree to be similar.
 enum class Likeness { Brdf, Pdf, Colour, Texture, Emission, All };
 
-/// All faces of all meshes whose surface is like that of a selected one.
+/// All faces of all meshes whose surface is similar to that of a selected one.
 FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness);
 
 }  // namespace editor

@@ -27,8 +27,7 @@ std::vector<std::uint32_t> numbers_of(const FaceSelection::Faces& faces) {
   return numbers;
 }
 
-/// The mesh with the vertices of a part, whose faces are some of its own in the same order, in place of those
-/// that these faces had.
+/// Replaces the vertices of some faces of a mesh by those of a part, which has these faces in the same order.
 grf::Mesh with_part(const grf::Mesh& mesh, const FaceSelection::Faces& faces, const grf::Mesh& part) {
   grf::MeshDraft vertices_of_both(mesh);
   std::vector<std::uint32_t> copies;
@@ -55,7 +54,7 @@ grf::Mesh with_part(const grf::Mesh& mesh, const FaceSelection::Faces& faces, co
 
 using MeshEdit = std::function<grf::Mesh(const grf::Mesh&)>;
 
-/// The mesh whose faces that are meant are edited. The edit keeps number and order of faces.
+/// Edits only the selected faces of a mesh. The edit keeps number and order of faces.
 grf::Mesh edited_mesh(const grf::Mesh& mesh, const FaceSelection::Faces& faces, const MeshEdit& edit) {
   if (faces.all()) return edit(mesh);
   return with_part(mesh, faces, edit(grf::part_of(mesh, numbers_of(faces))));
@@ -72,7 +71,7 @@ grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {
   return scene;
 }
 
-/// The scene, in which whole meshes are edited, and may have other faces then.
+/// Edits whole meshes of a scene, which may have other faces afterwards.
 grf::Scene with_edited_meshes(const SelectedFaces& faces, const MeshEdit& edit) {
   grf::Scene scene = faces.scene;
   for (const std::uint32_t i : at_all_places(faces.scene, faces.objects, faces.selection).meshes()) {
@@ -104,7 +103,7 @@ grf::OptionalVertexValues<Value> same_at_all(std::size_t vertices, const std::op
   return values;
 }
 
-/// All `use` blocks of the definitions at some places.
+/// All `use` blocks of the definitions at these paths.
 std::vector<grf::ScenePath> uses_of(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths) {
   std::set<const grf::Definition*> definitions;
   for (const grf::ScenePath& path : paths) {
@@ -204,7 +203,7 @@ CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection&
     const FaceSelection::Faces& faces = selection.of_mesh(i);
     bool is_first = true;
     for (auto face = faces.find_first(); face != FaceSelection::Faces::npos; face = faces.find_next(face)) {
-      // Vertices without values are all alike.
+      // Vertices without attributes are all equal.
       if (!is_first && !has_values && (common.have_normals || mesh.geometry->normals.empty())) break;
       is_first = false;
       for (const std::uint32_t corner : mesh.face(face)) {

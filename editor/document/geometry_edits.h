@@ -1,5 +1,5 @@
-// Editing the vertices and faces of meshes. Where only some faces of a mesh are meant, vertices that they
-// share with others are split if they come to differ, and the other faces stay as they are.
+// Edits of vertices and faces. If only some faces of a mesh are selected, vertices shared with others are
+// split where they come to differ, and the other faces are unchanged.
 #pragma once
 
 #include <optional>
@@ -16,40 +16,40 @@ struct Subdivision;
 
 namespace editor {
 
-/// The faces of a selection in a scene, of which the objects are.
+/// Selected faces of a scene, with the scene's objects.
 struct SelectedFaces {
   const grf::Scene& scene;
   const SceneObjects& objects;
   const FaceSelection& selection;
 };
 
-// Each gives a new scene, in which the faces are edited at all places where their file is included.
+// Each returns a new scene, in which the faces are edited at all places that include their file.
 
-/// Normals of the faces' own, with creases where they are turned against each other by more than so many
-/// radians (0 to pi).
+/// Recomputes the faces' vertex normals, with creases at edges whose face angle exceeds `crease` radians (0
+/// to pi).
 grf::Scene with_smooth_normals(const SelectedFaces& faces, double crease);
-/// Without normals.
+/// Removes the faces' vertex normals (flat shading).
 grf::Scene with_flat_faces(const SelectedFaces& faces);
-/// Fronts become backs, and normals point to the other side.
+/// Reverses the orientation and the normals of the faces.
 grf::Scene flipped(const SelectedFaces& faces);
-/// Gives the faces' vertices a colour, or none.
+/// Sets or removes the colour of the faces' vertices.
 grf::Scene with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour);
-/// Gives the faces' vertices an irradiance from all directions together, in W/m2, or none.
+/// Sets or removes the irradiance of the faces' vertices, from all directions together, in W/m2.
 grf::Scene with_irradiance(const SelectedFaces& faces, std::optional<grf::Colour> irradiance);
-/// With all faces of the meshes of these faces subdivided, see `convert::subdivided`.
+/// Subdivides the meshes of these faces, see `convert::subdivided`.
 grf::Scene with_subdivided_meshes(const SelectedFaces& faces, const convert::Subdivision& subdivision);
-/// How many faces those meshes will have together.
+/// The total number of faces of those meshes after subdivision.
 double faces_after(const SelectedFaces& faces, const convert::Subdivision& subdivision);
-/// With the meshes of these faces smoothed, see `convert::smoothed`.
+/// Smooths the meshes of these faces, see `convert::smoothed`.
 grf::Scene with_smooth_meshes(const SelectedFaces& faces, int steps);
-/// Without the faces. Meshes without faces go, and what uses them.
+/// Deletes the faces, meshes without faces, and what uses them.
 grf::Scene without_faces(const SelectedFaces& faces);
 
-/// What the vertices of selected faces have in common.
+/// The vertex attributes that all selected faces share.
 struct CommonVertices {
-  bool have_normals = false;  ///< some
+  bool have_normals = false;  ///< at least one
   CommonValue<grf::Colour> colour;
-  CommonValue<grf::Colour> irradiance;  ///< mixed too where values are from several directions
+  CommonValue<grf::Colour> irradiance;  ///< mixed also if there are values from several directions
 };
 CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection& selection);
 

@@ -13,7 +13,7 @@
 namespace editor {
 namespace {
 
-/// As the scene's own file writes them.
+/// Texture file names as the scene's own file writes them.
 std::set<std::string> texture_names(const grf::Scene& scene, const std::string& path) {
   std::set<std::string> names;
   grf::SceneVisitor visitor;
@@ -39,7 +39,7 @@ bool have_same_bytes(const QString& a, const QString& b) {
          first.size() == second.size() && first.readAll() == second.readAll();
 }
 
-/// The name of the copy; empty if there is none.
+/// Copies a file and returns its new name; empty after an error.
 QString copied(const QString& file, const QDir& folder) {
   const QFileInfo info(file);
   for (int number = 1;; ++number) {
@@ -68,8 +68,8 @@ std::map<std::string, std::string> copy_images(const grf::Scene& scene, const st
     if (!is_ours) continue;
     const QString copy = copied(file.filePath(), destination);
     if (copy.isEmpty()) {
-      diagnostics.error(grf::whole_file(to), "the image " + file.filePath().toStdString() +
-                                                 " cannot be copied to the scene's folder");
+      diagnostics.error(grf::whole_file(to),
+                        "cannot copy the image " + file.filePath().toStdString() + " to the scene's folder");
     } else {
       names[name] = copy.toStdString();
     }

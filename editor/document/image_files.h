@@ -9,14 +9,14 @@
 
 namespace editor {
 
-/// Copies the images of a scene that are in one of the folders to that of the file `to`. Names that are taken
-/// there by other files get a number. Gives the new names by those in the scene, as `grf::relocate` takes
-/// them; what cannot be copied is an error.
+/// Copies the images of a scene that are in one of the folders beside the file `to`. Names in use by other
+/// files get a number. Returns the new names by those in the scene, as `grf::relocate` takes them; failures
+/// are errors.
 std::map<std::string, std::string> copy_images(const grf::Scene& scene, const std::string& from,
                                                const ImportFolders& folders, const std::string& to,
                                                grf::Diagnostics& diagnostics);
 
-/// Whether all images of a folder are among those that were copied, by their names in the file `from`.
+/// Whether all images of a folder were copied, by their names in the file `from`.
 bool is_copied(const ImportFolder& folder, const std::string& from,
                const std::map<std::string, std::string>& copied);
 

@@ -6,9 +6,9 @@
 namespace editor {
 
 bool take_lock(QLockFile& lock) {
-  lock.setStaleLockTime(0);  // however old, it is that of a session while its process lives
-  // The process that the file names may be another one by now, and the file may be empty after a power cut;
-  // whether it is held, the operating system knows: a lock that is held is not removed.
+  lock.setStaleLockTime(0);  // never stale by age, since sessions may run long
+  // The process number in the lock file may be reused, and the file may be empty after a power cut; but the
+  // operating system knows whether it is held, and a held lock is not removed.
   return lock.tryLock() || (lock.removeStaleLockFile() && lock.tryLock());
 }
 

@@ -8,19 +8,19 @@
 
 namespace editor {
 
-/// Locks a file also if the process that had it is no more, whatever its number is used for by now. False: it
-/// is held.
+/// Locks a file, also if its former owner has crashed and its process number was reused. Returns false if the
+/// lock is held.
 bool take_lock(QLockFile& lock);
 
-/// A folder for the images that stood inside an imported model. It is removed with the last who needs it, and
-/// locked until then: what a crash leaves can be told from what another session needs.
+/// A folder for the images embedded in an imported model. It is removed with its last owner, and locked until
+/// then, so that leftovers of a crash can be told from folders in use.
 class ImportFolder {
  public:
-  /// Makes a folder in `parent`; null: it cannot be made.
+  /// Creates a folder in `parent`; null on failure.
   static std::shared_ptr<const ImportFolder> make(const QString& parent);
-  /// Takes over one that a crash left; null: it is gone, or another session has it.
+  /// Takes over a leftover of a crash; null if it is gone, or in use by another session.
   static std::shared_ptr<const ImportFolder> adopt(const QString& path);
-  /// Removes what crashes left in `parent`, but for the folders to be kept.
+  /// Removes leftovers of crashes in `parent`, except for the folders `kept`.
   static void remove_abandoned(const QString& parent, const QStringList& kept);
 
   ~ImportFolder();
@@ -33,7 +33,7 @@ class ImportFolder {
   explicit ImportFolder(const QString& path);
 
   const QString path_;
-  QLockFile lock_;  ///< beside it: it is held before the folder is there
+  QLockFile lock_;  ///< beside the folder, and taken before the folder is created
 };
 
 using ImportFolders = std::vector<std::shared_ptr<const ImportFolder>>;

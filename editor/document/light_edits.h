@@ -1,4 +1,4 @@
-// Lights and observers, and what they emit.
+// Edits lights and observers, and computes emitted power.
 #pragma once
 
 #include <optional>
@@ -14,46 +14,47 @@
 
 namespace editor {
 
-/// The power in watts that a diffuse emitter of one side sends out: Phi = pi A L, with its area in the world
-/// in m2 and the mean L of its radiance over the three channels, in W/(sr m2).
+/// The power in watts of a one-sided diffuse emitter: Phi = pi A L, with its world-space area A in m2 and L,
+/// the mean of its radiance over the three channels, in W/(sr m2).
 double power_of(const grf::Colour& radiance, double area);
 
-/// The radiance of that power, of the colour that the given one has; white if that is black. Of no area it is
-/// the given one.
+/// The radiance for that power, in the chromaticity of the given colour; white if that is black. For zero
+/// area it is the given one.
 grf::Colour radiance_of(double power, double area, const grf::Colour& colour);
 
-/// Of the light where it stands, in m2.
+/// World-space area of the light, in m2.
 double world_area(const LightObject& light);
 
-/// What emits in a scene: a light, a mesh light, or the emitting faces of a mesh, all places together.
+/// An emitter of a scene: an area light, a mesh light, or the emissive faces of a mesh, all instances
+/// together.
 struct Emitter {
   enum class Kind { AreaLight, MeshLight, Faces };
   Kind kind = Kind::AreaLight;
   grf::ScenePath path;
   std::string name;       ///< of the mesh; may be empty
-  std::size_t count = 1;  ///< of emitting faces
-  double area = 0;        ///< in the world, m2
+  std::size_t count = 1;  ///< number of emissive faces
+  double area = 0;        ///< world space, m2
   double power = 0;       ///< W
 };
 std::vector<Emitter> emitters_of(const SceneObjects& objects);
-/// Whether a mesh has a surface that emits.
+/// Whether a mesh has an emissive surface.
 bool emits(const MeshObject& mesh);
 
-/// Makes the selected faces send out so many watts together, in the colour of the given radiance.
+/// Sets the total power of the selected faces in watts, in the chromaticity of the given radiance.
 SurfaceEdit emission_of_power(const SceneObjects& objects, const FaceSelection& selection, double power,
                               const grf::Colour& colour);
 
-// Each of these gives a new scene; those that can fail nothing, and the reason in the diagnostics.
+// Each of these returns a new scene; those that can fail return nothing, with the reason in the diagnostics.
 
-/// Puts a light, given in the world's coordinates, into the scene.
+/// Adds a light, given in world coordinates, to the scene.
 grf::Scene add_light(const grf::Scene& scene, const grf::AreaLight& light);
-/// Another corner, other edges, another radiance; in the coordinates of the place.
+/// Sets corner, edges and radiance of a light, in its local coordinates.
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
                                        const grf::AreaLight& light, grf::Diagnostics& diagnostics);
 
-/// Adds an observer at a place in the world.
+/// Adds an observer at a position in world space.
 grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position);
-/// Moves one to a place in the world.
+/// Moves an observer to a position in world space.
 std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverObject& observer,
                                         const grf::Vec3d& position, grf::Diagnostics& diagnostics);
 

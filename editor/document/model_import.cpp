@@ -18,7 +18,7 @@
 namespace editor {
 namespace {
 
-/// What `grfconvert` prints, of which only the severity has to be known.
+/// Parses the messages of `grfconvert`, of which only the severity is needed.
 grf::Diagnostics diagnostics_of(const QString& printed) {
   const QString warning = "warning: ";
   grf::Diagnostics diagnostics;
@@ -29,7 +29,7 @@ grf::Diagnostics diagnostics_of(const QString& printed) {
   return diagnostics;
 }
 
-/// Reads what was written, of which only the images are needed any longer. Null: it cannot be read.
+/// Reads the converted file, after which only the images are needed. Null after an error.
 std::shared_ptr<const ImportedModel> read_model(std::shared_ptr<const ImportFolder> folder,
                                                 const QString& path, QStringList losses,
                                                 const QString& printed) {
@@ -60,7 +60,7 @@ ModelImport::ModelImport(QString parent_folder, QObject* parent)
     : QObject(parent), parent_(std::move(parent_folder)) {
   connect(&reading_, &QFutureWatcher<std::shared_ptr<const ImportedModel>>::finished, this, [this] {
     if (reading_.future().resultCount() == 0) return;  // it was cancelled
-    folder_.reset();                                   // the model's from now on
+    folder_.reset();                                   // now owned by the model
     if (const auto model = reading_.future().takeResult()) return emit done(model);
     fail(tr("%1: the converted file could not be read").arg(file_));
   });
@@ -94,7 +94,7 @@ void ModelImport::set_memory_limit(double gigabytes) {
 
 int ModelImport::time_limit(qint64 bytes) {
   constexpr qint64 Least = 60;                // there may be large files beside it
-  constexpr qint64 SlowestReading = 100'000;  // bytes in a second: text, on a busy machine
+  constexpr qint64 SlowestReading = 100'000;  // bytes per second: text, on a busy machine
   return static_cast<int>(std::min<qint64>(Least + bytes / SlowestReading, 24 * 3600));
 }
 
@@ -102,9 +102,9 @@ void ModelImport::start(const QString& file, const QStringList& options) {
   cancel();
   file_ = file;
   const QString program = bundled_program("grfconvert");
-  if (program.isEmpty()) return fail(tr("the program grfconvert is not there"));
+  if (program.isEmpty()) return fail(tr("cannot find the program grfconvert"));
   folder_ = ImportFolder::make(parent_);
-  if (!folder_) return fail(tr("no folder can be made in %1").arg(parent_));
+  if (!folder_) return fail(tr("cannot create a folder in %1").arg(parent_));
   output_ = folder_->path() + "/" + QFileInfo(file).completeBaseName() + ".grf";
   const QString memory = QString::number(qRound64(1024 * memory_limit())) + "MB";
   const QString time = QString::number(time_limit(QFileInfo(file).size()));
@@ -126,11 +126,11 @@ void ModelImport::cancel() {
   reading_.setFuture({});
   const auto folder = std::exchange(folder_, nullptr);
   if (process_ == nullptr) return;
-  // It ends its own child, and removes what that began to write.
+  // It kills its own child, and removes partial output.
   ChildProcess* process = std::exchange(process_, nullptr);
   process->disconnect(this);
   connect(process, &ChildProcess::ended, process, [process, folder] {
-    process->deleteLater();  // and the folder goes
+    process->deleteLater();  // and releases the folder
   });
   process->cancel();
 }
@@ -138,11 +138,9 @@ void ModelImport::cancel() {
 void ModelImport::read_output(const ChildEnd& end) {
   std::exchange(process_, nullptr)->deleteLater();
   const QString messages = QString::fromUtf8(messages_);
-  if (end.cause == ChildEnd::Cause::NotStarted)
-    return fail(tr("grfconvert cannot be started: %1").arg(end.why));
+  if (end.cause == ChildEnd::Cause::NotStarted) return fail(tr("cannot start grfconvert: %1").arg(end.why));
   if (end.cause != ChildEnd::Cause::Returned) return fail(tr("%1: grfconvert crashed").arg(file_));
-  if (end.code != 0)
-    return fail(messages.isEmpty() ? tr("%1 cannot be read").arg(file_) : messages.trimmed());
+  if (end.code != 0) return fail(messages.isEmpty() ? tr("cannot read %1").arg(file_) : messages.trimmed());
   reading_.setFuture(QtConcurrent::run(read_model, folder_, output_, losses_in(report_), messages));
 }
 

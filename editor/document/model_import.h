@@ -13,46 +13,46 @@
 
 namespace editor {
 
-/// A model of another format as a scene. Images that stood inside it are files beside `path` now.
+/// An imported model of another format as a scene. Its embedded images are files beside `path`.
 struct ImportedModel {
   grf::Scene scene;
-  QString path;                                ///< from which the scene names other files; it is gone
-  QStringList losses;                          ///< what the scene has not, a line a kind
-  grf::Diagnostics diagnostics;                ///< all that was said, the losses among it
-  std::shared_ptr<const ImportFolder> folder;  ///< where the images are; null: there are none
+  QString path;        ///< path to which the scene's file names are relative; the file itself is gone
+  QStringList losses;  ///< what the import lost, one line per kind
+  grf::Diagnostics diagnostics;                ///< all messages, including the losses
+  std::shared_ptr<const ImportFolder> folder;  ///< folder of the images; null if there are none
 };
 
-/// Reads a model in a process of its own, `grfconvert`, so that a file which crashes a reader, or wants all
-/// memory, is no more than a message here.
+/// Imports a model in a child process, `grfconvert`, so that a file which crashes a reader, or exceeds the
+/// memory limit, is only an error message.
 class ModelImport : public QObject {
   Q_OBJECT
 
  public:
-  /// Images that stood inside models get folders in `parent_folder`.
+  /// Embedded images are stored in folders in `parent_folder`.
   explicit ModelImport(QString parent_folder, QObject* parent = nullptr);
   ~ModelImport() override;
 
   static QString default_folder();
-  /// Patterns of all formats that are read, for a file dialog: "*.obj".
+  /// File name patterns of all readable formats, for a file dialog: "*.obj".
   static QStringList name_patterns();
 
-  /// How much memory an import may take, in GB (2^30 bytes), which the settings keep; 4 until it is set.
+  /// The memory limit of an import in GB (2^30 bytes), stored in the settings; 4 by default.
   static double memory_limit();
   static void set_memory_limit(double gigabytes);
 
-  /// How long the import of a file of so many bytes may take, in seconds: a damaged one can keep a reader
-  /// busy for ever.
+  /// The time limit for importing a file of so many bytes, in seconds: a damaged file can keep a reader busy
+  /// for ever.
   static int time_limit(qint64 bytes);
 
   bool is_running() const { return process_ != nullptr || reading_.isRunning(); }
-  /// `options` are those of `grfconvert`, such as {"--up", "z"}. One file at a time.
+  /// Starts an import; `options` are those of `grfconvert`, such as {"--up", "z"}. One file at a time.
   void start(const QString& file, const QStringList& options = {});
-  /// Ends it, without waiting for that, and nothing is left. No signal comes.
+  /// Cancels the import without waiting, and removes its files. No signal follows.
   void cancel();
 
  signals:
   void done(std::shared_ptr<const ImportedModel> model);
-  /// What is wrong with the file, in words that name it.
+  /// Emitted with the error, which names the file.
   void failed(const QString& message);
 
  private:
@@ -62,11 +62,11 @@ class ModelImport : public QObject {
 
   const QString parent_;
   QString file_;
-  std::shared_ptr<const ImportFolder> folder_;  ///< null: none is being imported
+  std::shared_ptr<const ImportFolder> folder_;  ///< null while nothing is being imported
   QString output_;
   QByteArray report_;
   QByteArray messages_;
-  /// Imports what is wanted now; others of its kind are coming to their end.
+  /// The process of the current import; cancelled ones are still ending.
   ChildProcess* process_ = nullptr;
   QFutureWatcher<std::shared_ptr<const ImportedModel>> reading_;
 };

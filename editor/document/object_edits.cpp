@@ -17,12 +17,12 @@ namespace {
 using Step = grf::TransformStep;
 
 std::optional<grf::Scene> nothing_there(grf::Diagnostics& diagnostics) {
-  diagnostics.error({}, "nothing stands at that place");
+  diagnostics.error({}, "there is no object at that place");
   return std::nullopt;
 }
 
-/// Takes observers out of their `params`; the paths of those that have none left are added to `gone`. False
-/// where there is no such observer.
+/// Removes observers from their `params`; the paths of those that become empty are added to `gone`. Returns
+/// false if an observer does not exist.
 bool remove_observers(grf::Scene& scene, const std::vector<ObserverObject>& observers,
                       std::vector<grf::ScenePath>& gone) {
   std::map<grf::ScenePath, std::set<std::size_t>> numbers;
@@ -38,7 +38,7 @@ bool remove_observers(grf::Scene& scene, const std::vector<ObserverObject>& obse
   return true;
 }
 
-/// The transform that moves a block alone: what stands at the path, or the block around it. Else null.
+/// The transform that moves only this block: the one at the path, or its parent. Null if there is none.
 grf::Transform* transform_of(grf::Scene& scene, grf::ScenePath& path) {
   if (auto* own = content_at<grf::Transform>(scene, path)) return own;
   const grf::ScenePath around(path.begin(), path.end() - 1);
@@ -58,7 +58,7 @@ grf::Block wrapped(grf::Block block, const grf::Vec3f& offset) {
   return wrapping;
 }
 
-/// An offset in the world as one in the coordinates in which the block at a path stands.
+/// Converts an offset from world space to the local coordinates of the block at a path.
 grf::Vec3f local_offset(const grf::Scene& scene, grf::ScenePathView path, const grf::Vec3d& offset) {
   grf::Vec3d local;
   to_world_at(scene, path).inverse().multDirMatrix(offset, local);
@@ -78,8 +78,7 @@ void move(grf::Scene& scene, grf::ScenePath path, const grf::Vec3d& offset) {
   }
 }
 
-/// The first mesh that stands in a block itself, and not in a file that it includes; nothing if there is
-/// none.
+/// The first mesh in a block itself, not in a file that it includes; nothing if there is none.
 std::optional<grf::ScenePath> first_mesh_in(const grf::Block& block, grf::ScenePath path) {
   if (std::holds_alternative<grf::Shared<grf::Mesh>>(block.content)) return path;
   const auto* transform = std::get_if<grf::Transform>(&block.content);
@@ -94,7 +93,7 @@ std::optional<grf::ScenePath> first_mesh_in(const grf::Block& block, grf::SceneP
   return std::nullopt;
 }
 
-/// Makes the mesh at a path a definition that is used there. The other path stays that of what it led to.
+/// Turns the mesh at a path into a definition that is used there. The other path is updated.
 void define_mesh(grf::Scene& scene, const grf::ScenePath& path, grf::ScenePath& other) {
   const DefinitionInsertion insertion = DefinitionInsertion::around(scene, path);
   grf::Block& block = *grf::find(scene, path).block;
@@ -143,7 +142,7 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
   grf::ScenePath place(path.begin(), path.end());
   while (const auto mesh = first_mesh_in(*block_at(changed, place), place))
     define_mesh(changed, *mesh, place);
-  // What stands alone in a transform is copied with it.
+  // A transform with a single child is duplicated with it.
   grf::ScenePath moved = place;
   if (transform_of(changed, moved) != nullptr) place = moved;
   grf::ScenePath around = place;

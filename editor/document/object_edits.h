@@ -1,5 +1,5 @@
-// Moving, copying, naming and taking away what stands in a scene. Each edit gives a new scene, or nothing and
-// the reason in the diagnostics.
+// Edits objects of a scene: move, duplicate, rename and delete. Each edit returns a new scene, or nothing
+// with the reason in the diagnostics.
 #pragma once
 
 #include <optional>
@@ -14,22 +14,22 @@
 
 namespace editor {
 
-/// Moves a block in the world. Where it stands alone in a transform, or is one, that moves it; else it gets
-/// one of its own, which then stands at the path.
+/// Translates a block in world space. If it is a transform, or the only child of one, that is changed; else
+/// it gets a new transform, which then is at the path.
 std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathView path,
                                       const grf::Vec3d& offset, grf::Diagnostics& diagnostics);
 
-/// Deletes blocks, definitions that nothing else refers to, and observers, whose `params` goes with the last
-/// of them.
+/// Deletes blocks, definitions without other references, and observers, whose `params` is deleted with the
+/// last of them.
 std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
                                          const std::vector<ObserverObject>& observers,
                                          grf::Diagnostics& diagnostics);
 
-/// Puts a block there once more, moved in the world. Meshes in it become definitions, which both use.
+/// Duplicates a block, translated in world space. Meshes in it become definitions, which both use.
 std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePathView path,
                                            const grf::Vec3d& offset, grf::Diagnostics& diagnostics);
 
-/// Names a mesh; a definition is renamed with all that refers to it.
+/// Renames a mesh; a definition is renamed with all references to it.
 std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathView path,
                                         const std::string& name, grf::Diagnostics& diagnostics);
 

@@ -19,19 +19,19 @@ using options::RenderOptions;
 
 namespace {
 
-/// What the options' text names files from; a scene that has no file does so from the current folder.
+/// The file to which the options' file names are relative; for an unsaved scene, in the current folder.
 QString op_naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("untitled.op") : path; }
 
-/// A text that is to be read from another folder names the same files.
+/// Makes the file names of a text relative to another folder.
 std::string moved(const std::string& text, const QString& from_path, const QString& to_path) {
   const QString from = op_naming_path(from_path);
   const QString to = op_naming_path(to_path);
   if (QFileInfo(from).absolutePath() == QFileInfo(to).absolutePath()) return text;
-  grf::Diagnostics unheard;  // what cannot be written was not there before
+  grf::Diagnostics unheard;  // unwritable values did not exist before
   return op_text_of(with_absolute_paths(OpText(text).options(), from), to, text, unheard).value_or(text);
 }
 
-/// The first line that is another.
+/// The first line that differs.
 QString changed_line(const std::string& before, const std::string& after) {
   const auto first = std::mismatch(before.begin(), before.end(), after.begin(), after.end()).first;
   return QString("line %1").arg(std::count(before.begin(), first, '\n'));
@@ -39,7 +39,7 @@ QString changed_line(const std::string& before, const std::string& after) {
 
 }  // namespace
 
-/// Texts of options are short: a step keeps them whole.
+/// An undo command. Option texts are short, so it stores both whole.
 class OpDocument::Edit : public QUndoCommand {
  public:
   Edit(OpDocument& document, std::string after, const QString& title, QString key)
@@ -75,7 +75,7 @@ class OpDocument::Edit : public QUndoCommand {
   OpDocument& document_;
   std::string before_;
   std::string after_;
-  QString path_;  ///< from which both name files
+  QString path_;  ///< path to which the file names of both are relative
   QString key_;
   int step_;
 };
@@ -189,7 +189,7 @@ void OpDocument::follow(const RenderOptions& wanted) {
   if (text && text->text() != text_.text()) take(text->text());
 }
 
-/// Options whose values cannot be written in an OP file stay as they are.
+/// Updates the text; options whose values cannot be written in an OP file are unchanged.
 std::optional<OpText> OpDocument::text_with(const RenderOptions& wanted) const {
   grf::Diagnostics unheard;
   const auto text = op_text_of(wanted, op_naming_path(path_), text_.text(), unheard);
@@ -207,8 +207,8 @@ void OpDocument::take(const std::string& text) {
   emit changed();
 }
 
-/// The options of a project need not say what is rendered, so that they are read as though they did, where
-/// no line gets another number.
+/// Checks a project's options, which need not name a scene: they are checked as if they did, without
+/// renumbering lines.
 void OpDocument::check() {
   const std::string path = QFileInfo(op_naming_path(path_)).absoluteFilePath().toStdString();
   const auto read = [&](const char* behind) {

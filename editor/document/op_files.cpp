@@ -20,7 +20,7 @@ const options::PathOption* path_option(const OptionInfo& option) {
   return std::get_if<options::PathOption>(&option.value);
 }
 
-/// Whether the text gives the option another value, or one that cannot be read.
+/// Whether the text sets the option to another value, or to an unreadable one.
 bool has_other(const options::OpText& text, const RenderOptions& there, const RenderOptions& wanted,
                const OptionInfo& option) {
   if (option_words(there, option) != option_words(wanted, option)) return true;
@@ -60,7 +60,7 @@ std::optional<std::string> op_text_of(const RenderOptions& render_options, const
     }
     if (text.set(option, words)) continue;
     diagnostics.error(grf::whole_file(op_path.toStdString()),
-                      fmt::format("{}: '{}' cannot be written in an OP file", option.key, words.front()));
+                      fmt::format("{}: cannot write '{}' in an OP file", option.key, words.front()));
     return std::nullopt;
   }
   return text.text();

@@ -1,4 +1,4 @@
-// The OP file beside a scene, as the editor and `bpt` read it.
+// Reads and writes the OP file beside a scene.
 #pragma once
 
 #include <QString>
@@ -10,19 +10,19 @@
 
 namespace editor {
 
-/// The OP file beside a scene, SCENE.op.
+/// The path of the OP file beside a scene, SCENE.op.
 QString op_file_beside(const QString& scene_path);
 
-/// The options with all files that they name by absolute paths; relative ones are beside the scene.
+/// Makes all file names of the options absolute; relative ones are beside the scene.
 options::RenderOptions with_absolute_paths(options::RenderOptions render_options, const QString& scene_path);
 
-/// The text of an OP file with these options: that before, of which comments, order, lines that are no
-/// options and options with the same values stay as they are; a new file gets those that are not as by
-/// default. Files in the folder of the OP file are named without it. Nothing if a name cannot be written.
+/// Updates the text of an OP file to these options. Comments, order, lines that are no options and options
+/// with equal values are kept; a new file gets the options that differ from the defaults. File names in the
+/// folder of the OP file are relative. Returns nothing if a name cannot be written.
 std::optional<std::string> op_text_of(const options::RenderOptions& render_options, const QString& op_path,
                                       const std::string& before, grf::Diagnostics& diagnostics);
 
-/// Changes the file, likewise, or makes it. False after an error, which leaves it as it was.
+/// Updates or creates the file, likewise. Returns false after an error, which leaves the file unchanged.
 bool write_op_file(const options::RenderOptions& render_options, const QString& op_path,
                    grf::Diagnostics& diagnostics);
 

@@ -29,15 +29,15 @@ const QString SceneFile = QStringLiteral("scene.grf");
 const QString RecordFile = QStringLiteral("work.json");
 const QString LockFile = QStringLiteral("lock");
 
-/// The blocks of a file with names as another file says them.
+/// Converts the references of a file's blocks to another file.
 grf::BlockList moved(const grf::BlockList& list, const std::string& from, const std::string& to) {
   grf::Scene scene = {list};
   grf::relocate(scene, from, to);
   return std::move(scene.contents);
 }
 
-/// Brings a scene with all its included files into one folder, under names of their own, since those of the
-/// author must not be written.
+/// Copies a scene with all its included files into one folder, under new names, since the user's files must
+/// not be overwritten.
 class Packing {
  public:
   explicit Packing(std::string folder) : folder_(std::move(folder)) {}
@@ -45,7 +45,7 @@ class Packing {
   grf::Scene pack(const grf::Scene& scene, const std::string& path) {
     return {packed(scene.contents, path, folder_ + "/" + SceneFile.toStdString())};
   }
-  /// The names that included files have in the scene, by their numbers.
+  /// The original names of included files, by their numbers.
   const QJsonArray& names() const { return names_; }
 
  private:
@@ -70,7 +70,8 @@ class Packing {
   QJsonArray names_;
 };
 
-/// The way back. Included files get back their names; that they were changed is told by their contents.
+/// The inverse. Included files get their names back; whether they were changed is found by comparing
+/// contents.
 class Unpacking {
  public:
   Unpacking(std::string folder, const QJsonArray& names) : folder_(std::move(folder)), names_(names) {}
@@ -111,8 +112,8 @@ bool write_record(const QString& folder, const QJsonObject& record) {
   return file.commit();
 }
 
-/// What went wrong, or nothing. The scene comes before the record: a session without a record has kept
-/// nothing.
+/// Returns an error message, or nothing. The scene is written before the record: a session without a record
+/// has no autosave.
 QString write_work(const QString& folder, const grf::Scene& scene, const QString& path,
                    const ImportFolders& imports) {
   Packing packing(folder.toStdString());
@@ -127,11 +128,10 @@ QString write_work(const QString& folder, const grf::Scene& scene, const QString
                               {"imports", folders},
                               {"saved", QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs)},
                               {"includes", packing.names()}};
-  return write_record(folder, record) ? QString()
-                                      : Recovery::tr("The folder %1 cannot be written.").arg(folder);
+  return write_record(folder, record) ? QString() : Recovery::tr("Cannot write the folder %1.").arg(folder);
 }
 
-/// Includes by the paths of their files. Where other names are defined around it, one text reads as others.
+/// Includes by file path. The same text is parsed differently where other names are in scope.
 using IncludesOfFiles = std::map<std::string, std::vector<grf::Include>>;
 
 const grf::Include* find_alike(const IncludesOfFiles& includes, const std::string& file,
@@ -143,7 +143,7 @@ const grf::Include* find_alike(const IncludesOfFiles& includes, const std::strin
   return alike == of_file->second.end() ? nullptr : &*alike;
 }
 
-/// Included files that are still as they were are no changed ones, which saving would write again.
+/// Marks included files that equal those on disk as unchanged, so that saving does not rewrite them.
 void take_origins(grf::BlockList& list, const std::string& path, const IncludesOfFiles& on_disk) {
   for_each_include(list, [&](grf::Include& include) {
     const std::string file = grf::path_beside(path, include.file);
@@ -182,7 +182,7 @@ Recovery::Recovery(Document& document, const QString& sessions, int delay, QObje
     emit kept();
   });
   connect(&document_, &Document::changed, this, [this] {
-    // Not begun anew at each change: one who goes on working would have nothing kept.
+    // The timer is not restarted at each change, which would postpone the autosave for ever.
     if (document_.is_modified() && !timer_.isActive()) timer_.start();
   });
   connect(&document_, &Document::modified_changed, this, [this](bool is_modified) {
@@ -234,12 +234,12 @@ std::optional<grf::Scene> Recovery::read(const LostWork& work, grf::Diagnostics&
 
 void Recovery::discard(const LostWork& work) { QDir(work.folder).removeRecursively(); }
 
-// What comes while the last state is written is kept after it.
+// Changes made during an autosave are autosaved next.
 void Recovery::keep() {
   timer_.stop();
   if (!document_.is_modified()) return;
   if (writing_.isRunning()) return timer_.start();
-  if (!QDir().mkpath(folder_)) return emit failed(tr("The folder %1 cannot be made.").arg(folder_));
+  if (!QDir().mkpath(folder_)) return emit failed(tr("Cannot create the folder %1.").arg(folder_));
   if (!lock_) {
     lock_.emplace(folder_ + "/" + LockFile);
     take_lock(*lock_);
@@ -250,7 +250,7 @@ void Recovery::keep() {
 
 void Recovery::discard_own() {
   timer_.stop();
-  if (!writing_.isRunning()) remove_own();  // else once it is written: the window does not wait
+  if (!writing_.isRunning()) remove_own();  // else after writing, so that the window does not wait
 }
 
 void Recovery::remove_own() {

@@ -1,4 +1,4 @@
-// Work that was not saved, kept on disk so that a crash loses none of it.
+// Autosave of unsaved work, for recovery after a crash.
 #pragma once
 
 #include <QDateTime>
@@ -18,39 +18,40 @@ namespace editor {
 
 class Document;
 
-/// What a session that ended without being closed had not saved.
+/// The unsaved work of a session that was not closed properly.
 struct LostWork {
-  QString folder;       ///< where it is kept
-  QString path;         ///< of the scene that was edited; empty: it was never saved
-  QDateTime saved;      ///< when it was kept last
-  QStringList imports;  ///< folders of images that its scene names
+  QString folder;       ///< folder of the autosave
+  QString path;         ///< of the edited scene; empty if it was never saved
+  QDateTime saved;      ///< time of the last autosave
+  QStringList imports;  ///< folders with images of its scene
 };
 
-/// Keeps the unsaved work of a document: a few seconds after a change it is written to a folder of this
-/// session. The folder is gone once there is nothing unsaved, or the session ends as it should.
+/// Autosaves a document: a few seconds after a change it is written to a folder of this session. The folder
+/// is removed when nothing is unsaved, or the session is closed properly.
 class Recovery : public QObject {
   Q_OBJECT
 
  public:
-  /// The folder of all sessions, and how long after a change the work is written, in milliseconds.
+  /// `sessions` is the folder of all sessions; `delay` is the time from a change to its autosave, in
+  /// milliseconds.
   Recovery(Document& document, const QString& sessions, int delay = 3000, QObject* parent = nullptr);
   ~Recovery() override;
 
-  /// Where sessions keep their work if nobody says otherwise.
+  /// The default folder of all sessions.
   static QString default_folder();
 
-  /// What sessions left that are no more; the latest first.
+  /// The work of sessions that crashed; the latest first.
   std::vector<LostWork> lost_work() const;
-  /// The scene of one, to be taken as that of its path. Nothing after an error.
+  /// Reads an autosaved scene, to be set as that of its path. Returns nothing after an error.
   static std::optional<grf::Scene> read(const LostWork& work, grf::Diagnostics& diagnostics);
   static void discard(const LostWork& work);
 
-  /// Writes what is unsaved, in a thread.
+  /// Autosaves now, in a thread.
   void keep();
 
  signals:
   void kept();
-  /// Work could not be kept: the disk is full, or the folder cannot be written.
+  /// Emitted when the autosave failed: the disk is full, or the folder cannot be written.
   void failed(const QString& message);
 
  private:

@@ -14,35 +14,34 @@
 
 namespace editor {
 
-/// The state of a document that is to be saved.
+/// A snapshot of a document to be saved.
 struct SaveRequest {
   grf::Scene scene;
-  std::string from;                             ///< the file from which the scene names others
+  std::string from;                             ///< the file to which the scene's file names are relative
   QString path;                                 ///< of the file to be written
   ImportFolders imports;                        ///< images in these are copied beside that file
-  std::optional<OpDocument::Snapshot> options;  ///< to be written too
-  std::uint64_t origin = 0;                     ///< the revision with which the document took the scene
+  std::optional<OpDocument::Snapshot> options;  ///< written, too
+  std::uint64_t origin = 0;                     ///< the revision with which the document set the scene
   std::uint64_t revision = 0;                   ///< of the document in this state
 };
 
-/// A save result says what was written.
+/// The result of a save.
 struct SaveResult {
   SaveRequest request;
   bool is_done = false;
   std::map<std::string, std::string> copied;  ///< new names of images by those in the scene
-  std::string options;                        ///< text of the OP file, if that was written
-  grf::Diagnostics diagnostics;               ///< why it is not done
+  std::string options;                        ///< text of the OP file, if it was written
+  grf::Diagnostics diagnostics;               ///< errors
 };
 
-/// Writes what is asked for, in any thread.
+/// Writes the snapshot, in any thread.
 SaveResult write(SaveRequest request);
 
-/// The files that blocks of the file `path` include, also by others; `only_changed`: those that are not as
-/// they were read. Their paths are canonical.
+/// The canonical paths of the files that blocks of the file `path` include, directly or indirectly;
+/// `only_changed`: only those that differ from what was read.
 QStringList included_paths(const grf::BlockList& blocks, const std::string& path, bool only_changed);
 
-/// The files besides the scene's own that writing replaces: its OP file, and included files that are not as
-/// they were read.
+/// The files that saving overwrites besides the scene's own: its OP file, and edited includes.
 QStringList files_beside(const SaveRequest& request);
 
 }  // namespace editor

@@ -56,7 +56,7 @@ class Collector {
     return {placement.path.begin(), placement.path.end()};
   }
 
-  /// Meets meshes in the order of their numbers, without their paths and looks, and the places of each.
+  /// Visits meshes in the order of their numbers, without paths and surfaces, and the instances of each.
   template <class Meet, class Place>
   grf::SceneVisitor mesh_visitor(const Meet& meet, const Place& place) {
     grf::SceneVisitor visitor;
@@ -146,10 +146,10 @@ class Collector {
   SceneObjects objects_;
   std::vector<MeshInstance> instances_;
   std::uint32_t next_mesh_ = 0;
-  // What was met last under these definitions: they are met before what uses them, and those in a file that
-  // is included at several places once at each of them, where names around it may mean other things.
+  // The latest visit of these definitions: they precede their uses, and a file that is included at several
+  // places is visited once per place, since names may resolve differently there.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes
-  std::map<const grf::Definition*, std::string> file_of_;    // in which a texture is defined
+  std::map<const grf::Definition*, std::string> file_of_;    // file in which a texture is defined
 };
 
 }  // namespace

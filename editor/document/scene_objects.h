@@ -1,5 +1,5 @@
-// A scene as views and lists of objects need it: each mesh once, where it is placed, and what its faces look
-// like with all names looked up. A snapshot, which shares the scene's meshes.
+// The flattened scene graph for views and lists of objects: each mesh once, its instances, and the resolved
+// surfaces of its faces. A snapshot, which shares the scene's meshes.
 #pragma once
 
 #include <cstddef>
@@ -22,27 +22,27 @@ struct LookTerm {
   bool operator==(const LookTerm&) const = default;
 };
 
-/// What faces look like, names looked up.
+/// A surface with all names resolved.
 struct Look {
   grf::Colour colour = grf::Colour(1);
-  std::optional<grf::BrdfModel> brdf;  ///< absent: GRF's default
-  std::vector<LookTerm> terms;         ///< what a `combine` adds up, through all sums of sums; else empty
-  std::string texture;                 ///< path of the image; empty: none
+  std::optional<grf::BrdfModel> brdf;  ///< absent for GRF's default
+  std::vector<LookTerm> terms;  ///< the flattened terms of a `combine`, through nested sums; else empty
+  std::string texture;          ///< path of the image; empty for none
   std::optional<grf::Colour> emission;
 };
 
-/// A mesh, or a mesh light, that stands in the scene once, as itself or as a definition. What a file holds
-/// that is included at several places stands there as often.
+/// A mesh or mesh light of the scene, inline or as a definition. A file that is included at several places
+/// contributes its meshes once per place.
 struct MeshObject {
   grf::ScenePath path;
   std::string name;  ///< of the mesh or of its definition; may be empty
   grf::Shared<grf::Mesh> mesh;
   bool is_definition = false;
-  bool is_light = false;    ///< a mesh light: its surfaces' colours are radiances
-  std::vector<Look> looks;  ///< of each of the mesh's surfaces
+  bool is_light = false;    ///< whether it is a mesh light, whose surfaces' colours are radiances
+  std::vector<Look> looks;  ///< one per surface of the mesh
 };
 
-/// One place at which a mesh stands in the world.
+/// An instance of a mesh in world space.
 struct MeshInstance {
   std::uint32_t mesh = 0;  ///< index of a MeshObject
   grf::ScenePath path;     ///< of the mesh, or of the `use`
@@ -58,7 +58,7 @@ struct LightObject {
 struct ObserverObject {
   grf::ScenePath path;  ///< of the `params`
   std::size_t number = 0;
-  grf::Vec3d position;  ///< in the world
+  grf::Vec3d position;  ///< world space
 };
 
 struct SceneObjects {
@@ -66,19 +66,20 @@ struct SceneObjects {
   grf::Shared<std::vector<MeshInstance>> instances;
   std::vector<LightObject> lights;
   std::vector<ObserverObject> observers;
-  grf::Box3d mesh_bounds;     ///< of all instances, in the world; empty if there are none
-  grf::Box3d bounds;          ///< of lights too
+  grf::Box3d mesh_bounds;     ///< of all instances, in world space; empty if there are none
+  grf::Box3d bounds;          ///< of lights, too
   std::size_t faces = 0;      ///< of all meshes, each once
-  std::size_t triangles = 0;  ///< of all instances, faces cut
+  std::size_t triangles = 0;  ///< of all instances, after triangulation
 
   /// The mesh at a path, or nothing.
   std::optional<std::uint32_t> mesh_at(grf::ScenePathView path) const;
 };
 
-/// The path is the scene's file, from whose folder it names textures and includes; empty: the current folder.
+/// Flattens a scene. The path is the scene's file, relative to which it names textures and includes; empty
+/// for the current folder.
 SceneObjects objects_of(const grf::Scene& scene, const std::string& path);
 
-/// Brings the objects of a scene up to date after a change that is not structural.
+/// Updates the objects of a scene after a change that is not structural.
 void update(SceneObjects& objects, const grf::Scene& scene, const std::string& path, const Change& change);
 
 }  // namespace editor

@@ -16,7 +16,7 @@ namespace {
 
 using namespace patch;
 
-/// A block without what stands inside it.
+/// A block without its children.
 grf::Block head_of(const grf::Block& block) {
   grf::Block head;
   head.comments = block.comments;
@@ -29,7 +29,7 @@ grf::Block head_of(const grf::Block& block) {
   return head;
 }
 
-/// What lies between the elements that two lists begin and end with alike.
+/// The differing middle between the common beginning and end of two lists.
 template <class Part, class Item>
 Part list_part(grf::ScenePath path, const std::vector<Item>& before, const std::vector<Item>& after) {
   const auto [first, first_after] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
@@ -87,7 +87,8 @@ std::variant<SurfacesPart, MeshPart> mesh_part(grf::ScenePath path, const grf::M
   return part;
 }
 
-/// Walks two scenes at once and notes where they differ. Lists of one length are compared pair by pair.
+/// Traverses two scenes in parallel and records the differences. Lists of equal length are compared element
+/// by element.
 class Finder {
  public:
   void compare(const grf::BlockList& before, const grf::BlockList& after, const grf::ScenePath& path,
@@ -154,7 +155,7 @@ class Finder {
     compare(*before.contents, *after.contents, path);
     is_included_ = was_included;
   }
-  // Definitions come first: paths in the body count them.
+  // Definitions come first, since paths in the body count them.
   void compare_inside(const grf::DefinitionScope& before, const grf::DefinitionScope& after,
                       const grf::ScenePath& path) {
     compare_items(before.definitions, after.definitions, path, [&](std::size_t number) {
@@ -264,7 +265,7 @@ void add_to(Change& change, const HeadPart&) { change.is_structural = true; }
 
 void add_to(Change&, const ListPart<std::string>&) {}
 
-/// A later change of the same thing is taken up, so that the ticks of a slider are one change.
+/// Merges a later change of the same thing, so that the steps of a slider are one change.
 template <class Content>
 bool continues(Content& part, const Content& later) {
   if (part.path != later.path) return false;

@@ -14,7 +14,7 @@
 
 namespace editor {
 
-/// A mesh, and where it stands in a scene.
+/// A mesh and its path in a scene.
 struct PlacedMesh {
   grf::ScenePath path;
   grf::Mesh mesh;
@@ -22,38 +22,36 @@ struct PlacedMesh {
 
 namespace patch {
 
-/// Items replace others in a list, from one on: blocks, end comments, definitions of a scope, surfaces of a
-/// mesh.
+/// Replaces consecutive items of a list: blocks, end comments, definitions of a scope, surfaces of a mesh.
 template <class Item>
 struct ListPart {
-  grf::ScenePath path;  ///< of what holds the list
+  grf::ScenePath path;  ///< of the owner of the list
   std::size_t first = 0;
   std::vector<Item> before;
   std::vector<Item> after;
 };
-/// A block keeps what stands inside it, and gets other comments, transform steps or another include's name:
-/// both states hold these alone.
+/// A block keeps its children, and gets other comments, transform steps or another include's name: both
+/// states store only these.
 struct HeadPart : ListPart<grf::Block> {};
-/// Faces one after the other of which all had one surface, and have another one.
+/// A run of consecutive faces that all had one surface, and get another one.
 struct FaceRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t before = 0;
   std::uint32_t after = 0;
 };
-/// Surfaces of a mesh replace others, and runs of faces get other ones.
+/// Replaces surfaces of a mesh, and the surface of runs of faces.
 struct SurfacesPart : ListPart<grf::Surface> {
   std::vector<FaceRun> runs;
 };
-/// Where anything else of a mesh differs, both states are held whole, which share their geometry with the
-/// scene.
+/// Stores both states of a mesh whole if anything else differs; they share their geometry with the scene.
 struct MeshPart {
   grf::ScenePath path;
   grf::Shared<grf::Mesh> before;
   grf::Shared<grf::Mesh> after;
 };
 struct Part {
-  bool is_included = false;  ///< it stands in a file of its own, which names others from its own place
+  bool is_included = false;  ///< it is in an included file, to which its file names are relative
   std::variant<SurfacesPart, MeshPart, ListPart<grf::Block>, ListPart<grf::Definition>, HeadPart,
                ListPart<std::string>>
       content;
@@ -61,27 +59,27 @@ struct Part {
 
 }  // namespace patch
 
-/// The difference between two states of a scene, which leads from each of them to the other. It holds what
-/// differs alone, so that a long history of steps needs little memory.
+/// The difference between two states of a scene, which converts either into the other. It stores only what
+/// differs, so that a long undo history needs little memory.
 class ScenePatch {
  public:
-  /// Parts that both scenes share are not compared.
+  /// Compares two scenes; parts that both share are skipped.
   static ScenePatch between(const grf::Scene& before, const grf::Scene& after);
-  /// From a scene to that in which these meshes stand at their places, where there are meshes already.
+  /// The patch from a scene to the one with these meshes in place of those at their paths.
   static ScenePatch of_meshes(const grf::Scene& before, const std::vector<PlacedMesh>& after);
 
   bool empty() const { return parts_.empty(); }
   void apply(grf::Scene& before) const;
   void revert(grf::Scene& after) const;
 
-  /// The change says what kinds of things differ; which meshes do, `meshes` says.
+  /// Which kinds of things differ; `meshes` tells which meshes do.
   Change change() const;
-  /// The places of the meshes that differ in what their faces have.
+  /// The paths of the meshes whose surfaces differ.
   std::set<grf::ScenePath> meshes() const;
 
-  /// Takes up a patch that leads on from where this one leads to.
+  /// Appends a patch that starts where this one ends.
   void append(const ScenePatch& later);
-  /// Names files from another path, see `grf::relocate`.
+  /// Makes file names relative to another path, see `grf::relocate`.
   void relocate(const std::string& from, const std::string& to,
                 const std::map<std::string, std::string>& moved);
 

@@ -15,7 +15,7 @@
 namespace editor {
 namespace {
 
-/// The list of blocks inside a block, or null.
+/// The children of a block, or null.
 const grf::BlockList* list_in(const grf::Block& block) {
   if (const auto* transform = std::get_if<grf::Transform>(&block.content)) return &transform->body;
   if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) return &scope->body;
@@ -23,17 +23,17 @@ const grf::BlockList* list_in(const grf::Block& block) {
   return nullptr;
 }
 
-/// How many definitions are counted before the blocks inside a block.
+/// The number of definitions that precede the children of a block in paths.
 std::size_t definitions_before(const grf::Block* block) {
   const auto* scope = block == nullptr ? nullptr : std::get_if<grf::DefinitionScope>(&block->content);
   return scope == nullptr ? 0 : scope->definitions.size();
 }
 
-/// The blocks on the way to a place, the outermost first, and the definition at its end.
+/// The ancestors of a path, the outermost first, and the definition at its end.
 struct Way {
   std::vector<const grf::Block*> blocks;
   const grf::Definition* definition = nullptr;
-  bool is_whole = true;  ///< false: it leads to nothing
+  bool is_whole = true;  ///< false if the path is invalid
 };
 
 Way way_to(const grf::Scene& scene, grf::ScenePathView path) {
@@ -54,7 +54,7 @@ Way way_to(const grf::Scene& scene, grf::ScenePathView path) {
   return way;
 }
 
-/// A scope without definitions is none: its blocks stand in its place, and its comments before them.
+/// Replaces a scope without definitions by its blocks, and keeps its comments.
 void dissolve(grf::BlockList& list, std::size_t number) {
   const auto place = list.blocks.begin() + static_cast<std::ptrdiff_t>(number);
   auto& scope = std::get<grf::DefinitionScope>(place->content);
@@ -94,7 +94,7 @@ bool begins_with(const grf::ScenePath& path, const grf::ScenePath& beginning) {
   return path.size() >= beginning.size() && std::equal(beginning.begin(), beginning.end(), path.begin());
 }
 
-/// Looks for what stands nearest before a location in its file.
+/// Searches for what is nearest before a location in its file.
 class NearestBefore {
  public:
   explicit NearestBefore(const grf::SourceLocation& location) : wanted_(location) {}
@@ -144,7 +144,7 @@ std::vector<PlacedDefinition> definitions_at(const grf::Scene& scene, grf::Scene
 std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
                                                  const std::vector<grf::ScenePath>& paths) {
   std::vector<PlacedDefinition> common;
-  std::map<grf::ScenePath, bool> seen;  // lists: what stands in one has the same names in force
+  std::map<grf::ScenePath, bool> seen;  // lists: children of the same list have the same names in scope
   bool is_first = true;
   for (const grf::ScenePath& path : paths) {
     const bool is_definition = definition_at(scene, path) != nullptr;
@@ -209,7 +209,7 @@ DefinitionInsertion DefinitionInsertion::around(const grf::Scene& scene, grf::Sc
   const Way way = way_to(scene, path);
   for (std::size_t depth = way.blocks.size(); depth-- > 0;) {
     const auto place = path.begin() + static_cast<std::ptrdiff_t>(depth) + 1;
-    if (place == path.end()) continue;  // what stands there is not around itself
+    if (place == path.end()) continue;  // the object itself is not its own ancestor
     if (std::holds_alternative<grf::Include>(way.blocks[depth]->content)) {
       insertion.list_.assign(path.begin(), place);
       insertion.is_new_ = true;
@@ -268,11 +268,11 @@ grf::ScenePath DefinitionInsertion::definition_path() const {
 
 void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths) {
   std::ranges::sort(paths);
-  // What is inside of something that goes follows it, and goes with it.
+  // Descendants of a removed object follow it, and are removed with it.
   paths.erase(std::unique(paths.begin(), paths.end(),
                           [](const auto& first, const auto& later) { return begins_with(later, first); }),
               paths.end());
-  // From the last on, so that the others stay where they are.
+  // Backwards, so that the remaining paths stay valid.
   for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
     if (definition_at(scene, *path) != nullptr) {
       const std::uint32_t number = path->back();
@@ -294,7 +294,7 @@ namespace {
 
 using Texts = std::map<std::string, grf::Shared<grf::BlockList>>;
 
-/// Calls an action with each include, and goes into those for which it returns true.
+/// Visits each include, and descends into those for which the action returns true.
 template <class Action>
 void for_each_nested_include(const grf::BlockList& list, const Action& action) {
   for_each_include(list, [&action](const grf::Include& include) {
@@ -302,7 +302,7 @@ void for_each_nested_include(const grf::BlockList& list, const Action& action) {
   });
 }
 
-/// The texts of included files as they were read; of one that is included at several places, the first.
+/// The texts of included files as they were read; if included at several places, the first.
 Texts texts_of(const grf::Scene& scene) {
   Texts texts;
   for_each_nested_include(scene.contents, [&texts](const grf::Include& include) {
@@ -311,7 +311,7 @@ Texts texts_of(const grf::Scene& scene) {
   return texts;
 }
 
-/// The texts of files that are others now; says so where a file would have two.
+/// The texts of edited files; reports an error if a file would have two.
 Texts changed_texts(const grf::Scene& scene, const Texts& before, grf::Diagnostics& diagnostics) {
   Texts changed;
   for_each_nested_include(scene.contents, [&](const grf::Include& include) {
@@ -330,7 +330,7 @@ Texts changed_texts(const grf::Scene& scene, const Texts& before, grf::Diagnosti
   return changed;
 }
 
-/// Gives all includes of files the text that these have now; returns of how many that is another one.
+/// Replaces the contents of all includes of edited files; returns the number of those that differed.
 std::size_t put_texts(grf::BlockList& list, const Texts& changed) {
   std::size_t places = 0;
   for_each_include(list, [&](grf::Include& include) {
@@ -347,7 +347,7 @@ std::size_t put_texts(grf::BlockList& list, const Texts& changed) {
   return places;
 }
 
-/// Where something is written: a file that is included, and the way from there.
+/// A location in a file: an included file, and the path inside it.
 struct WrittenPlace {
   std::string file;
   grf::ScenePath path;
@@ -355,7 +355,7 @@ struct WrittenPlace {
   auto operator<=>(const WrittenPlace&) const = default;
 };
 
-/// Nothing for what stands in no included file.
+/// Nothing for a path outside of included files.
 std::optional<WrittenPlace> written_place(const grf::Scene& scene, grf::ScenePathView path) {
   const Way way = way_to(scene, path);
   for (std::size_t depth = way.blocks.size(); depth-- > 0;) {
@@ -388,7 +388,7 @@ std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Di
 FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
                             const FaceSelection& selection) {
   FaceSelection faces = selection;
-  // Together first: a file that is included thousands of times may be selected at each of its places.
+  // Grouped first: a file that is included thousands of times may be selected at each place.
   std::map<WrittenPlace, FaceSelection::Faces> selected;
   for (const std::uint32_t mesh : selection.meshes()) {
     const auto place = written_place(scene, objects.meshes[mesh].path);

@@ -1,4 +1,4 @@
-// What holds at a place of a scene, and putting things there or taking them away.
+// Looks up and edits a scene at paths: definitions in scope, insertion and deletion.
 #pragma once
 
 #include <map>
@@ -15,48 +15,49 @@
 
 namespace editor {
 
-/// A definition and where it stands. The pointer is into the scene, good until that is changed.
+/// A definition and its path. The pointer is into the scene, valid until that is changed.
 struct PlacedDefinition {
   grf::ScenePath path;
   const grf::Definition* definition = nullptr;
 };
 
-/// The definitions that names mean at a place, where inner ones hide outer ones; the outermost first.
+/// The definitions in scope at a path, where inner ones hide outer ones; the outermost first.
 std::vector<PlacedDefinition> definitions_at(const grf::Scene& scene, grf::ScenePathView path);
 
-/// Those that mean the same at all places. What is nearer to one of them than to the others is not there.
+/// The definitions in scope with the same meaning at all paths.
 std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
                                                  const std::vector<grf::ScenePath>& paths);
 
-/// What stands at a place, or null.
+/// The definition at a path, or null.
 const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView path);
 const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path);
 /// The mesh of a block, of a mesh light or of a definition, or null.
 const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path);
-/// Returns the content at a path, to be changed, or null if that is of another kind.
+/// Returns the mutable content at a path, or null if it is of another kind.
 template <class Content>
 Content* content_at(grf::Scene& scene, grf::ScenePathView path) {
   const grf::ScenePlace place = grf::find(scene, path);
   return place.block == nullptr ? nullptr : std::get_if<Content>(&place.block->content);
 }
-/// Whether a place is in an included file.
+/// Whether a path leads into an included file.
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path);
 
-/// From the coordinates in which what stands at the place is given to the world's; without the steps of the
-/// transform that stands there itself.
+/// The matrix from the local coordinates at a path to world space; without the steps of a transform that is
+/// at the path itself.
 grf::Matrix44d to_world_at(const grf::Scene& scene, grf::ScenePathView path);
 
-/// Puts a definition behind those of a scope. Paths are those of before; `shifted` has them as they are then.
+/// Appends a definition to those of a scope. Paths are those before the insertion; `shifted` converts them to
+/// those after it.
 class DefinitionInsertion {
  public:
-  /// Into the innermost scope around the place, in the same file.
+  /// Into the innermost scope around the path, in the same file.
   static DefinitionInsertion around(const grf::Scene& scene, grf::ScenePathView path);
   /// Into the scope around the whole scene.
   static DefinitionInsertion outermost(const grf::Scene& scene);
 
   void apply(grf::Scene& scene, grf::Definition definition) const;
   grf::ScenePath shifted(grf::ScenePath path) const;
-  /// Of the definition, once it is there.
+  /// The path of the definition after the insertion.
   grf::ScenePath definition_path() const;
 
  private:
@@ -66,13 +67,14 @@ class DefinitionInsertion {
   bool is_new_ = false;
 };
 
-/// Takes blocks and definitions away, and transforms of which nothing is left. No path leads to nothing.
+/// Removes blocks and definitions, and transforms that become empty. All paths must be valid.
 void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths);
 
-/// The list to which new things of the scene go: inside the scope around the whole scene, if there is one.
+/// The list to which new objects of the scene are added: inside the scope around the whole scene, if there is
+/// one.
 grf::BlockList& outermost_blocks(grf::Scene& scene);
 
-/// Calls an action with each include among blocks, but with none inside of another. `List` is const or not.
+/// Calls an action for each include among blocks, except for nested ones. `List` may be const.
 template <class List, class Action>
 void for_each_include(List& list, const Action& action) {
   for (auto& block : list.blocks) {
@@ -85,19 +87,19 @@ void for_each_include(List& list, const Action& action) {
   }
 }
 
-/// How often each file is included that was read, also by other included files; by its canonical path.
+/// The number of includes of each file that was read, also by other included files; by canonical path.
 std::map<std::string, std::size_t> included_files(const grf::Scene& scene);
 
-/// Carries what an edit changed in a file that is included at several places to all of them, and returns of
-/// how many others. An error where two places were changed in different ways: a file has one text.
+/// Applies the edits of a file that is included at several places to all of them, and returns the number of
+/// the others. Reports an error if two places were edited differently: a file has one text.
 std::size_t edit_all_places(const grf::Scene& before, grf::Scene& after, grf::Diagnostics& diagnostics);
 
-/// The faces of a selection, and the same ones at all places where their file is included.
+/// Extends a selection to the same faces at all places that include their file.
 FaceSelection at_all_places(const grf::Scene& scene, const SceneObjects& objects,
                             const FaceSelection& selection);
 
-/// The block, definition or faces' mesh that was written at a location or nearest before it in the same
-/// file, if there is one.
+/// The path of the block, definition or faces' mesh that was written at a location, or nearest before it in
+/// the same file, if any.
 std::optional<grf::ScenePath> written_at(const grf::Scene& scene, const grf::SourceLocation& location);
 
 }  // namespace editor

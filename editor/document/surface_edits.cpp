@@ -11,7 +11,7 @@
 namespace editor {
 namespace {
 
-/// What an edit gives to the faces of a mesh light, which have a radiance alone, as their colour.
+/// Converts an edit to one of a mesh light, whose only attribute is a radiance, stored as its colour.
 SurfaceEdit of_mesh_light(const SurfaceEdit& edit) {
   SurfaceEdit radiance;
   if (!edit.emission.is_any()) return radiance;
@@ -20,17 +20,17 @@ SurfaceEdit of_mesh_light(const SurfaceEdit& edit) {
   return radiance;
 }
 
-/// What faces of a mesh light have, as though the mesh had it.
+/// Converts the surface of a mesh light to that of an emissive mesh.
 grf::Surface seen_as_mesh(const Look& look) {
   grf::Surface surface;
   surface.emission = look.colour;
   return surface;
 }
 
-/// Counts the faces that have each of a mesh's surfaces.
+/// Counts the faces of each surface of a mesh.
 std::vector<std::size_t> uses_of_surfaces(const grf::Mesh& mesh) {
   std::vector<std::size_t> uses(mesh.surfaces.size());
-  // Faces of one surface mostly follow each other: a run is counted at once.
+  // Faces of one surface are mostly consecutive: a run is counted at once.
   const std::vector<std::uint32_t>& surfaces = *mesh.surface_of_face;
   for (auto run = surfaces.begin(); run != surfaces.end();) {
     const auto end = std::find_if(run, surfaces.end(), [run](std::uint32_t each) { return each != *run; });
@@ -48,7 +48,7 @@ bool are_different(const std::vector<grf::Surface>& surfaces) {
                              [&known](const grf::Surface& surface) { return known.insert(&surface).second; });
 }
 
-/// A mesh of which some faces get other surfaces.
+/// A mesh in which faces are assigned to other surfaces.
 class Reassignment {
  public:
   Reassignment(const grf::Mesh& mesh, const SurfaceEdits& edits)
@@ -67,10 +67,9 @@ class Reassignment {
   }
 
  private:
-  /// Edits surfaces all of whose faces are selected in their place, so that no face needs another number.
-  /// Returns false, with nothing done, where that is not all: the first surface is the mesh's own, which
-  /// stays for the faces that are not listed as long as two are used, and no two surfaces may come to be the
-  /// same.
+  /// Edits surfaces in place if all of their faces are selected, so that no face is reassigned. Returns
+  /// false, with nothing done, if that is not sufficient: the first surface is the mesh's own, which is kept
+  /// for unlisted faces as long as two are used, and no two surfaces may become equal.
   bool edit_whole_surfaces(const FaceSelection& selection, std::uint32_t number) {
     const std::vector<std::size_t> uses = uses_of_surfaces(mesh_);
     std::vector<std::size_t> selected(uses.size());

@@ -1,4 +1,4 @@
-// What selected faces have, and giving them something else.
+// Reads and edits the surfaces of selected faces.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace editor {
 
-/// An attribute that stays as it is, is taken away so that its default holds, or gets a value.
+/// An edit of an attribute: keep it, remove it so that its default applies, or set it.
 template <class Value>
 class AttributeEdit {
  public:
@@ -35,7 +35,7 @@ class AttributeEdit {
   std::optional<Value> value_;
 };
 
-/// What to give faces.
+/// The edits of a surface's attributes.
 struct SurfaceEdit {
   AttributeEdit<grf::ColourAttribute> colour;
   AttributeEdit<grf::BrdfAttribute> brdf;
@@ -48,19 +48,19 @@ struct SurfaceEdit {
   const SurfaceEdit& operator()(const grf::Surface&) const { return *this; }
 };
 
-/// What to give the faces that have a surface; a SurfaceEdit is one, too.
+/// A function from the present surface to its edit. A SurfaceEdit is one, too.
 using SurfaceEdits = std::function<SurfaceEdit(const grf::Surface&)>;
 
-/// All that a surface has: for copies from face to face.
+/// The edit that copies a whole surface from face to face.
 SurfaceEdit edit_to(const grf::Surface& surface);
 
-/// What the faces of a selection have in an attribute.
+/// The value of an attribute that the selected faces share.
 template <class Value>
 struct CommonValue {
   bool is_mixed = false;
-  std::optional<Value> value;  ///< absent: no face has one; meaningless if it is mixed
+  std::optional<Value> value;  ///< absent if no face has one; undefined if mixed
 
-  /// Takes up what one more face has.
+  /// Accumulates the value of another face.
   void meet(const std::optional<Value>& other, bool is_first) {
     if (is_first) {
       value = other;
@@ -75,30 +75,29 @@ struct CommonSurface {
   CommonValue<grf::BrdfAttribute> brdf;
   CommonValue<grf::PdfAttribute> pdf;
   CommonValue<grf::TextureAttribute> texture;
-  CommonValue<grf::Colour> emission;  ///< of mesh lights, what they have instead of all
+  CommonValue<grf::Colour> emission;  ///< for mesh lights, whose only attribute it is
 };
 
-/// Of a selection without faces nothing is common, and nothing mixed.
+/// Computes the common attributes; for an empty selection nothing is common, and nothing mixed.
 CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& selection);
 
-/// The BRDFs that selected faces have, each once a mesh; those of mesh lights, which reflect nothing, left
-/// out.
+/// A BRDF of selected faces, once per mesh; mesh lights, which do not reflect, are left out.
 struct MeshBrdf {
   std::uint32_t mesh = 0;
-  std::optional<grf::BrdfAttribute> brdf;  ///< absent: the default
+  std::optional<grf::BrdfAttribute> brdf;  ///< absent for the default
 
   bool operator==(const MeshBrdf&) const = default;
 };
 std::vector<MeshBrdf> selected_brdfs(const SceneObjects& objects, const FaceSelection& selection);
 
-/// The area of the selected faces in the world, all instances counted.
+/// World-space area of the selected faces, summed over all instances.
 double selected_area(const SceneObjects& objects, const FaceSelection& selection);
 
-/// Takes away surfaces that no face has, but for the first, which is the mesh's own: where all faces have
-/// another one, that becomes it.
+/// Removes unused surfaces, except for the first, which is the mesh's own: if no face has it, another one
+/// takes its place.
 void remove_unused_surfaces(std::vector<grf::Surface>& surfaces, std::vector<std::uint32_t>& surface_of_face);
 
-/// The meshes with selected faces after edits. Mesh lights get their emission, and no more.
+/// Returns the meshes with selected faces after the edits. Mesh lights get only their emission.
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
                                const SurfaceEdits& edits);
 

@@ -1,4 +1,4 @@
-// A graphics driver compiles shaders, and may refuse one; and it has limits.
+// Compiles shaders, and queries the limits of the graphics driver.
 #pragma once
 
 #include <QByteArray>
@@ -10,7 +10,7 @@
 
 namespace editor {
 
-/// GLSL of a program, with its `#version`. A geometry shader is optional.
+/// GLSL source of a program, with its `#version`. The geometry shader is optional.
 struct ShaderTexts {
   QByteArray vertex;
   QByteArray fragment;
@@ -18,29 +18,29 @@ struct ShaderTexts {
 };
 
 struct CompiledProgram {
-  std::unique_ptr<QOpenGLShaderProgram> program;  ///< null: the driver refuses it
-  QString log;                                    ///< what the driver says about that
+  std::unique_ptr<QOpenGLShaderProgram> program;  ///< null if compilation failed
+  QString log;                                    ///< the driver's error log
 };
 
-/// Compiles and links in the context that is current.
+/// Compiles and links in the current context.
 CompiledProgram compile_program(const ShaderTexts& texts);
 
-/// The largest things that a driver takes; these are those that any driver of OpenGL 3.3 does.
+/// Size limits of a driver; the defaults are the minima that OpenGL 3.3 guarantees.
 struct GraphicsLimits {
-  int texture_side = 1024;                ///< pixels of an image in either direction
-  std::size_t buffer_texels = 64 * 1024;  ///< elements of a table that shaders read
+  int texture_side = 1024;                ///< maximum width and height of a texture
+  std::size_t buffer_texels = 64 * 1024;  ///< maximum number of elements of a buffer texture
 };
 
-/// Asks the driver of the context that is current.
+/// Queries the driver of the current context.
 GraphicsLimits limits_of_driver();
 
-/// A driver, which tests replace by one that refuses more.
+/// The functions of a driver, which tests replace to simulate one with failures.
 struct GraphicsDriver {
   std::function<CompiledProgram(const ShaderTexts&)> compile = compile_program;
   std::function<GraphicsLimits()> limits = limits_of_driver;
 };
 
-/// The first line of what a driver says, to be told in a sentence.
+/// The first line of a driver's log, for a message.
 QString first_line(const QString& log);
 
 }  // namespace editor

@@ -30,7 +30,7 @@ void OffscreenContext::end() { context_.reset(); }
 
 GraphicsThread::GraphicsThread(const QString& name, std::function<void()> at_end) : receiver_(new QObject) {
   receiver_->moveToThread(&thread_);
-  // Emitted by the thread itself, which owns what is in the context.
+  // Emitted by the thread itself, which owns the objects of the context.
   QObject::connect(
       &thread_, &QThread::finished, receiver_,
       [this, at_end = std::move(at_end)] {

@@ -10,16 +10,16 @@ class QOpenGLContext;
 
 namespace editor {
 
-/// An OpenGL 3.3 core context without a window. It is made and destroyed in the GUI's thread, and used in
-/// one.
+/// An OpenGL 3.3 core context without a window. It is created and destroyed in the GUI thread, and used in
+/// one thread.
 class OffscreenContext {
  public:
   OffscreenContext();
   ~OffscreenContext();
 
-  /// Makes the context when it is asked for first. Null without OpenGL 3.3.
+  /// Creates the context on the first call. Null without OpenGL 3.3.
   QOpenGLContext* make_current();
-  /// In the thread that uses it, once what lives in the context is destroyed.
+  /// Releases the context in the thread that uses it, after its objects are destroyed.
   void end();
 
  private:
@@ -28,21 +28,21 @@ class OffscreenContext {
   bool is_refused_ = false;
 };
 
-/// A thread that draws by OpenGL into pictures, which widgets then show: drawing takes long, above all by
-/// software, and the window has to answer meanwhile.
+/// A thread that draws images with OpenGL, which widgets then show: rendering is slow, above all in software,
+/// and must not block the window.
 class GraphicsThread {
  public:
-  /// Gets the context, which is current, or null without OpenGL 3.3.
+  /// Receives the current context, or null without OpenGL 3.3.
   using Task = std::function<void(QOpenGLContext*)>;
 
-  /// `at_end` is the last that the thread does, with its context: what lives there is destroyed then.
+  /// `at_end` is the last task of the thread, which destroys the objects of its context.
   GraphicsThread(const QString& name, std::function<void()> at_end);
-  /// Waits for the task that runs; those that did not start are forgotten.
+  /// Waits for the running task; queued ones are dropped.
   ~GraphicsThread();
   GraphicsThread(const GraphicsThread&) = delete;
   GraphicsThread& operator=(const GraphicsThread&) = delete;
 
-  /// Does one task after the other.
+  /// Queues a task.
   void run(Task task);
 
  private:

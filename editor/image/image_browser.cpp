@@ -24,7 +24,7 @@
 namespace editor {
 namespace {
 
-/// Runs work on a thread, and gives its result to the receiver, if that still lives then.
+/// Runs work in a thread, and delivers its result if the receiver still lives.
 template <class Work, class Take>
 void run_aside(QObject* receiver, const Work& work, const Take& take) {
   using Result = std::invoke_result_t<Work>;
@@ -92,9 +92,9 @@ void ImageBrowser::lay_out() {
     column->addWidget(line);
   }
   values_->setAccessibleName(tr("Values of the pixel"));
-  values_->setToolTip(tr("What the pixel under the pointer holds, linear"));
-  figures_->setAccessibleName(tr("Figures of the image"));
-  figures_->setToolTip(tr("Of the whole image: its range and mean, or how far it is from the other one"));
+  values_->setToolTip(tr("Linear values of the pixel under the pointer"));
+  figures_->setAccessibleName(tr("Image statistics"));
+  figures_->setToolTip(tr("Statistics of the whole image: its range and mean, or its error against B"));
 }
 
 // Images
@@ -189,7 +189,7 @@ void ImageBrowser::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-// What is shown
+// Display
 
 ScreenSettings ImageBrowser::screen_settings() const {
   ScreenSettings settings = tools_->controls().settings();
@@ -233,7 +233,7 @@ bool ImageBrowser::is_current(const ImageAnalysis& made) const {
          made.kind == tools_->difference();
 }
 
-/// One at a time: of an image that changes all the while, the states between are left out.
+/// Runs one analysis at a time: intermediate states of an image that keeps changing are skipped.
 void ImageBrowser::start_analysis() {
   if (is_analysing_) return;
   is_analysing_ = true;

@@ -13,41 +13,41 @@ namespace editor {
 class NoticeBar;
 class ScaleBar;
 
-/// Images of files and renders, one of which is shown, alone or against another one: the view, what it shows
-/// and how, the values under the pointer, and figures. Files are read and written on threads.
+/// The image view: images of files and renders, one of which is shown or compared with a reference, with
+/// display settings, pixel values and statistics. Files are read and written in threads.
 class ImageBrowser : public QWidget {
   Q_OBJECT
 
  public:
   explicit ImageBrowser(QWidget* parent = nullptr);
 
-  /// Adds images of files and shows the last one; a file that is open already is read again.
+  /// Opens image files and shows the last one; a file that is already open is reloaded.
   void open_files(const QStringList& paths);
-  /// Adds an image, or a new state of the one of that name. A new one is shown.
+  /// Adds an image, or updates the one of that name. A new image is shown.
   void show_image(const QString& name, SharedImage image);
-  /// As it is while its file is still being made: the same entry as that of `open_files`.
+  /// Shows an unfinished image whose file is still being written: the same entry as that of `open_files`.
   void show_image_of(const QString& path, SharedImage image);
   void remove_image(const QString& name);
-  /// Writes the image that is shown, in the format that the name means.
+  /// Saves the shown image, in the format of the file's extension.
   void save_as(const QString& path);
-  /// Puts what the view shows of the whole image on the clipboard.
+  /// Copies the displayed image to the clipboard.
   void copy() const;
 
   QStringList names() const { return selection_.names(); }
-  /// Selects by name; an empty reference is none.
+  /// Selects an image by name; an empty reference means none.
   void select_image(const QString& name);
   void select_reference(const QString& name);
   void set_comparison(Comparison comparison) { tools_->set_comparison(comparison); }
 
   ImagePane& pane() { return *pane_; }
   ScreenControls& controls() { return tools_->controls(); }
-  /// With the actions, for menus.
+  /// The controls and their actions, for menus.
   const ImageTools& tools() const { return *tools_; }
 
  signals:
   void opened(const QString& path);
   void saved(const QString& path);
-  /// What is wrong with a file; the browser itself shows it too.
+  /// Emitted with the diagnostics of a file, which the browser also shows itself.
   void reported(const grf::Diagnostics& diagnostics);
 
  protected:

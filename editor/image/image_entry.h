@@ -1,4 +1,4 @@
-// Work on images that takes longer than a frame: plain functions, to be run on threads.
+// Slow operations on images: plain functions, to be run in threads.
 #pragma once
 
 #include <QString>
@@ -15,8 +15,8 @@ namespace editor {
 using SharedImage = std::shared_ptr<const transport::Image>;
 
 struct ImageEntry {
-  QString name;  ///< what the user calls it
-  QString path;  ///< of its file; empty: it has none
+  QString name;  ///< display name
+  QString path;  ///< path of its file; empty if it has none
   SharedImage image;
 };
 
@@ -34,21 +34,21 @@ struct SavedImage {
   grf::Diagnostics diagnostics;
 };
 
-/// 8-bit types of file get the exposure, in stops.
+/// Saves an image; 8-bit formats are exposed by `exposure` stops.
 SavedImage save_image(const SharedImage& image, float exposure, const QString& path);
 
-/// What is said of an image, and of it against another one.
+/// Statistics of an image, and its error against a reference.
 struct ImageAnalysis {
   SharedImage image;
   SharedImage reference;
   std::optional<Difference> kind;
   ImageFigures figures;
   std::optional<transport::ImageError> error;
-  SharedImage difference;           ///< if a kind was asked for
-  ImageFigures difference_figures;  ///< of that
+  SharedImage difference;           ///< if a kind of difference was requested
+  ImageFigures difference_figures;  ///< of the difference
 };
 
-/// The reference may be null, or of another size: then nothing is said of differences.
+/// Computes the statistics. The reference may be null or of another size: then there is no comparison.
 ImageAnalysis analysis_of(const SharedImage& image, const SharedImage& reference,
                           std::optional<Difference> kind);
 

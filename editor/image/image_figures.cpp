@@ -12,7 +12,7 @@ namespace {
 
 using reflectance::Rgb;
 
-/// Enough for a share of a thousandth, and soon sorted.
+/// Enough for a percentile of 0.1 %, and quickly sorted.
 constexpr std::size_t MostSamples = 1 << 18;
 
 /// Whether the luminance of the pixel counts.

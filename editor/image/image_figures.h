@@ -1,4 +1,4 @@
-// Numbers about images, and images of their differences.
+// Image statistics, and difference images.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace editor {
 
-/// Pixels are counted once, for the first of these that they are.
+/// Counts of invalid pixels, each counted once for the first category that applies, and luminance statistics.
 struct ImageFigures {
   std::size_t nan_pixels = 0;
   std::size_t infinite_pixels = 0;
-  std::size_t negative_pixels = 0;  ///< in one of their channels
-  double mean_luminance = 0;        ///< of finite pixels
-  /// Luminances that one pixel in a thousand is below and above; of a black image 0.
+  std::size_t negative_pixels = 0;  ///< negative in one of their channels
+  double mean_luminance = 0;        ///< mean of the finite pixels
+  /// The 0.1 % and 99.9 % percentiles of luminance; 0 for a black image.
   double dark_luminance = 0;
   double bright_luminance = 0;
 };
@@ -26,7 +26,7 @@ enum class Difference {
   Relative,  ///< |a - b| / sqrt(b^2 + 0.01): squared and averaged, it is relMSE
 };
 
-/// Of each channel. The images must be of one size.
+/// Computes the difference per channel. The images must have the same size.
 transport::Image difference_of(const transport::Image& image, const transport::Image& reference,
                                Difference difference);
 

@@ -67,7 +67,7 @@ void ImagePane::set_hint(const QString& hint) {
   update();
 }
 
-// Where things are
+// Geometry
 
 double ImagePane::scale() const { return zoom_ / devicePixelRatioF(); }
 
@@ -105,7 +105,7 @@ bool ImagePane::is_near_wipe(const QPointF& place) const {
   return shows_two_by(Arrangement::Wipe) && std::abs(place.x() - wipe_ * width()) < WipeReach;
 }
 
-// Moving and zooming
+// Pan and zoom
 
 void ImagePane::fit() {
   fits_ = true;
@@ -114,7 +114,7 @@ void ImagePane::fit() {
   const QSizeF size = image_size();
   const double ratio = devicePixelRatioF();
   const double whole = ratio * std::min(view.width() / size.width(), view.height() / size.height());
-  // Larger than itself by whole steps, so that all pixels have one size.
+  // Zoom is rounded down to an integer, so that all pixels have the same size.
   set_zoom(whole > 1 ? std::floor(whole) : whole);
   const QSizeF left = view - size * scale();
   origin_ = QPointF(std::floor(left.width() / 2), std::floor(left.height() / 2));
@@ -153,7 +153,7 @@ void ImagePane::set_zoom(double zoom) {
   emit zoomed(zoom_);
 }
 
-/// A strip of the image stays in the view.
+/// Keeps a strip of the image in the view.
 void ImagePane::keep_in_sight() {
   constexpr double Strip = 4.0 * Grid;
   const QSizeF size = image_size() * scale();
@@ -229,7 +229,7 @@ void ImagePane::draw(QPainter& painter, const SharedImage& image, const QRectF& 
   }
   painter.setClipRect(clip);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_ < 1);
-  // The last blocks may reach over the image's edge.
+  // The last blocks may extend beyond the image's edge.
   const QSizeF size = QSizeF(cache.colours.size()) * block * scale();
   painter.drawImage(QRectF(corner + QPointF(part.topLeft()) * scale(), size), cache.colours);
   painter.setPen(colours_of(theme_of(palette())).line);

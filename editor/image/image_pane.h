@@ -13,57 +13,57 @@ namespace editor {
 
 /// How an image and its reference share the view.
 enum class Arrangement {
-  Alone,       ///< the image
-  Reference,   ///< the reference
+  Alone,       ///< only the image
+  Reference,   ///< only the reference
   Wipe,        ///< the image left of a line that can be dragged, the reference right of it
-  SideBySide,  ///< both, each in a half of the view and at the same place
+  SideBySide,  ///< both, each in a half of the view, at the same zoom and position
 };
 
-/// Shows an image of linear radiance. Drag or arrow keys move it, the wheel zooms about the pointer, a double
-/// click changes between the whole image and its own pixels; [ and ] move the line of a wipe.
+/// Displays an image of linear radiance. Drag or arrow keys pan, the wheel zooms about the pointer, a double
+/// click toggles between fit and actual size; [ and ] move the wipe line.
 class ImagePane : public QWidget {
   Q_OBJECT
 
  public:
   explicit ImagePane(QWidget* parent = nullptr);
 
-  /// Null shows none. An image of the same size as the one before is shown in the same place.
+  /// Sets the image; null shows none. An image of the same size as before keeps zoom and position.
   void set_image(SharedImage image, const QString& name = {});
   void set_reference(SharedImage reference, const QString& name = {});
   void set_settings(const ScreenSettings& settings);
   void set_arrangement(Arrangement arrangement);
-  /// What an empty pane says.
+  /// Sets the hint of an empty pane.
   void set_hint(const QString& hint);
 
   const ScreenSettings& settings() const { return settings_; }
   Arrangement arrangement() const { return arrangement_; }
 
-  /// Device pixels for each pixel of the image.
+  /// Device pixels per image pixel.
   double zoom() const { return zoom_; }
   static constexpr double LeastZoom = 1.0 / 64;
   static constexpr double LargestZoom = 256;
 
-  /// Shows all of the image, also after the pane's size has changed, until it is zoomed or moved.
+  /// Fits the image, also after the pane is resized, until it is zoomed or panned.
   void fit();
-  /// One pixel of the image on one of the screen.
+  /// Shows one image pixel per device pixel.
   void show_actual_size();
-  /// Keeps what is at this place of the pane.
+  /// Zooms about a position of the pane.
   void zoom_by(double factor, const QPointF& about);
   void zoom_by(double factor);
   void move_by(const QPointF& offset);
-  /// Of the line between image and reference: 0 is the left edge, 1 the right one.
+  /// Position of the wipe line: 0 is the left edge, 1 the right one.
   double wipe() const { return wipe_; }
   void set_wipe(double share);
 
-  /// The pixel at a place of the pane, if it lies in the image.
+  /// The pixel at a position of the pane, if it lies in the image.
   std::optional<QPoint> pixel_at(const QPointF& place) const;
-  /// Where the middle of a pixel is in the pane, in the image's own part.
+  /// The centre of a pixel in the pane, in the image's own part.
   QPointF place_of(const QPoint& pixel) const;
 
   QSize sizeHint() const override { return {640, 400}; }
 
  signals:
-  /// What is under the pointer; nothing: no pixel.
+  /// Emitted with the pixel under the pointer, if any.
   void hovered(const std::optional<QPoint>& pixel);
   void zoomed(double zoom);
 
@@ -79,7 +79,7 @@ class ImagePane : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  /// What was drawn the last time: colours of a part of an image.
+  /// Cache of the last drawn part: its encoded colours.
   struct Converted {
     SharedImage image;
     ScreenSettings settings;
@@ -111,7 +111,7 @@ class ImagePane : public QWidget {
   QString hint_;
   ScreenSettings settings_;
   Arrangement arrangement_ = Arrangement::Alone;
-  QPointF origin_;  ///< of the image's upper left corner, in a view
+  QPointF origin_;  ///< upper left corner of the image, in a view
   double zoom_ = 1;
   double wipe_ = 0.5;
   bool fits_ = true;

@@ -7,16 +7,16 @@
 
 namespace editor {
 
-/// Images of different names, of which A is shown and B, another one, is what A is compared with.
+/// A list of uniquely named images, with the shown image A and the reference B.
 class ImageSelection {
  public:
   const std::vector<ImageEntry>& entries() const { return entries_; }
   QStringList names() const;
-  /// The entries hold no image if none is selected.
+  /// The entry of A; it holds no image if none is selected.
   const ImageEntry& image() const { return named(image_); }
   const ImageEntry& reference() const { return named(reference_); }
 
-  /// Adds an image, or a new state of the one of that name. A new one becomes A, and one that is wanted.
+  /// Adds or updates an image by its name. A new one becomes A, and one with `is_wanted`.
   void put(const ImageEntry& entry, bool is_wanted);
   void remove(const QString& name);
   /// Makes an image A. If it was B, the two are exchanged.
@@ -25,7 +25,7 @@ class ImageSelection {
   void select_reference(const QString& name);
   void swap();
 
-  /// The name of a file's entry: short, unless an image of another folder is called so.
+  /// The entry name of a file: short, unless an image of another folder has that name.
   QString name_of(const QString& path) const;
 
  private:

@@ -11,13 +11,13 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Between two states that are shown.
+/// Minimum time between two displayed updates.
 constexpr milliseconds Pause(100);
-/// Of one packet, and so of a whole image of 40 million pixels.
+/// Maximum size of a packet, and so of a whole image of 40 million pixels.
 constexpr qint64 LargestPacket = qint64(1) << 29;
-/// What waits to be read: a sender that is faster than this program has to wait.
+/// Size of the receive buffer: a faster sender has to wait.
 constexpr qint64 BufferSize = qint64(1) << 23;
-/// Of packets that are taken before the window gets its turn.
+/// Bytes of packets that are read before the event loop continues.
 constexpr qint64 BytesPerTurn = qint64(1) << 22;
 
 QString text_of(const std::string& name) { return QString::fromStdString(name); }
@@ -56,14 +56,14 @@ void ImageServer::read(QTcpSocket* socket) {
     const auto size =
         static_cast<qint64>(transport::display_packet_size({head.data(), std::size_t(head.size())}));
     if (size <= qint64(transport::DisplayLengthBytes) || size > LargestPacket) {
-      emit failed(tr("A program sent what is no packet of tev's protocol: it is no longer listened to."));
+      emit failed(tr("A program sent data that is not a packet of the tev protocol, and was disconnected."));
       return socket->abort();
     }
-    // A packet that is larger than the buffer would never be there as a whole.
+    // A packet larger than the buffer would never be complete.
     socket->setReadBufferSize(std::max(BufferSize, size));
     if (socket->bytesAvailable() < size) return;
     if (!apply(socket->read(size))) {
-      emit failed(tr("A program sent a damaged packet of tev's protocol: it is no longer listened to."));
+      emit failed(tr("A program sent a damaged packet of the tev protocol, and was disconnected."));
       return socket->abort();
     }
     taken += size;
@@ -99,7 +99,7 @@ void ImageServer::apply(const transport::UpdateImagePacket& packet) {
   std::shared_ptr<transport::Image>& image = found->second;
   const transport::TileBounds& bounds = packet.bounds;
   if (bounds.x > image->width - bounds.width || bounds.y > image->height - bounds.height) return;
-  // What was given away is shown, and looked at by threads: it stays as it is.
+  // An image that was passed on is shown and read by threads: it must not change.
   if (image.use_count() > 1) image = std::make_shared<transport::Image>(*image);
   const bool has_all = packet.has_channel == std::array{true, true, true};
   for (int y = 0; y < bounds.height; ++y) {

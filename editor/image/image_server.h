@@ -13,29 +13,29 @@ class QTcpSocket;
 
 namespace editor {
 
-/// Receives images as they form, from `bpt` with BPT_DisplayWindow or another program that speaks tev's
-/// network protocol. Programs of this machine alone are listened to.
+/// Receives images of renders in progress, from `bpt` with BPT_DisplayWindow or another program that uses
+/// tev's network protocol. Only programs of this machine can connect.
 class ImageServer : public QObject {
   Q_OBJECT
 
  public:
-  /// Where `bpt` looks for a viewer.
+  /// The port on which `bpt` looks for a viewer.
   static quint16 usual_port();
 
   explicit ImageServer(QObject* parent = nullptr);
 
-  /// Begins to listen; 0: any port that is free. False if it is taken, as by another viewer: `problem` says
-  /// why.
+  /// Starts to listen; port 0 chooses any free port. Returns false if the port is in use, as by another
+  /// viewer, and `problem` says why.
   bool listen(quint16 port = usual_port());
   quint16 port() const;
   QString problem() const;
 
  signals:
-  /// A new image, or a new state of one. States come a few times a second.
+  /// Emitted with a new image, or an update of one, a few times per second.
   void received(const QString& name, std::shared_ptr<const transport::Image> image);
-  /// A program is done with an image of that name, and may send another one.
+  /// Emitted when a program has finished an image, and may send another one of that name.
   void closed(const QString& name);
-  /// Something came that is no packet; its sender was cut off.
+  /// Emitted when a client was disconnected after it sent an invalid packet.
   void failed(const QString& why);
 
  private:

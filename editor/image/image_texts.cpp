@@ -43,7 +43,7 @@ QString figures_text(const ImageAnalysis& analysis) {
   if (analysis.error) {
     parts << error_text(*analysis.error);
   } else if (analysis.reference) {
-    parts << tr("B is %1 x %2: differences need one size")
+    parts << tr("B is %1 x %2: a difference needs images of the same size")
                  .arg(analysis.reference->width)
                  .arg(analysis.reference->height);
   }

@@ -1,4 +1,4 @@
-// What the image view says in numbers.
+// Texts of the image view: statistics and pixel values.
 #pragma once
 
 #include <QPoint>
@@ -8,13 +8,13 @@
 
 namespace editor {
 
-/// Size, and how many pixels are no colour; against a reference, how far it is from it.
+/// Size, number of invalid pixels, and the error metrics against a reference.
 QString figures_text(const ImageAnalysis& analysis);
 
 /// Coordinates from the upper left corner, linear values, and luminance.
 QString pixel_text(const QPoint& pixel, const SharedImage& image, const SharedImage& reference);
 
-/// Filters of file dialogs, for what can be read and written.
+/// File dialog filters of the readable and writable formats.
 QString image_read_filter();
 QString image_write_filter();
 

@@ -38,48 +38,49 @@ QAction* ImageTools::add_action(const QString& icon_name, const QString& text, c
 }
 
 void ImageTools::make_actions() {
-  open = add_action("open", tr("Open images"),
-                    tr("Shows images of files: exr, hdr, pfm, raw, png, jpg or tga."), {});
+  open =
+      add_action("open", tr("Open images"), tr("Open image files: exr, hdr, pfm, raw, png, jpg or tga."), {});
   save = add_action(
       "save_as", tr("Save image as"),
-      tr("Writes image A: linear to exr, hdr, pfm and raw, with the exposure to png, jpg and tga."), {});
-  copy = add_action("copy", tr("Copy image"), tr("Puts the image on the clipboard as the screen shows it."),
+      tr("Save image A: linear as exr, hdr, pfm and raw, with the exposure applied as png, jpg and tga."),
+      {});
+  copy = add_action("copy", tr("Copy image"), tr("Copy the image to the clipboard as the screen shows it."),
                     QKeySequence::Copy);
-  remove = add_action("close", tr("Close image"), tr("Takes image A off the list; its file stays."),
+  remove = add_action("close", tr("Close image"), tr("Remove image A from the list; its file is kept."),
                       Qt::Key_Delete);
-  const QString zoom_help = tr("Also with the wheel, about the pointer.");
+  const QString zoom_help = tr("The wheel also zooms, about the pointer.");
   of_view = {
-      add_action("fit", tr("Fit"), tr("Shows all of the image."), Qt::Key_0, [this] { pane_.fit(); }),
-      add_action("actual_size", tr("Actual size"), tr("One pixel on one of the screen."), Qt::Key_1,
+      add_action("fit", tr("Fit"), tr("Fit the whole image into the view."), Qt::Key_0,
+                 [this] { pane_.fit(); }),
+      add_action("actual_size", tr("Actual size"), tr("Show one image pixel per screen pixel."), Qt::Key_1,
                  [this] { pane_.show_actual_size(); }),
       add_action("zoom_in", tr("Zoom in"), zoom_help, Qt::Key_Plus, [this] { pane_.zoom_by(2); }),
       add_action("zoom_out", tr("Zoom out"), zoom_help, Qt::Key_Minus, [this] { pane_.zoom_by(0.5); })};
   of_view[2]->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});  // they share a key on many keyboards
-  flip = add_action("flip", tr("Flip to B"), tr("Shows B in the place of A until it is pressed again."),
-                    Qt::Key_Space);
+  flip = add_action("flip", tr("Flip to B"), tr("Show B in place of A until pressed again."), Qt::Key_Space);
   flip->setCheckable(true);
-  swap = add_action("swap", tr("Swap A and B"), tr("Makes the image the reference."), Qt::Key_X);
+  swap = add_action("swap", tr("Swap A and B"), tr("Exchange the image and the reference."), Qt::Key_X);
 }
 
-/// Keys of the view that need no button: they work the controls.
+/// Adds shortcuts without buttons: they operate the controls.
 void ImageTools::add_keys() {
   const auto add_step = [this](const QKeySequence& key, const QString& text, const QString& help,
                                float stops) {
     add_action({}, text, help, key,
                [this, stops] { controls_->set_exposure(controls_->settings().exposure + stops); });
   };
-  add_step(Qt::Key_E, tr("Brighter"), tr("Shows half a stop more"), 0.5F);
-  add_step(Qt::SHIFT | Qt::Key_E, tr("Darker"), tr("Shows half a stop less"), -0.5F);
+  add_step(Qt::Key_E, tr("Brighter"), tr("Increase the exposure by half a stop"), 0.5F);
+  add_step(Qt::SHIFT | Qt::Key_E, tr("Darker"), tr("Decrease the exposure by half a stop"), -0.5F);
   const auto add_channel = [this](Qt::Key key, const QString& text, const QString& help,
                                   ImageChannel channel) {
     add_action({}, text, help, key, [this, channel] { controls_->set_channel(channel); });
   };
-  add_channel(Qt::Key_C, tr("Colour"), tr("Shows all three channels"), ImageChannel::Colour);
-  add_channel(Qt::Key_R, tr("Red"), tr("Shows the red channel"), ImageChannel::Red);
-  add_channel(Qt::Key_G, tr("Green"), tr("Shows the green channel"), ImageChannel::Green);
-  add_channel(Qt::Key_B, tr("Blue"), tr("Shows the blue channel"), ImageChannel::Blue);
-  add_channel(Qt::Key_Y, tr("Luminance"), tr("Shows how bright pixels are"), ImageChannel::Luminance);
-  add_action({}, tr("False colour"), tr("Shows luminance as colours"), Qt::Key_P,
+  add_channel(Qt::Key_C, tr("Colour"), tr("Show all three channels"), ImageChannel::Colour);
+  add_channel(Qt::Key_R, tr("Red"), tr("Show the red channel"), ImageChannel::Red);
+  add_channel(Qt::Key_G, tr("Green"), tr("Show the green channel"), ImageChannel::Green);
+  add_channel(Qt::Key_B, tr("Blue"), tr("Show the blue channel"), ImageChannel::Blue);
+  add_channel(Qt::Key_Y, tr("Luminance"), tr("Show the luminance in grey"), ImageChannel::Luminance);
+  add_action({}, tr("False colour"), tr("Show the luminance in false colours"), Qt::Key_P,
              [this] { controls_->set_false_colour(true); });
 }
 
@@ -97,7 +98,7 @@ QToolBar* ImageTools::make_actions_row() {
   auto* zoom = new QLabel(tr("100 %"), tools);
   zoom->setAlignment(Qt::AlignCenter);
   zoom->setFixedWidth(zoom->fontMetrics().horizontalAdvance(QStringLiteral("00000.0 %")) + Grid);
-  zoom->setToolTip(tr("Pixels of the screen for one of the image."));
+  zoom->setToolTip(tr("Zoom: screen pixels per image pixel."));
   connect(&pane_, &ImagePane::zoomed, zoom,
           [zoom](double factor) { zoom->setText(tr("%1 %").arg(100 * factor, 0, 'g', 4)); });
   tools->addWidget(zoom);
@@ -108,10 +109,10 @@ QToolBar* ImageTools::make_actions_row() {
 
 QToolBar* ImageTools::make_comparison_row() {
   QToolBar* tools = make_bar();
-  images_ = narrow_list(tr("Image A"), tr("The image that is shown."), 12, tools);
+  images_ = narrow_list(tr("Image A"), tr("The displayed image."), 12, tools);
   references_ = narrow_list(tr("Image B"), {}, 12, tools);
   comparison_ = narrow_list(tr("Comparison"), {}, 12, tools);
-  comparison_->addItems({tr("A alone"), tr("Wipe"), tr("Side by side"), tr("Signed difference"),
+  comparison_->addItems({tr("Only A"), tr("Wipe"), tr("Side by side"), tr("Signed difference"),
                          tr("Absolute difference"), tr("Relative difference")});
   const auto add = [&](const QString& text, QComboBox* list) {
     auto* label = new QLabel(text, tools);
@@ -148,9 +149,9 @@ void ImageTools::show_selection(const ImageSelection& selection) {
   for (QAction* action : {save, copy, remove}) action->setEnabled(has_image);
   for (QAction* action : {flip, swap}) action->setEnabled(has_reference);
   enable(comparison_,
-         tr("How A and B are shown: in turn, on both sides of a line that can be dragged, side by side, or "
-            "their difference."),
-         has_reference ? QString() : tr("Choose an image as B first: there is nothing to compare with."));
+         tr("How A and B are compared: only A, with a wipe line that can be dragged, side by side, or as a "
+            "difference."),
+         has_reference ? QString() : tr("Choose an image as B first."));
   images_->setEnabled(has_image);
   enable(references_, tr("The reference that A is compared with."),
          has_several ? QString() : tr("Open a second image to compare with."));

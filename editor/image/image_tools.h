@@ -19,8 +19,8 @@ class ScreenControls;
 
 enum class Comparison { None, Wipe, SideBySide, Signed, Absolute, Relative };
 
-/// The controls of the image view, in two rows: what can be done, and which images are shown. Their keys work
-/// in the pane alone, so that they stand in nobody's way.
+/// The controls of the image view, in two rows: actions, and the choice of images. Their shortcuts work only
+/// in the pane, so that they do not clash with others.
 class ImageTools : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ImageTools : public QWidget {
 
   Comparison comparison() const;
   void set_comparison(Comparison comparison);
-  /// Returns how the pane arranges two images, given that there is one to compare with.
+  /// Returns how the pane arranges two images, if there is a reference.
   Arrangement arrangement() const;
   /// The kind of difference that is shown, if any.
   std::optional<Difference> difference() const;
@@ -41,13 +41,13 @@ class ImageTools : public QWidget {
   QAction* save = nullptr;
   QAction* copy = nullptr;
   QAction* remove = nullptr;
-  QAction* flip = nullptr;  ///< stays pressed
+  QAction* flip = nullptr;  ///< checkable
   QAction* swap = nullptr;
-  QList<QAction*> of_view;  ///< they work on the pane themselves
+  QList<QAction*> of_view;  ///< act on the pane directly
 
  signals:
   void image_chosen(const QString& name);
-  void reference_chosen(const QString& name);  ///< empty: none
+  void reference_chosen(const QString& name);  ///< empty for none
   void comparison_changed();
 
  private:

@@ -21,14 +21,13 @@ ImageWindow::ImageWindow(QWidget* parent)
 void ImageWindow::listen(quint16 port) {
   const bool listens = server_->listen(port);
   statusBar()->showMessage(
-      listens
-          ? tr("Renders with BPT_DisplayWindow are shown here: 127.0.0.1:%1.").arg(server_->port())
-          : tr("Renders are not shown here, port %1 cannot be used: %2.").arg(port).arg(server_->problem()));
+      listens ? tr("Listening for renders with BPT_DisplayWindow on 127.0.0.1:%1.").arg(server_->port())
+              : tr("Cannot listen for renders on port %1: %2.").arg(port).arg(server_->problem()));
 }
 
 void ImageWindow::make_menus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  // Here the window is the image's alone, and its keys work everywhere.
+  // The window has no other contents, so the shortcuts work everywhere in it.
   const auto add = [&](QAction* action, const QKeySequence& key) {
     action->setShortcut(key);
     action->setShortcutContext(Qt::WindowShortcut);
@@ -40,7 +39,7 @@ void ImageWindow::make_menus() {
   file->addSeparator();
   QAction* close = file->addAction(tr("&Close"), this, &QWidget::close);
   close->setShortcut(QKeySequence::Close);
-  close->setToolTip(tr("Closes this window"));
+  close->setToolTip(tr("Close this window"));
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addActions(browser_->tools().of_view);
   view->addSeparator();

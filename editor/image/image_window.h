@@ -7,7 +7,8 @@
 
 namespace editor {
 
-/// The image view as a window of its own, which also shows what `bpt` sends with BPT_DisplayWindow.
+/// The image view as a separate window, which also displays renders in progress of `bpt` with
+/// BPT_DisplayWindow.
 class ImageWindow : public QMainWindow {
   Q_OBJECT
 
@@ -15,7 +16,7 @@ class ImageWindow : public QMainWindow {
   explicit ImageWindow(QWidget* parent = nullptr);
 
   ImageBrowser& browser() { return *browser_; }
-  /// Listens for renders; the status bar says where, or why not.
+  /// Listens for renders; the status bar shows the address, or why it failed.
   void listen(quint16 port = ImageServer::usual_port());
   const ImageServer& server() const { return *server_; }
 

@@ -18,9 +18,10 @@ ScaleBar::ScaleBar(QWidget* parent) : QWidget(parent), colours_(settings_) {
 void ScaleBar::set_settings(const ScreenSettings& settings) {
   settings_ = settings;
   colours_ = ScreenColours(settings);
-  setToolTip(settings.colouring == Colouring::Signed
-                 ? tr("Luminance of the image less that of the reference, W/(sr m2).")
-                 : tr("Luminance in cd/m2: that of the radiance, times %1 lm/W.").arg(CandelasPerWatt));
+  setToolTip(
+      settings.colouring == Colouring::Signed
+          ? tr("Signed difference: luminance of the image minus that of the reference, W/(sr m2).")
+          : tr("Luminance in cd/m2: the luminance of the radiance, times %1 lm/W.").arg(CandelasPerWatt));
   update();
 }
 

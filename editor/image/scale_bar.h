@@ -8,7 +8,7 @@
 
 namespace editor {
 
-/// The scale of false colours with its values in cd/m2, or that of signed differences.
+/// The colour scale of false colours in cd/m2, or of signed differences.
 class ScaleBar : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class ScaleBar : public QWidget {
 
  private:
   struct Tick {
-    double share;  ///< of the height, from below
+    double share;  ///< fraction of the height, from below
     QString label;
   };
   std::vector<Tick> ticks() const;

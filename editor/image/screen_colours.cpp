@@ -14,7 +14,7 @@ namespace {
 
 using reflectance::Rgb;
 
-/// Floats whose upper half is the same differ by less than 1 %.
+/// Floats with the same upper half differ by less than 1 %.
 constexpr unsigned TableShift = 16;
 
 double mapped(ToneCurve curve, double x) {
@@ -55,7 +55,7 @@ Rgb mean_of(const transport::Image& image, const QRect& block) {
 double luminance_of(const Rgb& pixel) { return 0.2126 * pixel.x + 0.7152 * pixel.y + 0.0722 * pixel.z; }
 
 ByteCurve::ByteCurve(ToneCurve curve) {
-  // Positive floats are in the order of their bits: the first one that has a byte is found by bisection.
+  // The bit patterns of positive floats are ordered: the first float of each byte is found by bisection.
   const auto reaches = [curve](std::uint32_t bits, int byte) {
     return 255 * mapped(curve, std::bit_cast<float>(bits)) >= byte - 0.5;
   };
@@ -101,14 +101,14 @@ void ScreenColours::make_false_colours() {
   };
   first_false_colour_ = upper_bits(scale_.lowest());
   for (std::uint32_t upper = first_false_colour_; upper <= upper_bits(scale_.highest()); ++upper) {
-    // The middle of the run.
+    // The middle of the interval.
     const std::uint32_t bits = (upper << TableShift) + (1U << (TableShift - 1));
     false_colours_.push_back(false_colour(std::bit_cast<float>(bits)));
   }
 }
 
 QRgb ScreenColours::false_colour(double luminance) const {
-  // The scale runs from light to dark, as on paper; here more light is lighter.
+  // The scale of documents runs from light to dark, for paper; on the screen brighter is lighter.
   const double mirrored = scale_.lowest() * scale_.highest() / std::max(luminance, scale_.lowest());
   const grf::Colour colour = scale_.colour(mirrored);
   return qRgb(byte_of(colour.x), byte_of(colour.y), byte_of(colour.z));
@@ -121,7 +121,7 @@ QRgb ScreenColours::false_colour_by_table(float luminance) const {
 }
 
 QRgb ScreenColours::signed_colour(double value) const {
-  // Orange and sky blue of Okabe and Ito, in linear light, so that the curve is that of the other views.
+  // Orange and sky blue of Okabe and Ito, in linear light, to which the tone curve is applied.
   static const std::array poles = {Rgb(0.79F, 0.35F, 0.0F), Rgb(0.093F, 0.456F, 0.815F)};
   const Rgb colour = poles[value < 0 ? 1 : 0] * std::min(static_cast<float>(std::abs(value)), 1.0F);
   return qRgb((*curve_)(colour.x), (*curve_)(colour.y), (*curve_)(colour.z));
@@ -148,7 +148,7 @@ QRgb ScreenColours::natural(const Rgb& pixel) const {
 }
 
 QRgb ScreenColours::operator()(const Rgb& pixel) const {
-  // The sum of numbers is one, unless it is too large for a float.
+  // The sum is NaN or infinite if a component is; it may also overflow.
   if (!std::isfinite(pixel.x + pixel.y + pixel.z)) {
     if (std::isnan(pixel.x) || std::isnan(pixel.y) || std::isnan(pixel.z)) return NanColour;
     if (std::isinf(pixel.x) || std::isinf(pixel.y) || std::isinf(pixel.z)) return InfiniteColour;

@@ -1,4 +1,4 @@
-// From radiance to what a screen shows.
+// Tone mapping of radiance for the screen.
 #pragma once
 
 #include <QImage>
@@ -13,16 +13,16 @@
 namespace editor {
 
 enum class ToneCurve {
-  Srgb,      ///< white is 1, what is brighter is cut
+  Srgb,      ///< clipped at 1
   Filmic,    ///< the fit to ACES of Narkowicz (2015): highlights roll off
-  Reinhard,  ///< x / (1 + x), of each channel (Reinhard et al. 2002): nothing is cut
+  Reinhard,  ///< x / (1 + x) per channel (Reinhard et al. 2002): no clipping
 };
 
 enum class ImageChannel { Colour, Red, Green, Blue, Luminance };
 
 enum class Colouring {
   Natural,
-  FalseColour,  ///< luminance over powers of ten, dark blue to light yellow
+  FalseColour,  ///< logarithmic luminance, dark blue to light yellow
   Signed,       ///< blue below 0, black at 0, orange above
 };
 
@@ -31,31 +31,32 @@ struct ScreenSettings {
   ToneCurve curve = ToneCurve::Srgb;
   ImageChannel channel = ImageChannel::Colour;
   Colouring colouring = Colouring::Natural;
-  /// Luminances between which false colours lie, before the exposure, in the image's unit. The larger one is
-  /// also that of full colours of either sign.
+  /// Luminance range of false colours, before exposure, in the image's unit. The larger one is also the
+  /// saturation point of either sign.
   double least = 0.01;
   double largest = 1;
 
   bool operator==(const ScreenSettings&) const = default;
 };
 
-/// What pixels show that are no number, or infinite: a colour that renders seldom have.
+/// The colours of NaN and of infinite pixels, which renders seldom have.
 inline constexpr QRgb NanColour = 0xffff00ff;
 inline constexpr QRgb InfiniteColour = 0xff00ffff;
 
-/// Of linear RGB with the primaries of sRGB (ITU-R BT.709).
+/// Luminance of linear RGB with sRGB primaries (ITU-R BT.709).
 double luminance_of(const reflectance::Rgb& pixel);
 
-/// What a radiance of 1 W/(sr m2) of white light has in cd/m2, as Radiance counts it (Ward 1994).
+/// Luminance in cd/m2 of a white radiance of 1 W/(sr m2), as in Radiance (Ward 1994).
 inline constexpr double CandelasPerWatt = 179;
 
-/// A rising curve from linear values to encoded bytes. A table says for each short run of floats the byte at
-/// its start, and thresholds the rest: the byte is exactly that of the formula, at the cost of a look.
+/// An increasing curve from linear values to encoded bytes, as a table: the byte at the start of each short
+/// interval of floats, and a threshold inside it, which gives exactly the byte of the formula at the cost of
+/// a lookup.
 class ByteCurve {
  public:
   explicit ByteCurve(ToneCurve curve);
 
-  /// 0 for what is negative or no number.
+  /// Returns 0 for negative values and NaN.
   std::uint8_t operator()(float linear) const;
 
  private:
@@ -70,11 +71,11 @@ class ScreenColours {
 
   QRgb operator()(const reflectance::Rgb& pixel) const;
 
-  /// A part of an image, each of its pixels the mean of a square of `block` pixels; at the right and the
-  /// lower edge, of those that are there.
+  /// Converts a part of an image, averaging `block` x `block` pixels per output pixel; at the right and the
+  /// lower edge, the pixels that are there.
   QImage convert(const transport::Image& image, const QRect& part, int block = 1) const;
 
-  /// That of false colours, in the image's unit, with the exposure.
+  /// The scale of false colours, in the image's unit, with the exposure.
   const plot::ColourScale& scale() const { return scale_; }
   /// The false colour of a luminance.
   QRgb false_colour(double luminance) const;
@@ -87,9 +88,9 @@ class ScreenColours {
 
   ScreenSettings settings_;
   float factor_;
-  const ByteCurve* curve_;  ///< one of a few that are always there
+  const ByteCurve* curve_;  ///< one of a few static curves
   plot::ColourScale scale_;
-  std::vector<QRgb> false_colours_;  ///< by the upper bits of a luminance
+  std::vector<QRgb> false_colours_;  ///< indexed by the upper bits of a luminance
   std::uint32_t first_false_colour_ = 0;
 };
 

@@ -36,7 +36,7 @@ ScreenControls::ScreenControls(QWidget* parent)
   add_exposure();
   add_curve();
   add_view();
-  // In a wide window the controls stay together.
+  // The controls stay together in a wide window.
   row->setStretchFactor(slider_, 3);
   row->addStretch(1);
 }
@@ -53,7 +53,7 @@ void ScreenControls::change(const Edit& edit) {
 }
 
 void ScreenControls::add_exposure() {
-  const QString help = tr("Brightness in stops: one more doubles it. Key E, back with Shift+E.");
+  const QString help = tr("Exposure in stops: +1 doubles the brightness. Keys E and Shift+E.");
   slider_->setRange(-MostStops * StepsAStop, MostStops * StepsAStop);
   slider_->setPageStep(StepsAStop);
   slider_->setMinimumWidth(6 * Grid);
@@ -81,8 +81,8 @@ void ScreenControls::add_exposure() {
 void ScreenControls::add_curve() {
   curve_->addItems({tr("sRGB"), tr("Filmic"), tr("Reinhard")});
   explain(curve_, tr("Tone curve"),
-          tr("How radiance becomes brightness. sRGB: as 8-bit files have it, 1 is white. Filmic: highlights "
-             "roll off as on film. Reinhard: x / (1 + x), which cuts nothing."));
+          tr("Tone mapping of radiance for the screen. sRGB: as in 8-bit files, clipped at 1. Filmic: "
+             "highlights roll off as on film. Reinhard: x / (1 + x), without clipping."));
   connect(curve_, &QComboBox::currentIndexChanged, this, [this](int index) {
     change([index](ScreenSettings& settings) { settings.curve = static_cast<ToneCurve>(index); });
   });
@@ -92,8 +92,8 @@ void ScreenControls::add_curve() {
 void ScreenControls::add_view() {
   view_->addItems({tr("Colour"), tr("Red"), tr("Green"), tr("Blue"), tr("Luminance"), tr("False colour")});
   explain(view_, tr("Channels shown"),
-          tr("What is shown of the image: all channels, one of them, the luminance in grey, or the luminance "
-             "in false colours with a scale. Keys C, R, G, B, Y and P."));
+          tr("Channels that are shown: all, one of them, the luminance in grey, or the luminance in false "
+             "colours with a scale. Keys C, R, G, B, Y and P."));
   connect(view_, &QComboBox::currentIndexChanged, this, [this](int index) {
     const bool is_false = index == FalseColourView;
     change([is_false, index](ScreenSettings& settings) {

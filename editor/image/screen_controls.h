@@ -11,7 +11,7 @@ namespace editor {
 
 class NumberBox;
 
-/// Exposure, tone curve and what is shown of the channels. Ranges of false colours are the image's affair.
+/// Controls for exposure, tone curve and displayed channels. The range of false colours depends on the image.
 class ScreenControls : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class ScreenControls : public QWidget {
   void set_false_colour(bool is_on);
 
  signals:
-  /// Also while the slider is dragged.
+  /// Emitted also while the slider is dragged.
   void edited(const editor::ScreenSettings& settings);
 
  private:

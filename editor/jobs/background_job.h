@@ -1,4 +1,4 @@
-// Work in a thread, of which only the latest request counts.
+// Background work of which only the latest request counts.
 #pragma once
 
 #include <QCoreApplication>
@@ -13,7 +13,7 @@
 
 namespace editor {
 
-/// Tells work that nobody waits for it any more.
+/// A cancellation flag that work polls.
 class StopFlag {
  public:
   bool is_set() const { return *flag_; }
@@ -23,17 +23,16 @@ class StopFlag {
   std::shared_ptr<std::atomic<bool>> flag_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// Runs one piece of work at a time in the application's thread pool. A new request stops the one that runs,
-/// takes the place of one that waits, and starts when the thread is free, so that requests never pile up.
-/// Work must own what it uses, since it may outlive the job and its owner; results come in the owner's
-/// thread.
+/// Runs one request at a time in the application's thread pool. A new request cancels the running one and
+/// replaces the queued one, so that requests never pile up. Work must own what it uses, since it may outlive
+/// the job and its owner; results are delivered in the owner's thread.
 template <class Result>
 class BackgroundJob {
  public:
   using Work = std::function<Result(const StopFlag&)>;
   using Report = std::function<void(Result)>;
 
-  /// Results are reported as long as the owner lives; those of work that was stopped are not.
+  /// Results are delivered while the owner lives; those of cancelled work are not.
   explicit BackgroundJob(QObject* owner) : state_(std::make_shared<State>()) { state_->owner = owner; }
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
@@ -53,7 +52,7 @@ class BackgroundJob {
     if (state_->running) state_->running->set();
   }
 
-  /// True until the latest request was reported.
+  /// True until the result of the latest request was delivered.
   bool is_busy() const { return state_->waiting || (state_->running && !state_->running->is_set()); }
 
  private:
@@ -62,7 +61,7 @@ class BackgroundJob {
     Report report;
     StopFlag stop;
   };
-  /// Of the owner's thread alone.
+  /// Used only in the owner's thread.
   struct State {
     QPointer<QObject> owner;
     std::optional<StopFlag> running;
@@ -73,7 +72,7 @@ class BackgroundJob {
     if (!state->waiting) return;
     const Request request = *std::exchange(state->waiting, std::nullopt);
     state->running = request.stop;
-    // The pool keeps neither job nor owner alive, but finds whether they are.
+    // The pool keeps neither job nor owner alive, but detects whether they are.
     QThreadPool::globalInstance()->start([request, state] {
       auto result = std::make_shared<Result>(request.work(request.stop));
       QMetaObject::invokeMethod(

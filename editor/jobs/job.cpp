@@ -3,7 +3,7 @@
 namespace editor {
 
 QString Job::cancel_tip() const {
-  return state_ == State::Waiting ? tr("Remove this job, which has not begun") : task_.cancel_tip;
+  return state_ == State::Waiting ? tr("Remove this job from the queue") : task_.cancel_tip;
 }
 
 void Job::begin() {

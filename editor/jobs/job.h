@@ -16,17 +16,17 @@ namespace editor {
 
 class Job;
 
-/// What a job is and does.
+/// Description and functions of a job.
 struct JobTask {
   QString title;
   QString queue;                      ///< jobs of one queue run one after another
-  std::function<void(Job&)> begin;    ///< begins the work, which calls `end` once it is done
-  std::function<void()> cancel = {};  ///< asks the running work to end; empty: its result is dropped
-  QString cancel_tip = {};            ///< what becomes of running work that is cancelled; empty: it cannot be
+  std::function<void(Job&)> begin;    ///< starts the work, which calls `end` when it is done
+  std::function<void()> cancel = {};  ///< asks the running work to stop; empty: its result is dropped
+  QString cancel_tip = {};  ///< effect of cancelling the running work; empty if it cannot be cancelled
 };
 
-/// Long work that the window does not wait for: its author sees how far it is, and can cancel it. It works on
-/// a snapshot, and brings its result to the document as that is by then.
+/// A background job with progress, which can be cancelled. It works on a snapshot, and its result is applied
+/// to the current document.
 class Job : public QObject {
   Q_OBJECT
 
@@ -37,27 +37,27 @@ class Job : public QObject {
 
   const QString& title() const { return task_.title; }
   const QString& queue() const { return task_.queue; }
-  /// What becomes of the work if it is cancelled; empty: it cannot be.
+  /// The effect of cancelling the job; empty if it cannot be cancelled.
   QString cancel_tip() const;
   State state() const { return state_; }
-  /// How much is done, from 0 to 1; negative: that is not known.
+  /// Progress from 0 to 1; negative if unknown.
   double done() const { return done_; }
   std::optional<double> seconds_left() const { return seconds_left_; }
 
   void begin();
   void show_progress(double done, std::optional<double> seconds_left = {});
-  /// Ends the job; a problem is why it failed. Later calls do nothing.
+  /// Ends the job, perhaps with an error message. Later calls do nothing.
   void end(const QString& problem = {});
-  /// Removes a job that waits, and asks one that runs to end.
+  /// Removes a queued job, and asks a running one to stop.
   void cancel();
 
-  /// Runs `work` in a thread, then calls `take` with its result in this one, and ends the job. `work` must
-  /// own what it uses. Neither `take` is called nor anything said of a job that has ended by then.
+  /// Runs `work` in a thread, then calls `take` with its result in this thread, and ends the job. `work` must
+  /// own what it uses. If the job has ended by then, its result and its messages are dropped.
   template <class Work, class Take>
   void run(Work work, Take take);
 
  signals:
-  /// State or progress are others.
+  /// Emitted when state or progress change.
   void changed();
   void ended(const QString& problem);
 
@@ -71,7 +71,7 @@ class Job : public QObject {
 template <class Work, class Take>
 void Job::run(Work work, Take take) {
   using Result = std::invoke_result_t<Work>;
-  // The pool does not keep the job alive, but finds whether it is.
+  // The pool does not keep the job alive, but detects whether it is.
   QThreadPool::globalInstance()->start(
       [work = std::move(work), take = std::move(take), job = QPointer(this)] {
         const auto result = std::make_shared<std::optional<Result>>();

@@ -7,21 +7,21 @@
 
 namespace editor {
 
-/// The jobs that wait or run. Those of one queue run in the order in which they were added.
+/// The queued and running jobs. Jobs of one queue run in the order in which they were added.
 class JobList : public QObject {
   Q_OBJECT
 
  public:
   explicit JobList(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Adds a job, which begins at once if its queue is free.
+  /// Adds a job, which starts at once if its queue is idle.
   void add(JobTask task);
   const std::vector<Job*>& jobs() const { return jobs_; }
-  /// Whether jobs of a queue wait or run.
+  /// Whether jobs of a queue are queued or running.
   bool is_busy(const QString& queue) const;
 
  signals:
-  /// A job was added or has ended, or its state or progress are others.
+  /// Emitted when jobs are added, change or end.
   void changed();
   void failed(const QString& problem);
   void queue_emptied(const QString& queue);

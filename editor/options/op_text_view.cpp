@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-/// Keys stand out, and comments recede.
+/// Highlights keys, and dims comments.
 class OpHighlighter : public QSyntaxHighlighter {
  public:
   OpHighlighter(QTextDocument* document, const QWidget* widget)
@@ -44,19 +44,19 @@ class OpHighlighter : public QSyntaxHighlighter {
 
 OpTextView::OpTextView(OpDocument& document, QWidget* parent)
     : QPlainTextEdit(parent), document_(document), highlighter_(new OpHighlighter(this->document(), this)) {
-  setUndoRedoEnabled(false);  // the document's steps are those of the form too
+  setUndoRedoEnabled(false);  // undo steps are those of the form
   setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setTabChangesFocus(true);
   setAccessibleName(tr("Text of the OP file"));
-  setToolTip(tr("The file as it will be written. What is typed here changes the form."));
-  setPlaceholderText(tr("Set options on the left, or type them here, one a line:\nBPT_Scene  scene.grf"));
+  setToolTip(tr("Text of the OP file as it will be written. Edits here update the form."));
+  setPlaceholderText(tr("Set options on the left, or type them here, one per line:\nBPT_Scene  scene.grf"));
   connect(this, &QPlainTextEdit::textChanged, this, [this] { document_.set_plain_text(toPlainText()); });
   connect(&document_, &OpDocument::changed, this, &OpTextView::show_text);
   show_text();
 }
 
-/// Changes no more than what is different, so that cursor and scroll bar stay.
+/// Replaces only what differs, so that cursor and scroll bar stay.
 void OpTextView::show_text() {
   const QString plain = QString::fromStdString(document_.op_text().plain_text());
   const QString shown = toPlainText();

@@ -8,8 +8,8 @@ class QSyntaxHighlighter;
 
 namespace editor {
 
-/// The text of an OP file, which changes with the form and can be edited itself. Lines with errors and
-/// warnings are marked.
+/// A text editor for an OP file, which is kept in sync with the form. Lines with errors and warnings are
+/// marked.
 class OpTextView : public QPlainTextEdit {
   Q_OBJECT
 

@@ -20,14 +20,14 @@ namespace {
 
 using namespace options;
 
-/// The words of an option that nobody has given.
+/// The words of an option that is not set.
 QStringList default_words(const OptionInfo& option) {
   QStringList words;
   for (const std::string& word : option_words(RenderOptions(), option)) words << QString::fromStdString(word);
   return words;
 }
 
-/// A list does not change while a form is scrolled over it.
+/// A combo box that ignores the wheel, so that scrolling a form does not change it.
 class QuietComboBox : public QComboBox {
  public:
   using QComboBox::QComboBox;
@@ -56,7 +56,7 @@ class NumbersField : public OptionField {
   NumbersField(const OptionInfo& option, NumberRange range, QWidget* parent)
       : OptionField(parent), defaults_(default_words(option)) {
     auto* row = tight_layout<QHBoxLayout>(this, Grid);
-    // Words of a default that is no numbers stand under the boxes; in one of several they have no room.
+    // A default that is not numeric is shown under the boxes; one of several has no space for it.
     const QString in_words = word_count(option) > 1 ? tr("auto") : text_of(option.default_value);
     for (std::size_t i = 0; i < word_count(option); ++i) {
       auto* number = number_box(range, defaults_.value(qsizetype(i), in_words), this);
@@ -84,7 +84,7 @@ class NumbersField : public OptionField {
     emit finished();
   }
 
-  /// One that is missing among others is that of the default, or 0.
+  /// A missing number among others is the default, or 0.
   QStringList words() const {
     QStringList words;
     bool is_given = false;
@@ -141,7 +141,7 @@ class WordField : public OptionField {
 
   void show_words(const std::optional<QStringList>& words) override {
     const QString word = words ? words->value(0) : default_;
-    // What is no legal word shows none of them.
+    // An illegal word selects no entry.
     list_->setCurrentIndex(list_->findData(word, Qt::UserRole, Qt::MatchFixedString));
   }
 
@@ -217,7 +217,7 @@ class TextField : public OptionField {
   QLineEdit* text_;
 };
 
-/// Makes the field for each kind of value.
+/// Creates the field for each kind of value.
 struct FieldMaker {
   const OptionInfo& option;
   QWidget* parent;
@@ -258,7 +258,7 @@ QString range_text(double least, double largest, bool is_open) {
       .arg(largest, 0, 'g', 10);
 }
 
-/// Says what is legal, for each kind of value.
+/// Describes the legal values of each kind.
 struct LegalValues {
   QString operator()(const PathOption& value) const {
     if (value.extensions.empty()) return QObject::tr("path");

@@ -1,4 +1,4 @@
-// A control for each kind of value that an option may have.
+// Controls for each kind of option value.
 #pragma once
 
 #include <QStringList>
@@ -9,29 +9,29 @@
 
 namespace editor {
 
-/// Shows the words of an option and lets them be changed.
+/// Edits the value of an option as words.
 class OptionField : public QWidget {
   Q_OBJECT
 
  public:
   using QWidget::QWidget;
 
-  /// Nothing: the option is not given, and the default is shown as such.
+  /// Shows the words; without any the option is not set, and its default is shown as such.
   virtual void show_words(const std::optional<QStringList>& words) = 0;
-  /// Relative paths start there; empty: at no folder yet.
+  /// Sets the folder of relative paths; empty if there is none yet.
   virtual void set_folder(const QString& folder) { (void)folder; }
 
  signals:
-  /// The words that it should have; none: it is not given. Also while typing or stepping.
+  /// Emitted with the new words, none to unset the option; also while typing or stepping.
   void edited(const QStringList& words);
-  /// What was edited is as it should be: what comes next is another step of undo.
+  /// Emitted when an edit is complete: the next one is another undo step.
   void finished();
 };
 
-/// By the kind of the option's value; it takes the focus for its first control.
+/// Creates the control for an option's kind of value; its first control takes the focus.
 OptionField* make_option_field(const options::OptionInfo& option, QWidget* parent);
 
-/// The values that are legal, in words.
+/// Describes the legal values.
 QString legal_values(const options::OptionInfo& option);
 
 }  // namespace editor

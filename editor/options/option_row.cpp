@@ -8,6 +8,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/parts.h"
+#include "editor/controls/search_terms.h"
 #include "editor/controls/text.h"
 #include "editor/options/option_field.h"
 #include "renderer/options/scheme_model.h"
@@ -36,7 +37,7 @@ OptionRow::OptionRow(const options::OptionInfo& option, OpDocument& document, QW
                         .arg(text_of(option.meaning), text_of(option.default_value), legal_values(option)));
   message_->hide();
   key_->setMinimumWidth(KeyWidth);
-  key_->setFixedHeight(3 * Grid);  // that of one control
+  key_->setFixedHeight(3 * Grid);  // height of one control
   key_->setBuddy(field_);
   const auto reset = [this] {
     document_.set_words(option_, {});
@@ -68,8 +69,8 @@ void OptionRow::show_state(const options::RenderOptions& partial) {
   }
   field_->show_words(words);
   is_given_ = given.has_value();
-  enable(reset_, tr("Back to the default: take the line out of the file."),
-         is_given_ ? QString() : tr("It has its default: the file does not name it."));
+  enable(reset_, tr("Reset to the default: remove the line from the file."),
+         is_given_ ? QString() : tr("Already at its default: the file does not set it."));
   const auto why = options::why_unused(partial, option_);
   field_->setEnabled(!why);
   key_->setEnabled(!why);
@@ -85,13 +86,11 @@ void OptionRow::show_message(const QString& message, bool is_error) {
   update();
 }
 
-bool OptionRow::matches(const QStringList& words) const {
-  const QString all = key_->text() + " " + meaning_->text();
-  return std::ranges::all_of(words,
-                             [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+bool OptionRow::matches(const QString& query) const {
+  return matches_search(key_->text() + ' ' + meaning_->text(), query);
 }
 
-/// A bar at the left of those that the file names.
+/// Paints a bar at the left of options that the file sets.
 void OptionRow::paintEvent(QPaintEvent*) {
   if (!is_given_) return;
   const ThemeColours colours = colours_of(theme_of(palette()));

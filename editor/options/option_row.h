@@ -12,8 +12,8 @@ namespace editor {
 class OptionField;
 class ThemedLabel;
 
-/// An option: its key, control, meaning, default and legal values; and, where that is so, that it is given,
-/// that it has no effect and why, or what is wrong with it.
+/// An option: its key, control, meaning, default and legal values; whether it is set, why it has no effect,
+/// or its errors.
 class OptionRow : public QWidget {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class OptionRow : public QWidget {
   const options::OptionInfo& option() const { return option_; }
   OptionField& field() { return *field_; }
 
-  /// What the document says of it.
+  /// Updates the row from the document.
   void show_state(const options::RenderOptions& partial);
   void show_message(const QString& message, bool is_error);
-  /// Whether all of the words are in its key, meaning or default.
-  bool matches(const QStringList& words) const;
+  /// Whether its key, meaning or default matches the query: see matches_search.
+  bool matches(const QString& query) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -49,15 +49,15 @@ void OptionsEditor::make_actions() {
     action->setToolTip(text + "\n" + help);
     return action;
   };
-  open_ = add("open", tr("Open options"), tr("Reads an OP file."));
-  save_ = add("save", tr("Save options"), tr("Writes the OP file, with all of its comments."));
-  save_as_ = add("save_as", tr("Save options as"), tr("Writes an OP file of another name."));
+  open_ = add("open", tr("Open options"), tr("Open an OP file."));
+  save_ = add("save", tr("Save options"), tr("Save the OP file; comments are kept."));
+  save_as_ = add("save_as", tr("Save options as"), tr("Save the OP file under another name."));
   undo_ = document_.undo_stack().createUndoAction(this, tr("Undo"));
   undo_->setIcon(icon("undo"));
-  undo_->setToolTip(tr("Takes the last change of the options back"));
+  undo_->setToolTip(tr("Undo the last change of the options"));
   redo_ = document_.undo_stack().createRedoAction(this, tr("Redo"));
   redo_->setIcon(icon("redo"));
-  redo_->setToolTip(tr("Makes a change of the options again"));
+  redo_->setToolTip(tr("Redo the last undone change of the options"));
   connect(open_, &QAction::triggered, this, &OptionsEditor::ask_for_file);
   connect(save_, &QAction::triggered, this, qOverload<>(&OptionsEditor::save));
   connect(save_as_, &QAction::triggered, this, &OptionsEditor::save_as);
@@ -70,7 +70,8 @@ void OptionsEditor::lay_out() {
   tools->addSeparator();
   tools->addActions({undo_, redo_});
   messages_->setAccessibleName(tr("Messages"));
-  messages_->setToolTip(tr("What bpt says of these options. Each message leads to what it is about."));
+  messages_->setToolTip(
+      tr("Errors and warnings of bpt about these options. Select one to go to its option or line."));
   messages_->setWordWrap(true);
   messages_->setFrameShape(QFrame::NoFrame);
   text_->setFrameShape(QFrame::NoFrame);
@@ -107,7 +108,7 @@ bool OptionsEditor::open(const QString& path) {
 }
 
 bool OptionsEditor::save(const QString& path) {
-  // A shortcut saves while a number is being typed.
+  // The shortcut may save while a number is being typed.
   for (NumberBox* box : form_->findChildren<NumberBox*>()) box->commit();
   grf::Diagnostics diagnostics;
   const bool is_written = document_.save(path, diagnostics);
@@ -133,7 +134,7 @@ void OptionsEditor::show_messages() {
   for (const grf::Diagnostic& entry : file_problems_.entries()) add_message(entry);
   for (const grf::Diagnostic& entry : document_.diagnostics().entries()) add_message(entry);
   if (messages_->count() > 0) return;
-  auto* item = new QListWidgetItem(tr("Nothing is wrong with these options."), messages_);
+  auto* item = new QListWidgetItem(tr("These options have no errors or warnings."), messages_);
   item->setForeground(colours_of(theme_of(palette())).faint_text);
 }
 
@@ -153,13 +154,13 @@ void OptionsEditor::follow_message(int row) {
   if (row < first || row - first >= int(entries.size())) return;
   const grf::Diagnostic& entry = entries[std::size_t(row - first)];
   const options::OptionInfo* option = option_of(entry, document_.op_text());
-  // A line that is given twice, or has no effect, is no matter of a control.
+  // A duplicate line, or one without effect, is not shown by a control.
   if (option != nullptr && form_->is_usable(*option)) return form_->go_to(*option);
   if (option != nullptr) form_->show_option(*option);
   if (entry.location.line > 0) text_->go_to(entry.location.line, entry.location.column);
 }
 
-/// Fields have steps of undo of their own, which would be in the way of those of the document.
+/// Disables the undo steps of text fields, which would interfere with those of the document.
 bool OptionsEditor::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);

@@ -13,27 +13,27 @@ namespace editor {
 class OptionsForm;
 class OpTextView;
 
-/// Edits an OP file: a form of all options at the left, the file's text at the right, and under it what `bpt`
-/// would say of it. Each message leads to the control or the line that it is about.
+/// Edits an OP file: a form of all options at the left, the file's text at the right, and its diagnostics
+/// under it. Each message leads to its control or line.
 class OptionsEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// The editor is that of a project's options, which outlive it, or of an OP file of its own.
+  /// Edits a project's options, which outlive the editor, or an OP file of its own.
   explicit OptionsEditor(OpDocument* project, QWidget* parent = nullptr);
   explicit OptionsEditor(QWidget* parent = nullptr) : OptionsEditor(nullptr, parent) {}
 
   OpDocument& document() { return document_; }
-  /// False after an error, which the messages show.
+  /// Returns false after an error, which the messages show.
   bool open(const QString& path);
   bool save(const QString& path);
-  /// To the file that it is of; asks for one where there is none.
+  /// Saves to the current file; asks for one if there is none.
   bool save();
   bool save_as();
 
   QListWidget& messages() { return *messages_; }
   OptionsForm& form() { return *form_; }
-  /// For menus; they have no shortcuts of their own, which belong to the window.
+  /// Actions for menus; they have no shortcuts, which belong to the window.
   QAction* open_action() const { return open_; }
   QAction* save_action() const { return save_; }
   QAction* save_as_action() const { return save_as_; }
@@ -41,7 +41,7 @@ class OptionsEditor : public QWidget {
   QAction* redo_action() const { return redo_; }
 
  signals:
-  /// What went wrong with reading or writing a file.
+  /// Emitted with the diagnostics of reading or writing a file.
   void reported(const grf::Diagnostics& diagnostics);
 
  protected:

@@ -31,12 +31,12 @@ OptionsForm::OptionsForm(OpDocument& document, QWidget* parent)
       document_(document),
       search_(new QLineEdit(this)),
       scroll_(new QScrollArea(this)),
-      nothing_(new QLabel(tr("No option has these words in its name or meaning."), this)) {
+      nothing_(new QLabel(tr("No option matches the search."), this)) {
   search_->setPlaceholderText(tr("Search options"));
   search_->setClearButtonEnabled(true);
   search_->addAction(icon("search"), QLineEdit::LeadingPosition);
   search_->setAccessibleName(tr("Search options"));
-  search_->setToolTip(tr("Shows the options with these words in their names, meanings or defaults."));
+  search_->setToolTip(tr("Show only options with these words in their names, meanings or defaults."));
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
@@ -125,12 +125,11 @@ void OptionsForm::show_messages() {
 }
 
 void OptionsForm::filter(const QString& text) {
-  const QStringList words = text.split(' ', Qt::SkipEmptyParts);
   bool has_any = false;
   for (const Group& group : groups_) {
     bool has_some = false;
     for (OptionRow* row : group.rows) {
-      row->setVisible(row->matches(words));
+      row->setVisible(row->matches(text));
       has_some |= !row->isHidden();
     }
     group.title->setVisible(has_some);

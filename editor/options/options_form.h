@@ -13,17 +13,17 @@ namespace editor {
 
 class OptionRow;
 
-/// All options in their groups, and a search.
+/// A form of all options in their groups, with a search.
 class OptionsForm : public QWidget {
   Q_OBJECT
 
  public:
   OptionsForm(OpDocument& document, QWidget* parent);
 
-  /// Shows an option and gives it the focus, whatever is searched for.
+  /// Shows and focuses an option, and clears a search that hides it.
   void go_to(const options::OptionInfo& option);
   void show_option(const options::OptionInfo& option);
-  /// Whether its control can be used: the other options leave it an effect.
+  /// Whether the option's control is enabled: the other options leave it an effect.
   bool is_usable(const options::OptionInfo& option) const;
   OptionRow* row_of(const options::OptionInfo& option) const;
   QLineEdit* search() const { return search_; }
@@ -46,7 +46,7 @@ class OptionsForm : public QWidget {
   std::vector<Group> groups_;
 };
 
-/// What a message is about, if that is an option: that of its line, or the first that it names.
+/// The option that a message refers to, if any: that of its line, or the first that it names.
 const options::OptionInfo* option_of(const grf::Diagnostic& diagnostic, const options::OpText& text);
 
 }  // namespace editor

@@ -41,21 +41,21 @@ void OptionsWindow::make_menus() {
   file->addSeparator();
   QAction* close = file->addAction(tr("&Close"), this, &QWidget::close);
   close->setShortcut(QKeySequence::Close);
-  close->setToolTip(tr("Closes this window"));
+  close->setToolTip(tr("Close this window"));
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(edit, editor_->undo_action(), QKeySequence::Undo);
   add(edit, editor_->redo_action(), QKeySequence::Redo);
   QAction* search = edit->addAction(tr("&Search options"), this,
                                     [this] { editor_->form().search()->setFocus(Qt::ShortcutFocusReason); });
   search->setShortcut(QKeySequence::Find);
-  search->setToolTip(tr("Finds options by words of their names and meanings"));
+  search->setToolTip(tr("Find options by name or meaning"));
 }
 
 void OptionsWindow::closeEvent(QCloseEvent* event) {
   OpDocument& document = editor_->document();
   if (!document.is_in_project() && !document.undo_stack().isClean()) {
     const auto answer = QMessageBox::question(
-        this, tr("Unsaved options"), tr("The options have changes that are not saved."),
+        this, tr("Unsaved options"), tr("The options have unsaved changes."),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     const bool may_close = answer == QMessageBox::Discard || (answer == QMessageBox::Save && editor_->save());
     if (!may_close) return event->ignore();

@@ -6,14 +6,14 @@
 
 namespace editor {
 
-/// The OP generator as a window of its own. Its title says the file and whether it is saved; closing asks
-/// about what is not.
+/// The render options as a separate window. Its title has the file and whether it is saved; closing asks
+/// about unsaved changes.
 class OptionsWindow : public QMainWindow {
   Q_OBJECT
 
  public:
   explicit OptionsWindow(QWidget* parent = nullptr) : OptionsWindow(nullptr, parent) {}
-  /// The window edits a project's options, which outlive it. Closing it asks nothing, since the project saves
+  /// Edits a project's options, which outlive the window. Closing it asks nothing, since the project saves
   /// them.
   explicit OptionsWindow(OpDocument* project, QWidget* parent = nullptr);
 

@@ -15,7 +15,7 @@
 namespace editor {
 namespace {
 
-/// Completes names that start at a folder, and leaves them relative.
+/// Completes file names relative to a folder.
 class RelativeCompleter : public QCompleter {
  public:
   RelativeCompleter(const PathField* field, QString folder, QObject* parent)
@@ -43,8 +43,7 @@ PathField::PathField(const options::OptionInfo& option, options::PathOption valu
   row->addWidget(text_, 1);
   row->addWidget(tool_button(
       "open", tr("Choose %1").arg(text_of(option.key)),
-      value_.is_written ? tr("Choose where it is written") : tr("Choose the file"), [this] { browse(); },
-      this));
+      value_.is_written ? tr("Choose the output file") : tr("Choose the file"), [this] { browse(); }, this));
   setFocusProxy(text_);
   connect(text_, &QLineEdit::textEdited, this, [this](const QString& text) {
     complete();
@@ -65,7 +64,7 @@ void PathField::set_folder(const QString& folder) {
   completer_ = nullptr;
 }
 
-/// Folders are looked at once somebody types.
+/// Lists folders once the user types.
 void PathField::complete() {
   if (completer_ != nullptr) return;
   completer_ = new RelativeCompleter(this, folder_.isEmpty() ? QDir::currentPath() : folder_, this);
@@ -80,7 +79,7 @@ void PathField::complete() {
 QString PathField::relative(const QString& path) const {
   if (folder_.isEmpty()) return path;
   const QString relative = QDir(folder_).relativeFilePath(path);
-  // A path that climbs far says more when it starts at the root.
+  // A path that climbs far is more readable as an absolute one.
   return relative.startsWith(QStringLiteral("../../../")) ? path : relative;
 }
 

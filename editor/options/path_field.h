@@ -7,7 +7,7 @@ class QLineEdit;
 
 namespace editor {
 
-/// A path with completion and a dialog. Below the folder that is set, and beside it, paths are relative.
+/// A path field with completion and a file dialog. Paths in or near the current folder are relative.
 class PathField : public OptionField {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class PathField : public OptionField {
   void show_words(const std::optional<QStringList>& words) override;
   void set_folder(const QString& folder) override;
 
-  /// A path of the file system as it stands in the field.
+  /// Formats a file system path as it is shown in the field.
   QString relative(const QString& path) const;
 
  private:

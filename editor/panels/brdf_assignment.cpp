@@ -13,8 +13,8 @@
 namespace editor {
 namespace {
 
-/// Whether the name means the BRDF that is carried at all these places. A name of another scene, or of a
-/// scope that the faces are not in, may mean something else there.
+/// Whether the name refers to the dragged BRDF at all these paths. A name from another scene, or from a scope
+/// that the faces are not in, may refer to something else there.
 bool means_it(const std::string& name, const QMimeData& mime, const std::vector<PlacedDefinition>& in_scope) {
   return std::ranges::any_of(in_scope, [&](const PlacedDefinition& each) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&each.definition->body);
@@ -29,7 +29,7 @@ bool assign_brdf(Document& document, const grf::Catalogue& catalogue, const QMim
                  grf::Diagnostics& diagnostics) {
   const std::vector<grf::ScenePath> meshes = selected_meshes(document);
   if (meshes.empty()) {
-    diagnostics.error({}, "no face is selected that could take the BRDF");
+    diagnostics.error({}, "no selected face can be assigned a BRDF");
     return false;
   }
   QString name = QString::fromUtf8(mime.data(BrdfNameMimeType));

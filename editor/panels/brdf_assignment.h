@@ -1,4 +1,4 @@
-// Giving selected faces a BRDF that was dragged from a library, the scene's list or another program.
+// Assigns a BRDF that was dragged from a library, the scene tree or another program to the selected faces.
 #pragma once
 
 #include <QMimeData>
@@ -8,10 +8,10 @@
 
 namespace editor {
 
-/// Gives the selected faces what is carried (see document/brdf_mime.h), as one step of undo: the definition
-/// by its name where that means this BRDF for all of the faces, else the BRDF written out. False, and nothing
-/// changed, if no face is selected, nothing can be read, or values are not right, with the reason in the
-/// diagnostics.
+/// Assigns the dragged BRDF (see document/brdf_mime.h) to the selected faces as one undo step: by the name of
+/// its definition if that means this BRDF for all of the faces, else written out. Returns false, changes
+/// nothing and reports why in the diagnostics if no face is selected, nothing can be read, or values are
+/// invalid.
 bool assign_brdf(Document& document, const grf::Catalogue& catalogue, const QMimeData& mime,
                  grf::Diagnostics& diagnostics);
 

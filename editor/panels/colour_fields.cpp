@@ -46,7 +46,7 @@ void ColourFields::show_blank(const QString& text) {
   for (NumberBox* channel : channels_) channel->set_blank(text);
 }
 
-// The first number of a colour where there is none is that of all channels.
+// The first number typed into an empty colour is set for all channels.
 void ColourFields::take(int channel, double number) {
   grf::Colour colour = colour_.value_or(grf::Colour(static_cast<float>(number)));
   colour[channel] = static_cast<float>(number);

@@ -11,19 +11,19 @@ namespace editor {
 class ColourButton;
 class NumberBox;
 
-/// Three numbers R, G and B, linear, of at least 0, and a button that shows the colour and lets it be chosen.
+/// Three number fields for linear RGB values of at least 0, and a button with a colour chooser.
 class ColourFields : public QWidget {
   Q_OBJECT
 
  public:
-  /// The name says what has the colour, the help its meaning and unit.
+  /// `name` is the name of the coloured thing, `help` its meaning and unit.
   ColourFields(const QString& name, const QString& help, double maximum, QWidget* parent = nullptr);
 
   void show_colour(const grf::Colour& colour);
-  /// Shows that there is none, or `mixed`.
+  /// Shows an empty field, or `mixed`.
   void show_blank(const QString& text);
   const std::optional<grf::Colour>& colour() const { return colour_; }
-  /// The first of the numbers, where typing begins.
+  /// The first number field, which takes the keyboard focus.
   QWidget* field() const;
 
  signals:

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double Largest = std::numeric_limits<float>::max();
 
-/// With four digits; large numbers are whole ones, as they are read more easily than with an exponent.
+/// Formats with four digits; large numbers as integers, which are more readable than an exponent.
 QString text_of(double number) {
   const bool is_large = number >= 1e4 && number < 1e7;
   return is_large ? QLocale::c().toString(number, 'f', 0).remove(',') : QLocale::c().toString(number, 'g', 4);
@@ -37,7 +37,7 @@ QString name_of(const Emitter& emitter) {
   return emitter.name.empty() ? LightPanel::tr("faces of a mesh") : QString::fromStdString(emitter.name);
 }
 
-/// A light over the middle of what there is, that shines down.
+/// An area light above the centre of the bounds, facing down.
 grf::AreaLight light_over(const grf::Box3d& bounds) {
   constexpr double Part = 0.25;
   const bool is_empty = bounds.isEmpty();
@@ -67,7 +67,7 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
       problem_(problem_label(this)) {
   setAccessibleName(tr("Lights"));
   list_->setAccessibleName(tr("Lights of the scene"));
-  list_->setToolTip(tr("All that emits: its area in the world and the power that it sends out"));
+  list_->setToolTip(tr("All emitters, with their world-space area and their emitted power"));
   list_->setHeaderLabels({tr("Light"), tr("Area, m²"), tr("Power, W")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
@@ -100,7 +100,8 @@ QWidget* LightPanel::make_buttons() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(tool_button(
-      "add", tr("Add a light"), tr("Add: a light over the scene, that shines down"), [this] { add(); }, row));
+      "add", tr("Add a light"), tr("Add an area light above the scene, facing down"), [this] { add(); },
+      row));
   remove_ = tool_button(
       "delete", tr("Delete the light"), {}, [this] { remove(); }, row);
   layout->addWidget(remove_);
@@ -116,9 +117,9 @@ QWidget* LightPanel::make_form() {
   layout->setVerticalSpacing(Grid);
   const std::array<QString, 3> names = {tr("Corner"), tr("Edge 1"), tr("Edge 2")};
   const std::array<QString, 3> helps = {
-      tr("a corner of the light, in the units of the place where it stands"),
-      tr("from the corner along one edge; it emits to the side to which edge 1 × edge 2 points"),
-      tr("from the corner along the other edge")};
+      tr("a corner of the light, in the local space of its transform"),
+      tr("edge vector from the corner; the light emits along its normal, edge 1 × edge 2"),
+      tr("the other edge vector from the corner")};
   for (std::size_t line = 0; line < 3; ++line) {
     layout->addWidget(new QLabel(names[line], form), static_cast<int>(line), 0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -127,11 +128,10 @@ QWidget* LightPanel::make_form() {
       layout->addWidget(vectors_[line][axis], static_cast<int>(line), static_cast<int>(axis) + 1);
     }
   }
-  radiance_ = new ColourFields(tr("Radiance"), tr("what the light emits, W/(sr m²)"), Largest, form);
-  power_ = number_box(
-      {tr("Power"), tr("What the light emits: π times its area times the mean of its radiance's numbers"), 0,
-       Largest, 10, tr("W")},
-      form);
+  radiance_ = new ColourFields(tr("Radiance"), tr("emitted radiance, W/(sr m²)"), Largest, form);
+  power_ = number_box({tr("Power"), tr("Emitted power: π × area × mean of the radiance's RGB values"), 0,
+                       Largest, 10, tr("W")},
+                      form);
   layout->addWidget(new QLabel(tr("Radiance"), form), 3, 0);
   layout->addWidget(radiance_, 3, 1, 1, 3);
   layout->addWidget(new QLabel(tr("Power"), form), 4, 0);
@@ -158,7 +158,7 @@ void LightPanel::connect_form() {
     if (chosen_light() == nullptr) return;
     grf::AreaLight light = chosen_light()->light;
     light.radiance = radiance;
-    change(tr("Radiance of light"), light, "light radiance");
+    change(tr("Set light radiance"), light, "light radiance");
   });
   connect(radiance_, &ColourFields::finished, this, finish);
   connect_number(
@@ -213,18 +213,19 @@ void LightPanel::show_chosen() {
   const LightObject* light = chosen_light();
   const Emitter* emitter = chosen_emitter();
   show_problem(problem_, {});
-  enable(remove_, tr("Delete: takes the light away"),
-         light == nullptr ? tr("Choose a light first; faces are changed in the surface panel.") : QString());
+  enable(remove_, tr("Delete the light"),
+         light == nullptr ? tr("Select a light first; emission of faces is edited in the Surface dock.")
+                          : QString());
   pages_->setCurrentIndex(light != nullptr ? 2 : emitter != nullptr ? 1 : 0);
-  hint_->setText(emitters_.empty() ? tr("Nothing emits light yet.\n\nAdd a lamp with +, or select faces and "
-                                        "give them light in the Surface dock.")
-                                   : tr("Choose a light to change it, or add one."));
+  hint_->setText(emitters_.empty() ? tr("The scene has no lights.\n\nAdd an area light with +, or select "
+                                        "faces and set their emission in the Surface dock.")
+                                   : tr("Select a light to edit it, or add one."));
   if (emitter != nullptr && light == nullptr) {
-    about_->setText(emitter->count == 1
-                        ? tr("One face of a mesh emits. It is selected: the surface panel has its light.")
-                        : tr("%1 faces of a mesh emit. They are selected: the surface panel has "
-                             "their light.")
-                              .arg(emitter->count));
+    about_->setText(
+        emitter->count == 1
+            ? tr("One face of a mesh emits. It is selected: edit its emission in the Surface dock.")
+            : tr("%1 faces of a mesh emit. They are selected: edit their emission in the Surface dock.")
+                  .arg(emitter->count));
   }
   if (light == nullptr) return;
   grf::AreaLight shown = light->light;
@@ -271,7 +272,7 @@ void LightPanel::change_power(double power) {
   if (light == nullptr) return;
   grf::AreaLight changed = light->light;
   changed.radiance = radiance_of(power, world_area(*light), changed.radiance.value_or(grf::Colour(1)));
-  change(tr("Power of light"), changed, "light power");
+  change(tr("Set light power"), changed, "light power");
 }
 
 void LightPanel::add() {

@@ -18,7 +18,8 @@ namespace editor {
 class ColourFields;
 class NumberBox;
 
-/// All that emits in a scene with its power, and the corner, edges and radiance of the light that is chosen.
+/// Lists all emitters of a scene with their power, and edits corner, edges and radiance of the selected
+/// light.
 class LightPanel : public QWidget {
   Q_OBJECT
 
@@ -26,15 +27,15 @@ class LightPanel : public QWidget {
   /// The document outlives the panel.
   explicit LightPanel(Document& document, QWidget* parent = nullptr);
 
-  /// Chooses what emits at a place, if something does.
+  /// Selects the emitter at a path, if there is one.
   void choose(grf::ScenePathView path);
-  /// Adds a light over the scene that shines down, and chooses it.
+  /// Adds an area light above the scene, facing down, and selects it.
   void add();
 
   QSize sizeHint() const override;
 
  signals:
-  /// A light was chosen in the list.
+  /// Emitted when a light is selected in the list.
   void chosen(const grf::ScenePath& path);
 
  private:
@@ -56,7 +57,7 @@ class LightPanel : public QWidget {
   std::optional<grf::ScenePath> path_;  // of the chosen one
   QTreeWidget* list_;
   QStackedWidget* pages_;
-  QLabel* hint_ = nullptr;  ///< while no light is chosen
+  QLabel* hint_ = nullptr;  ///< shown while no light is selected
   QLabel* about_ = nullptr;
   QLabel* problem_;
   QToolButton* remove_ = nullptr;

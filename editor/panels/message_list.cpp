@@ -35,7 +35,7 @@ QFont fixed_font(const QFont& like) {
   return font;
 }
 
-/// The parts of an entry and where they are drawn.
+/// The layout of a message.
 struct Layout {
   QRect place;
   QRect text;
@@ -130,7 +130,7 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::AccessibleTextRole)
     return QString("%1: %2: %3").arg(tr(style_of(each.severity).name), place, text);
   if (role != Qt::ToolTipRole || !each.location.file) return {};
-  return tr("%1\nDouble click: go to the line, and select what is there")
+  return tr("%1\nDouble-click to go to the line and select its faces")
       .arg(QString::fromStdString(each.location.file->path));
 }
 
@@ -143,7 +143,7 @@ void MessageDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->translate(option.rect.topLeft());
   if (option.state.testFlag(QStyle::State_Selected)) {
     QColor background = colours.accent;
-    background.setAlphaF(0.25F);  // all colours of text stay readable on it
+    background.setAlphaF(0.25F);  // all text colours stay readable on it
     painter->fillRect(QRect(QPoint(), option.rect.size()), background);
   }
   draw_severity(*painter, message.severity, colours);

@@ -8,7 +8,7 @@
 
 namespace editor {
 
-/// Diagnostics as a list.
+/// A list model of diagnostics.
 class MessageModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -25,8 +25,8 @@ class MessageModel : public QAbstractListModel {
   std::vector<grf::Diagnostic> messages_;
 };
 
-/// Draws a diagnostic: its severity, its place, what is wrong, and the line of the file with a mark under the
-/// place, in a fixed font.
+/// Draws a diagnostic: severity, location, message, and the source line with a caret under the location, in a
+/// fixed-width font.
 class MessageDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class MessageDelegate : public QStyledItemDelegate {
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 
-/// `file:line:column`, as far as it is known; the file without its folder.
+/// Formats a location as `file:line:column`, as far as it is known; the file without its folder.
 QString place_text(const grf::SourceLocation& location);
 
 }  // namespace editor

@@ -44,9 +44,8 @@ MessagePanel::MessagePanel(Document& document, grf::Catalogue catalogue, QWidget
   view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   view_->setResizeMode(QListView::Adjust);
-  pages_->addWidget(hint_label(tr("Nothing is wrong with the scene.\n\nMistakes and doubts are listed here "
-                                  "while you edit."),
-                               pages_));
+  pages_->addWidget(hint_label(
+      tr("The scene has no errors or warnings.\n\nProblems are listed here while you edit."), pages_));
   pages_->addWidget(view_);
   auto* layout = tight_layout<QVBoxLayout>(this, 0);
   summary_->setContentsMargins(Grid, Grid / 2, Grid, Grid / 2);
@@ -74,7 +73,7 @@ void MessagePanel::add_warning(const QString& message) {
 
 QSize MessagePanel::sizeHint() const { return {640, 200}; }
 
-// Wrapped lines have other heights.
+// The height of wrapped lines depends on the width.
 void MessagePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   view_->doItemsLayout();

@@ -17,8 +17,8 @@ namespace editor {
 
 class MessageModel;
 
-/// The panel lists what reading the open file said, what is wrong with the scene as it is now, and what
-/// cannot be shown of it.
+/// Lists the diagnostics of reading the open file and of checking the current scene, and warnings about what
+/// the view cannot show.
 class MessagePanel : public QWidget {
   Q_OBJECT
 
@@ -26,10 +26,10 @@ class MessagePanel : public QWidget {
   /// The document outlives the panel.
   MessagePanel(Document& document, grf::Catalogue catalogue, QWidget* parent = nullptr);
 
-  /// Shows what was said about another file, such as one that could not be opened, until the next one opens.
+  /// Shows diagnostics of another file, such as one that could not be opened, until the next one opens.
   void show_diagnostics(const grf::Diagnostics& diagnostics);
-  /// Adds what holds as long as this scene is shown, such as what the screen cannot do; once, if it is said
-  /// several times.
+  /// Adds a warning that holds as long as this scene is shown, such as a limit of the graphics driver.
+  /// Repeated warnings are listed once.
   void add_warning(const QString& message);
 
   const SceneCheck& check() const { return check_; }
@@ -39,11 +39,11 @@ class MessagePanel : public QWidget {
   QSize sizeHint() const override;
 
  signals:
-  /// A message was chosen: the file is to be shown there.
+  /// Emitted when a message is activated: show the file at this location.
   void place_requested(const grf::SourceLocation& location);
-  /// What was written there; its faces are selected.
+  /// Emitted with the path of what was written at the location, after its faces are selected.
   void chosen(const grf::ScenePath& path);
-  /// There are other messages.
+  /// Emitted when the messages differ from before.
   void messages_changed();
 
  protected:

@@ -18,7 +18,7 @@
 namespace editor {
 namespace {
 
-/// What an entry of a list stands for.
+/// The kinds of list entries.
 enum class Choice { None, OnTheSpot, Named, Model };
 
 constexpr int KindRole = Qt::UserRole;
@@ -76,8 +76,8 @@ BrdfRow::BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* p
       "define", tr("Define the BRDF"), {}, [this] { define_common(); }, this);
   pick_ = tool_button(
       "pick", tr("Pick the BRDF from a face"),
-      tr("Pick: give these faces the BRDF of a face that is clicked in the view"),
-      [this] { emit pick_requested(); }, this);
+      tr("Pick: assign the BRDF of the face that you click in the view"), [this] { emit pick_requested(); },
+      this);
   reset_ = tool_button(
       "reset", tr("Reset the BRDF"), {},
       [this] { assign(tr("Reset BRDF"), AttributeEdit<grf::BrdfAttribute>::remove()); }, this);
@@ -89,17 +89,17 @@ void BrdfRow::show_facts(const SurfaceFacts& facts) {
   common_ = facts.surface.brdf;
   fill(facts);
   const QString lit = why_not_reflecting(facts);
-  enable(choice_, tr("How the faces reflect light: a BRDF of the scene by its name, or a new one"), lit);
+  enable(choice_, tr("The BRDF of the faces: a named definition of the scene, or a new one"), lit);
   const bool has_one = !common_.is_mixed && common_.value.has_value();
   const bool is_named = has_one && std::holds_alternative<grf::Reference>(*common_.value);
   const QString none = common_.is_mixed ? tr("The faces have several BRDFs.") : tr("The faces have no BRDF.");
   enable(edit_, tr("Edit the BRDF: its lobe and its parameters"), has_one ? QString() : none);
-  enable(define_, tr("Define: give the BRDF a name, so that other faces can share it"),
-         is_named  ? tr("The BRDF has a name.")
+  enable(define_, tr("Define: name the BRDF, so that other faces can share it"),
+         is_named  ? tr("The BRDF is a named definition already.")
          : has_one ? QString()
                    : none);
   pick_->setEnabled(lit.isEmpty());
-  enable(reset_, tr("Reset: the faces have no BRDF of their own, and are diffuse with kd = 0.5"),
+  enable(reset_, tr("Reset to the default BRDF: diffuse with kd = 0.5"),
          has_one || common_.is_mixed ? QString() : none);
 }
 
@@ -112,7 +112,7 @@ void BrdfRow::fill(const SurfaceFacts& facts) {
   if (model != nullptr) {
     const QString text = QString::fromStdString(grf::to_text(*model));
     const bool is_known = grf::find_model(catalogue_.brdfs, model->keyword) != nullptr;
-    add_choice(choice_, Choice::OnTheSpot, text, {}, tr("Of these faces alone: %1").arg(text),
+    add_choice(choice_, Choice::OnTheSpot, text, {}, tr("Inline, only on these faces: %1").arg(text),
                icon(is_known ? "brdf" : "error"));
   }
   for (const QString& name : facts.brdfs) {
@@ -158,7 +158,7 @@ void BrdfRow::define_common() {
   grf::Diagnostics diagnostics;
   auto defined = define(document_.scene(), "my_" + grf::lower_case(model.keyword), model, diagnostics);
   if (!defined) return emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
-  // Meshes are in the same order as before, so the selection is that of the new scene too.
+  // The order of meshes is unchanged, so the selection is valid in the new scene too.
   SurfaceEdit edit;
   edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{defined->name, {}});
   const SceneObjects objects = objects_of(defined->scene, document_.path().toStdString());
@@ -194,13 +194,13 @@ void PdfRow::show_facts(const SurfaceFacts& facts) {
   show_problem(problem_, {});
   fill(facts);
   const QString lit = why_not_reflecting(facts);
-  enable(choice_, tr("How directions of reflected light are drawn; none: in the BRDF's own way"), lit);
+  enable(choice_, tr("How reflected directions are sampled; by default, with the BRDF's own scheme"), lit);
   const auto& common = facts.surface.pdf;
   const grf::PdfModel* model = nullptr;
   if (common.value && !common.is_mixed) model = std::get_if<grf::PdfModel>(&*common.value);
   model_ = model == nullptr ? std::nullopt : std::optional(*model);
   show_parameters();
-  enable(reset_, tr("Reset: each BRDF has its own scheme"),
+  enable(reset_, tr("Reset to the default sampling scheme of each BRDF"),
          common.is_mixed || common.value ? QString() : tr("The faces have no sampling scheme of their own."));
 }
 
@@ -208,7 +208,8 @@ void PdfRow::fill(const SurfaceFacts& facts) {
   const QSignalBlocker blocker(choice_);
   const auto& common = facts.surface.pdf;
   choice_->clear();
-  add_choice(choice_, Choice::None, tr("the BRDF's own"), {}, tr("Each BRDF is sampled in its own way"));
+  add_choice(choice_, Choice::None, tr("BRDF default"), {},
+             tr("Each BRDF is sampled with its default scheme"));
   for (const QString& name : facts.pdfs) {
     add_choice(choice_, Choice::Named, name, name, tr("The scheme '%1' of the scene").arg(name), icon("pdf"));
   }
@@ -234,7 +235,7 @@ void PdfRow::select_model(const grf::PdfModel& model) {
   if (info == nullptr) {
     const QString keyword = QString::fromStdString(model.keyword);
     add_choice(choice_, Choice::OnTheSpot, tr("%1 (unknown)").arg(keyword), {},
-               tr("There is no sampling scheme '%1'").arg(keyword), icon("error"));
+               tr("Unknown sampling scheme '%1'").arg(keyword), icon("error"));
     return select_choice(choice_, Choice::OnTheSpot, {});
   }
   const QString keyword = QString::fromStdString(std::string(info->keyword));
@@ -249,12 +250,12 @@ void PdfRow::choose(int index) {
   if (choice == Choice::None) {
     assign(tr("Reset PDF"), AttributeEdit<grf::PdfAttribute>::remove());
   } else if (choice == Choice::Named) {
-    assign(tr("Sample by %1").arg(name),
+    assign(tr("Assign scheme %1").arg(name),
            AttributeEdit<grf::PdfAttribute>::set(grf::Reference{name.toStdString(), {}}));
   } else if (choice == Choice::Model) {
     grf::PdfModel model;
     model.keyword = name.toStdString();
-    assign(tr("Sample by %1").arg(name), AttributeEdit<grf::PdfAttribute>::set(model));
+    assign(tr("Assign scheme %1").arg(name), AttributeEdit<grf::PdfAttribute>::set(model));
   }
 }
 
@@ -280,8 +281,8 @@ void PdfRow::edit_parameters(const std::function<void(grf::Model&)>& edit, bool 
   }
   SurfaceEdit parameters;
   parameters.pdf = AttributeEdit<grf::PdfAttribute>::set(*model_);
-  document_.edit_surfaces(tr("Parameters of %1").arg(QString::fromStdString(model_->keyword)), parameters,
-                          QStringLiteral("parameters of the sampling scheme"));
+  document_.edit_surfaces(tr("Edit parameters of %1").arg(QString::fromStdString(model_->keyword)),
+                          parameters, QStringLiteral("parameters of the sampling scheme"));
   if (is_done) document_.finish_gesture();
 }
 

@@ -1,4 +1,4 @@
-// The rows of the surface panel that choose a model: a BRDF, or a sampling scheme.
+// The rows of the Surface dock that choose a BRDF or a sampling scheme.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace editor {
 
 class ParameterRows;
 
-/// A BRDF of the scene by its name, or a new one of a model.
+/// Chooses a named BRDF of the scene, or a new inline one of a model.
 class BrdfRow : public SurfaceRow {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class BrdfRow : public SurfaceRow {
   QToolButton* reset_;
 };
 
-/// A sampling scheme by its name, or on the spot with a row for each parameter.
+/// Chooses a named sampling scheme, or an inline one with a row for each parameter.
 class PdfRow : public SurfaceRow {
   Q_OBJECT
 
@@ -53,7 +53,7 @@ class PdfRow : public SurfaceRow {
 
  private:
   void fill(const SurfaceFacts& facts);
-  /// Also one that the catalogue does not have, or with mistakes, and says so.
+  /// Selects a scheme; one that is unknown or has invalid values is shown as such.
   void select_model(const grf::PdfModel& model);
   void choose(int index);
   void assign(const QString& text, const AttributeEdit<grf::PdfAttribute>& pdf);
@@ -61,7 +61,7 @@ class PdfRow : public SurfaceRow {
   void edit_parameters(const std::function<void(grf::Model&)>& edit, bool is_done);
 
   const grf::Catalogue& catalogue_;
-  std::optional<grf::PdfModel> model_;  ///< a scheme on the spot, as the rows have it
+  std::optional<grf::PdfModel> model_;  ///< the inline scheme that the rows show
   QComboBox* choice_;
   ParameterRows* parameters_;
   QLabel* problem_;

@@ -24,7 +24,7 @@ SceneCheck::SceneCheck(Document& document, grf::Catalogue catalogue, QObject* pa
 SceneCheck::~SceneCheck() { running_.waitForFinished(); }
 
 void SceneCheck::start() {
-  // A check that is running is of an older scene: the next one starts when it ends.
+  // The running check is of an older scene: the next one starts when it ends.
   if (is_running_) return;
   is_running_ = true;
   is_outdated_ = false;

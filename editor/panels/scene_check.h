@@ -9,7 +9,7 @@
 
 namespace editor {
 
-/// Checks a document's scene in a thread of its own, a moment after each edit.
+/// Checks a document's scene in a thread, a moment after each edit.
 class SceneCheck : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class SceneCheck : public QObject {
   /// Waits for a check that is running.
   ~SceneCheck() override;
 
-  /// What was wrong with the scene when it was checked last.
+  /// Diagnostics of the last check.
   const grf::Diagnostics& diagnostics() const { return diagnostics_; }
   bool is_up_to_date() const { return !is_outdated_ && !is_running_; }
 

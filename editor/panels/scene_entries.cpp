@@ -34,9 +34,9 @@ QString text_of(const std::vector<grf::TransformStep>& steps) {
   for (const grf::TransformStep& step : steps) {
     const bool is_turn = step.kind == grf::TransformStep::Kind::Rotation;
     const auto degrees = static_cast<float>(180 / std::numbers::pi);
-    const QString word = is_turn                                        ? tr("turned by %1°")
+    const QString word = is_turn                                        ? tr("rotated by %1°")
                          : step.kind == grf::TransformStep::Kind::Scale ? tr("scaled by %1")
-                                                                        : tr("moved by %1");
+                                                                        : tr("translated by %1");
     words << word.arg(text_of(is_turn ? step.value * degrees : step.value));
   }
   return words.join(", ");
@@ -56,7 +56,7 @@ class Builder {
   std::unique_ptr<SceneEntry> build() {
     auto root = std::make_unique<SceneEntry>();
     SceneEntry* objects =
-        root->add(group(tr("Objects"), tr("What stands in the scene, as it is nested there")));
+        root->add(group(tr("Objects"), tr("The objects of the scene, nested as in its scene graph")));
     path_.clear();
     add_blocks(document_.scene().contents, 0, *objects);
     objects->detail = objects->children.empty() ? tr("none") : QString::number(objects->children.size());
@@ -64,11 +64,11 @@ class Builder {
                                                          {tr("Sampling schemes"), Kind::Pdf},
                                                          {tr("Colours"), Kind::Colour},
                                                          {tr("Textures"), Kind::Texture},
-                                                         {tr("Meshes to use"), Kind::DefinedMesh}};
+                                                         {tr("Mesh definitions"), Kind::DefinedMesh}};
     for (const auto& [name, kind] : kinds) {
       auto& found = definitions_[kind];
       if (found.empty()) continue;
-      SceneEntry* of_kind = root->add(group(name, tr("Definitions of the scene, by their names")));
+      SceneEntry* of_kind = root->add(group(name, tr("Named definitions of the scene")));
       of_kind->detail = QString::number(found.size());
       for (auto& each : found) of_kind->add(std::move(each));
     }
@@ -110,10 +110,10 @@ class Builder {
   }
   void add(const grf::MeshLight& light, SceneEntry& parent) {
     parent.add(
-        entry(Kind::MeshLight, tr("mesh light"), face_count(*light.mesh), tr("Faces that emit light")));
+        entry(Kind::MeshLight, tr("mesh light"), face_count(*light.mesh), tr("A mesh that emits light")));
   }
   void add(const grf::AreaLight&, SceneEntry& parent) {
-    parent.add(entry(Kind::AreaLight, tr("light"), {}, tr("A parallelogram that emits light")));
+    parent.add(entry(Kind::AreaLight, tr("light"), {}, tr("A parallelogram area light")));
   }
   void add(const grf::Include& include, SceneEntry& parent) {
     const QString file = QString::fromStdString(include.file);
@@ -144,7 +144,7 @@ class Builder {
   void add(const grf::Params& params, SceneEntry& parent) {
     for (std::size_t i = 0; i < params.views.size(); ++i) {
       SceneEntry* made = parent.add(entry(Kind::Observer, tr("observer"), text_of(params.views[i]),
-                                          tr("For whom irradiance that depends on the view is computed")));
+                                          tr("The viewpoint for view-dependent irradiance")));
       made->observer = i;
     }
   }
@@ -152,7 +152,7 @@ class Builder {
     const QString name = QString::fromStdString(use.mesh.name);
     const auto place = places_.find(path_);
     const QString detail = place == places_.end() ? tr("use") : text_of(place->second, 3);
-    parent.add(entry(Kind::Instance, name, detail, tr("The mesh '%1' once more").arg(name)));
+    parent.add(entry(Kind::Instance, name, detail, tr("An instance of the mesh '%1'").arg(name)));
   }
 
   void add_definition(const grf::Definition& definition) {

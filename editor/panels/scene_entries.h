@@ -1,4 +1,4 @@
-// The lines of the scene's list, as a tree of plain values.
+// The items of the scene outliner as a tree of plain values.
 #pragma once
 
 #include <QString>
@@ -31,36 +31,37 @@ struct SceneEntry {
 
   Kind kind = Kind::Group;
   QString name;
-  QString detail;       ///< beside the name: how many faces, how often it is used, where it is moved
-  QString help;         ///< a sentence
-  grf::ScenePath path;  ///< empty of a group
-  std::optional<std::uint32_t> mesh;  ///< whose faces these are: an index of the scene's objects
-  std::size_t observer = 0;           ///< the number of an observer in its block
-  bool has_selection = false;         ///< some of its faces are selected
+  QString detail;       ///< text beside the name: number of faces, number of uses, or translation
+  QString help;         ///< tool tip, a sentence
+  grf::ScenePath path;  ///< empty for a group
+  std::optional<std::uint32_t> mesh;  ///< the mesh of these faces: an index into the scene's objects
+  std::size_t observer = 0;           ///< number of an observer in its block
+  bool has_selection = false;         ///< whether some of its faces are selected
 
   SceneEntry* parent = nullptr;
-  int row = 0;  ///< in the parent
+  int row = 0;  ///< row in the parent
   std::vector<std::unique_ptr<SceneEntry>> children;
 
-  /// Whether it is the same line after an edit, as far as can be told.
+  /// Whether this is probably the same item after an edit.
   bool is_like(const SceneEntry& other) const { return kind == other.kind && name == other.name; }
   bool is_definition() const;
   bool can_be_renamed() const;
   SceneEntry* add(std::unique_ptr<SceneEntry> child);
-  /// Sets parents and rows of the children anew.
+  /// Updates parent and row of the children.
   void number_children();
 };
 
-/// The lines of a document's scene under one that is not shown: what stands in it, as it is nested there, and
-/// what it defines. A transform of one thing is a part of that thing's line.
+/// Builds the items of a document's scene under an invisible root: its objects, nested as in the scene graph,
+/// and its definitions. A transform with a single child is merged with the item of that child.
 std::unique_ptr<SceneEntry> entries_of(const Document& document);
 
-/// The name of a mesh's line.
+/// The display name of a mesh.
 QString line_name_of(const grf::Mesh& mesh);
-/// What is in a transform: the name of the only object, through what it is nested in, or how many.
+/// Summarises the contents of a transform: the name of its only object, however deep, or the number of
+/// objects.
 QString contents_of(const SceneEntry& transform);
 
-/// The icon's name for a kind.
+/// The name of the icon for a kind.
 QString icon_of(SceneEntry::Kind kind);
 
 }  // namespace editor

@@ -14,7 +14,7 @@
 namespace editor {
 namespace {
 
-/// Calls an action with all entries, parents before their children, until it returns false.
+/// Visits all entries, parents before their children, until the action returns false.
 template <class Entry, class Action>
 bool for_each_entry(Entry& entry, const Action& action) {
   return std::ranges::all_of(entry.children, [&action](const auto& child) {
@@ -22,14 +22,13 @@ bool for_each_entry(Entry& entry, const Action& action) {
   });
 }
 
-/// How many lines stay at the beginning and at the end.
+/// The number of unchanged items at the beginning and at the end.
 struct Kept {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-// Those that are alike; between them, lines are others. As many of the same kinds as before are the same ones
-// with other names.
+// Items between those that match have changed. If as many of the same kinds remain, they count as renamed.
 Kept kept(const std::vector<std::unique_ptr<SceneEntry>>& now,
           const std::vector<std::unique_ptr<SceneEntry>>& wanted) {
   const auto same_kind = [](const auto& a, const auto& b) { return a->kind == b->kind; };
@@ -154,7 +153,7 @@ QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const {
 }
 
 void SceneModel::update_scene(const Change& change) {
-  // What faces have is not in the list, but how many of them use a definition is.
+  // Surfaces of faces are not in the list, but the number of uses of a definition is.
   const bool is_of_faces_alone = !change.is_structural && !change.definitions && !change.lights;
   if (is_of_faces_alone && !change.references) {
     if (change.names) update_names(change);
@@ -164,7 +163,7 @@ void SceneModel::update_scene(const Change& change) {
   update_selection();
 }
 
-/// Meshes have other names, and transforms that show what is in them.
+/// Renames meshes, and transforms that are named after their contents.
 void SceneModel::update_names(const Change& change) {
   const std::vector<MeshObject>& meshes = document_.objects().meshes;
   std::vector<bool> are_changed(meshes.size());
@@ -219,7 +218,7 @@ void SceneModel::update_children(SceneEntry& now, std::vector<std::unique_ptr<Sc
     now.number_children();
     endInsertRows();
   }
-  // Views are told once of all lines: what they do for each call may be work in proportion to all.
+  // Views are notified once for all items, since their work per call may be proportional to all.
   SceneEntry* first_other = nullptr;
   SceneEntry* last_other = nullptr;
   for (std::size_t i = 0; i < children.size(); ++i) {

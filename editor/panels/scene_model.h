@@ -9,8 +9,8 @@
 
 namespace editor {
 
-/// A document's scene as a model for trees: names in the first column, details in the second. Edits of the
-/// scene insert, remove and change lines; the others stay the same, and so does what is expanded.
+/// A Qt item model of a document's scene: names in the first column, details in the second. Edits of the
+/// scene insert, remove and change items; the others stay the same and stay expanded.
 class SceneModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -20,9 +20,9 @@ class SceneModel : public QAbstractItemModel {
 
   const SceneEntry* entry(const QModelIndex& index) const;
   QModelIndex index_of(const SceneEntry& entry) const;
-  /// The first line with selected faces, or none.
+  /// The first item with selected faces, or an invalid index.
   QModelIndex first_with_selection() const;
-  /// The line of what stands at a place, or none.
+  /// The item at a path, or an invalid index.
   QModelIndex index_at(grf::ScenePathView path) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -36,7 +36,7 @@ class SceneModel : public QAbstractItemModel {
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
  signals:
-  /// A name could not be given.
+  /// Emitted when an item cannot be renamed.
   void problem_found(const QString& problem);
 
  private:
@@ -44,7 +44,7 @@ class SceneModel : public QAbstractItemModel {
   void update_names(const Change& change);
   void update_selection();
   void update_children(SceneEntry& now, std::vector<std::unique_ptr<SceneEntry>> wanted);
-  /// Returns whether the line itself looks other than before.
+  /// Returns whether the item itself must be redrawn.
   bool update_entry(SceneEntry& now, SceneEntry& wanted);
 
   Document& document_;

@@ -20,7 +20,7 @@
 namespace editor {
 namespace {
 
-/// All faces of an entry's meshes and of those inside of it.
+/// Adds all faces of an entry's meshes and of its descendants.
 void add_faces(const SceneEntry& entry, FaceSelection& selection) {
   if (entry.mesh) selection.set_mesh(*entry.mesh);
   for (const auto& child : entry.children) add_faces(*child, selection);
@@ -39,8 +39,8 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
       problem_(problem_label(this)) {
   setAccessibleName(tr("Scene"));
   search_->setPlaceholderText(tr("Search"));
-  search_->setAccessibleName(tr("Search in the scene"));
-  search_->setToolTip(tr("Shows the lines alone whose names have these letters"));
+  search_->setAccessibleName(tr("Search the scene"));
+  search_->setToolTip(tr("Show only items whose names contain this text"));
   search_->setClearButtonEnabled(true);
   filter_->setSourceModel(model_);
   filter_->setRecursiveFilteringEnabled(true);
@@ -66,8 +66,9 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
 
 void SceneTree::make_view() {
   view_->setModel(filter_);
-  view_->setAccessibleName(tr("Lines of the scene"));
-  view_->setToolTip(tr("Objects, lights and definitions: a line that is chosen selects its faces"));
+  view_->setAccessibleName(tr("Items of the scene"));
+  view_->setToolTip(
+      tr("Scene outliner: objects, lights and definitions; selecting an item selects its faces"));
   view_->setHeaderHidden(true);
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -99,16 +100,14 @@ QAction* SceneTree::add_action(const QString& icon_name, const QString& text, co
 }
 
 void SceneTree::make_actions() {
-  rename_ = add_action("edit", tr("Rename"), Qt::Key_F2, tr("Gives the line another name"),
-                       &SceneTree::rename_chosen);
+  rename_ = add_action("edit", tr("Rename"), Qt::Key_F2, tr("Rename the item"), &SceneTree::rename_chosen);
   duplicate_ = add_action("duplicate", tr("Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D),
-                          tr("Puts the object there once more, beside itself; both share one mesh"),
+                          tr("Duplicate the object beside itself, as an instance that shares its mesh"),
                           &SceneTree::duplicate_chosen);
-  remove_ = add_action("delete", tr("Delete"), QKeySequence::Delete, tr("Takes the lines away"),
+  remove_ = add_action("delete", tr("Delete"), QKeySequence::Delete, tr("Delete the selected items"),
                        &SceneTree::remove_chosen);
-  remove_unused_ =
-      add_action("reset", tr("Delete unused definitions"), QKeySequence("Ctrl+Del"),
-                 tr("Takes all definitions away that nothing refers to"), &SceneTree::remove_unused);
+  remove_unused_ = add_action("reset", tr("Delete unused definitions"), QKeySequence("Ctrl+Del"),
+                              tr("Delete all definitions that nothing refers to"), &SceneTree::remove_unused);
   update_actions();
 }
 
@@ -158,7 +157,7 @@ void SceneTree::select_faces_of_chosen() {
   emit chosen(path);
 }
 
-// Faces that were selected elsewhere: the line of the first of them becomes the current one.
+// After a selection made elsewhere, the item of its first face becomes the current one.
 void SceneTree::show_selection() {
   pages_->setCurrentIndex(document_.scene().contents.blocks.empty() ? 0 : 1);
   if (is_selecting_) return;
@@ -190,7 +189,7 @@ void SceneTree::show_search() {
 void SceneTree::rename_chosen() { view_->edit(view_->currentIndex().siblingAtColumn(0)); }
 
 void SceneTree::duplicate_chosen() {
-  // Beside itself by a part of the scene, so that it is seen.
+  // The copy is offset by a part of the scene, so that it is visible.
   constexpr double Part = 0.1;
   const grf::Box3d& bounds = document_.objects().bounds;
   const double offset = bounds.isEmpty() ? 1 : Part * bounds.size().length();

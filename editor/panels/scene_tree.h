@@ -18,7 +18,7 @@ namespace editor {
 class SceneModel;
 struct SceneEntry;
 
-/// All that a scene holds, as a list that can be searched. A line that is chosen selects its faces; lines
+/// The scene outliner: a searchable tree of the scene's contents. Selecting an item selects its faces; items
 /// with selected faces are bold. BRDFs can be dragged from it.
 class SceneTree : public QWidget {
   Q_OBJECT
@@ -27,14 +27,14 @@ class SceneTree : public QWidget {
   /// The document outlives the tree.
   explicit SceneTree(Document& document, QWidget* parent = nullptr);
 
-  /// Makes the line of what stands at a place the current one, and selects its faces.
+  /// Makes the item at a path the current one, and selects its faces.
   void choose(grf::ScenePathView path);
 
   QTreeView* view() const { return view_; }
   QSize sizeHint() const override;
 
  signals:
-  /// What stands there was chosen; empty: nothing, or a headline.
+  /// Emitted with the path of the selected item; empty for none or a group.
   void chosen(const grf::ScenePath& path);
 
  private:

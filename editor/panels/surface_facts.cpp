@@ -42,9 +42,8 @@ SurfaceFacts facts_of(const Document& document) {
 
 QString why_not_reflecting(const SurfaceFacts& facts) {
   if (!facts.are_all_of_mesh_lights) return {};
-  return QCoreApplication::translate("editor",
-                                     "The faces are of a mesh light: it has a radiance, and reflects "
-                                     "nothing.");
+  return QCoreApplication::translate(
+      "editor", "The faces belong to a mesh light, which has a radiance and does not reflect.");
 }
 
 }  // namespace editor

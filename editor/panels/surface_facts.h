@@ -1,4 +1,4 @@
-// What the rows of the surface panel show: all that is common to the selected faces.
+// Summarises the surfaces of the selected faces for the rows of the Surface dock.
 #pragma once
 
 #include <QString>
@@ -13,25 +13,25 @@ namespace editor {
 
 struct SurfaceFacts {
   std::size_t faces = 0;
-  double area = 0;  ///< in the world, m2
+  double area = 0;  ///< world space, m2
   bool are_all_of_mesh_lights = false;
-  std::vector<grf::ScenePath> meshes;  ///< with selected faces
+  std::vector<grf::ScenePath> meshes;  ///< meshes with selected faces
   CommonSurface surface;
   CommonVertices vertices;
-  // Names that mean the same for all of these meshes.
+  // Names that refer to the same definition in all of these meshes.
   QStringList brdfs, pdfs, colours, textures;
 };
 
-/// Takes some milliseconds for a large mesh.
+/// Computes the summary, in some milliseconds for a large mesh.
 SurfaceFacts facts_of(const Document& document);
 
-/// Those with selected faces.
+/// The meshes that have selected faces.
 std::vector<grf::ScenePath> selected_meshes(const Document& document);
 
-/// Why a row cannot be used for the faces; empty: it can.
+/// Why a row is disabled for the faces; empty if it is enabled.
 QString why_not_reflecting(const SurfaceFacts& facts);
 
-/// What stands in fields whose faces differ.
+/// The text of fields whose values differ among the faces.
 inline QString mixed_text() { return QStringLiteral("mixed"); }
 
 }  // namespace editor

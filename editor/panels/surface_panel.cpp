@@ -26,7 +26,7 @@
 namespace editor {
 namespace {
 
-/// An attribute with a name replaced by what it means, where the name does not mean that for all.
+/// Replaces a named attribute by its value if the name does not mean that for all faces.
 template <class Body>
 void write_out(std::optional<std::variant<Body, grf::Reference>>& attribute,
                const std::vector<PlacedDefinition>& there, const std::vector<PlacedDefinition>& here) {
@@ -57,10 +57,9 @@ SurfacePanel::SurfacePanel(Document& document, const grf::Catalogue& catalogue, 
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidget(make_rows());
-  pages_->addWidget(
-      hint_label(tr("No face is selected.\n\nClick a face in the view, drag a box around several, "
-                    "or choose an object in the scene's list."),
-                 pages_));
+  pages_->addWidget(hint_label(tr("No face is selected.\n\nClick a face in the view, drag a box around "
+                                  "several, or select an object in the Scene dock."),
+                               pages_));
   pages_->addWidget(scroll);
   tight_layout<QVBoxLayout>(this)->addWidget(pages_);
   connect(&document_, &Document::selection_changed, this, &SurfacePanel::show_selection);
@@ -75,14 +74,13 @@ QWidget* SurfacePanel::make_header() {
   bold.setBold(true);
   count_->setFont(bold);
   area_ = new QLabel(header);
-  area_->setToolTip(tr("Area of the selected faces in the world, all places at which they stand together"));
+  area_->setToolTip(tr("World-space area of the selected faces, summed over all instances"));
   auto* layout = new QHBoxLayout(header);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(count_, 1);
   layout->addWidget(area_);
   layout->addWidget(tool_button(
-      "pick", tr("Copy from a face"),
-      tr("Copy: give these faces all that a face has which is clicked in the view"),
+      "pick", tr("Copy surface from a face"), tr("Copy surface from the face that you click in the view"),
       [this] {
         picks_ = Picks::All;
         emit pick_requested();
@@ -110,10 +108,10 @@ QWidget* SurfacePanel::make_rows() {
     return row;
   };
   auto* brdf = add(tr("&BRDF"), new BrdfRow(document_, catalogue_, rows));
-  add(tr("Sa&mpling"), new PdfRow(document_, catalogue_, rows));
+  add(tr("Sam&pling"), new PdfRow(document_, catalogue_, rows));
   add(tr("C&olour"), new ColourRow(document_, rows));
   add(tr("Te&xture"), new TextureRow(document_, rows));
-  add(tr("&Light"), new EmissionRow(document_, rows));
+  add(tr("E&mission"), new EmissionRow(document_, rows));
   add(tr("&Normals"), new NormalsRow(document_, rows));
   add(tr("Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));
   auto* irradiance = add(tr("Irr&adiance"), new VertexRow(document_, VertexRow::Kind::Irradiance, rows));
@@ -158,7 +156,7 @@ void SurfacePanel::take_from(FaceId face) {
   const SurfaceEdit all = edit_to(surface);
   SurfaceEdit brdf;
   brdf.brdf = all.brdf;
-  document_.edit_surfaces(picks_ == Picks::All ? tr("Copy from a face") : tr("Pick BRDF"),
+  document_.edit_surfaces(picks_ == Picks::All ? tr("Copy surface from a face") : tr("Pick BRDF"),
                           picks_ == Picks::All ? all : brdf);
 }
 

@@ -13,7 +13,7 @@ namespace editor {
 
 class SurfaceRow;
 
-/// What the selected faces have, and giving them something else. A BRDF that is dropped on it is theirs.
+/// Shows and edits the surface of the selected faces. A BRDF that is dropped on it is assigned to them.
 class SurfacePanel : public QWidget {
   Q_OBJECT
 
@@ -21,18 +21,18 @@ class SurfacePanel : public QWidget {
   /// Document and catalogue outlive the panel.
   SurfacePanel(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
 
-  /// Gives the selected faces what a face has: all of it, or its BRDF if that was asked for last. Definitions
-  /// that are not in scope of all selected faces are written out.
+  /// Copies the whole surface of a face to the selected faces, or only its BRDF if that was requested last.
+  /// Definitions that are not in scope of all selected faces are written out.
   void take_from(FaceId face);
 
   QSize sizeHint() const override;
 
  signals:
-  /// Opens the BRDF of the selected faces in the editor of BRDFs.
+  /// Requests the BRDF editor for the selected faces.
   void brdf_edit_requested();
-  /// The next face that is clicked is to be given to `take_from`.
+  /// Requests that the next clicked face is passed to `take_from`.
   void pick_requested();
-  /// Irradiance is to be computed at the vertices of the scene.
+  /// Requests baking of irradiance at the vertices of the scene.
   void bake_requested();
 
  protected:

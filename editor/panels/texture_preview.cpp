@@ -38,7 +38,7 @@ SmallImage read_small(const QString& path, const std::stop_token& stop) {
 
 TexturePreview::TexturePreview(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Texture"));
-  setToolTip(tr("The image, and where on it the selected faces are by their texture coordinates"));
+  setToolTip(tr("The texture, with the selected faces drawn at their texture coordinates (UVs)"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   connect(&reading_, &QFutureWatcher<SmallImage>::finished, this, [this] {
     shown_ = reading_.result();
@@ -89,7 +89,7 @@ void TexturePreview::paintEvent(QPaintEvent*) {
   painter.drawImage(place, shown_.image);
   painter.setClipRect(place);
   painter.setBrush(Qt::NoBrush);
-  // Dark under the accent, so that the lines are seen on any image.
+  // Dark lines under the accent make it visible on any image.
   for (const QPen& pen : {QPen(QColor(0, 0, 0, 160), 3), QPen(colours.accent, 1.25)}) {
     painter.setPen(pen);
     for (const QPolygonF& outline : outlines_) {

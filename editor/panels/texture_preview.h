@@ -13,14 +13,13 @@
 
 namespace editor {
 
-/// An image of few pixels, or why there is none.
+/// A thumbnail, or the reason why there is none.
 struct SmallImage {
   QImage image;
   QString problem;
 };
 
-/// A small picture of an image, with the outlines of faces where their texture coordinates put them. Images
-/// are read in processes of their own.
+/// A thumbnail of a texture with the UV outlines of faces. Images are decoded in child processes.
 class TexturePreview : public QWidget {
   Q_OBJECT
 
@@ -28,10 +27,10 @@ class TexturePreview : public QWidget {
   explicit TexturePreview(QWidget* parent = nullptr);
   ~TexturePreview() override;
 
-  /// An empty path shows none.
+  /// Shows an image file; an empty path shows none.
   void show_image(const QString& path);
   void show_outlines(QVector<QPolygonF> outlines);
-  /// True once the image that was asked for is there, or cannot be.
+  /// True once the requested image is loaded or has failed.
   bool is_settled() const { return !reading_.isRunning(); }
   bool has_image() const { return !shown_.image.isNull(); }
 
@@ -45,12 +44,12 @@ class TexturePreview : public QWidget {
   SmallImage shown_;
   QVector<QPolygonF> outlines_;
   QFutureWatcher<SmallImage> reading_;
-  std::stop_source stop_;  ///< of what is read
-  QThreadPool threads_;    ///< of its own: they wait for processes, which may hang
+  std::stop_source stop_;  ///< stops the current decoding
+  QThreadPool threads_;    ///< separate, since its threads wait for processes that may hang
 };
 
-/// The selected faces in texture coordinates, (0, 0) lower left; of very many, the first ones. Faces whose
-/// corners have none are not there.
+/// The outlines of selected faces in texture coordinates, (0, 0) at the lower left; of very many faces only
+/// the first ones. Faces without texture coordinates are left out.
 QVector<QPolygonF> uv_outlines(const SceneObjects& objects, const FaceSelection& selection);
 
 }  // namespace editor

@@ -19,7 +19,7 @@
 namespace editor {
 namespace {
 
-/// The image of the first selected face; empty: it has none.
+/// The image of the first selected face; empty if it has none.
 QString first_image(const Document& document) {
   const FaceSelection& selection = document.selection();
   for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
@@ -46,10 +46,9 @@ TextureRow::TextureRow(Document& document, QWidget* parent)
   choice_->lineEdit()->setPlaceholderText(tr("none"));
   choice_->setFocusPolicy(Qt::StrongFocus);
   browse_ = tool_button(
-      "browse", tr("Browse for an image"), tr("Browse: choose the file of an image"), [this] { browse(); },
-      this);
+      "browse", tr("Browse for an image"), tr("Browse for an image file"), [this] { browse(); }, this);
   reset_ = tool_button(
-      "reset", tr("Take the texture away"), {},
+      "reset", tr("Remove the texture"), {},
       [this] { assign(AttributeEdit<grf::TextureAttribute>::remove()); }, this);
   field_ = choice_;
   auto* lines = tight_layout<QVBoxLayout>(this);
@@ -87,22 +86,22 @@ void TextureRow::show_facts(const SurfaceFacts& facts) {
   preview_->show_image(image);
   QVector<QPolygonF> outlines;
   if (has_image) outlines = uv_outlines(document_.objects(), document_.selection());
-  show_problem(hint_,
-               has_image && outlines.isEmpty()
-                   ? tr("The faces have no texture coordinates: all of them show one point of the image.")
-                   : QString());
+  show_problem(
+      hint_,
+      has_image && outlines.isEmpty()
+          ? tr("The faces have no texture coordinates (UVs): all of them show the same point of the image.")
+          : QString());
   preview_->show_outlines(std::move(outlines));
   const QString lit = why_not_reflecting(facts);
-  enable(choice_,
-         tr("The image that multiplies the faces' colour: a texture of the scene, or the name of a file"),
+  enable(choice_, tr("Image texture that multiplies the colour: a texture of the scene, or a file name"),
          lit);
   browse_->setEnabled(lit.isEmpty());
-  enable(reset_, tr("The faces have no texture"),
+  enable(reset_, tr("Remove the texture"),
          common.is_mixed || common.value ? QString() : tr("The faces have no texture."));
 }
 
 void TextureRow::assign_file(const QString& path) {
-  // Named from the scene's own file, so that both can be moved together.
+  // The name is relative to the scene's own file, so that both can be moved together.
   const QString scene = document_.path();
   const QString name = scene.isEmpty() || QFileInfo(path).isRelative()
                            ? path
@@ -138,7 +137,7 @@ void TextureRow::browse() {
 void TextureRow::assign(const AttributeEdit<grf::TextureAttribute>& texture) {
   SurfaceEdit edit;
   edit.texture = texture;
-  document_.edit_surfaces(texture.value() ? tr("Texture") : tr("Remove texture"), edit);
+  document_.edit_surfaces(texture.value() ? tr("Set texture") : tr("Remove texture"), edit);
 }
 
 }  // namespace editor

@@ -10,7 +10,7 @@ namespace editor {
 
 class TexturePreview;
 
-/// The image on the faces: a file, or a texture of the scene by its name.
+/// Chooses the texture of the faces: an image file, or a named texture of the scene.
 class TextureRow : public SurfaceRow {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class TextureRow : public SurfaceRow {
   explicit TextureRow(Document& document, QWidget* parent = nullptr);
   void show_facts(const SurfaceFacts& facts) override;
 
-  /// Puts the image of a file on the selected faces.
+  /// Assigns an image file to the selected faces.
   void assign_file(const QString& path);
 
  private:
@@ -28,7 +28,7 @@ class TextureRow : public SurfaceRow {
 
   QStringList names_;
   QString shown_;
-  QComboBox* choice_;  ///< a file's name can be typed
+  QComboBox* choice_;  ///< editable, for file names
   QToolButton* browse_;
   QToolButton* reset_;
   TexturePreview* preview_;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double Largest = std::numeric_limits<float>::max();
 
-/// Shows a value that faces have in common.
+/// Shows a value that the faces share.
 void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::Colour>& value) {
   if (is_mixed) {
     fields->show_blank(mixed_text());
@@ -36,10 +36,10 @@ void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::C
 
 ColourRow::ColourRow(Document& document, QWidget* parent)
     : SurfaceRow(document, parent), choice_(new QComboBox(this)) {
-  fields_ = new ColourFields(tr("Colour"), tr("multiplies what the BRDF reflects, linear"), 1, this);
+  fields_ = new ColourFields(tr("Colour"), tr("linear RGB factor of the BRDF"), 1, this);
   field_ = fields_->field();
   choice_->setAccessibleName(tr("Name of the colour"));
-  choice_->setToolTip(tr("A colour of the scene by its name, or numbers of these faces alone"));
+  choice_->setToolTip(tr("A named colour of the scene, or RGB values only for these faces"));
   choice_->setFocusPolicy(Qt::StrongFocus);
   reset_ = tool_button(
       "reset", tr("Reset the colour"), {},
@@ -62,7 +62,7 @@ void ColourRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.colour;
   const QSignalBlocker blocker(choice_);
   choice_->clear();
-  choice_->addItem(tr("numbers"));
+  choice_->addItem(tr("RGB values"));
   for (const QString& name : facts.colours) choice_->addItem(icon("colour"), name, name);
   choice_->setVisible(!facts.colours.isEmpty());
   const auto* reference =
@@ -82,7 +82,7 @@ void ColourRow::show_facts(const SurfaceFacts& facts) {
   const QString lit = why_not_reflecting(facts);
   fields_->setEnabled(lit.isEmpty());
   choice_->setEnabled(lit.isEmpty());
-  enable(reset_, tr("Reset: the faces have no colour of their own, which is as white"),
+  enable(reset_, tr("Reset to the default colour: white"),
          common.is_mixed || common.value ? QString() : tr("The faces have no colour of their own."));
 }
 
@@ -98,26 +98,25 @@ void ColourRow::choose(int index) {
 void ColourRow::assign(const AttributeEdit<grf::ColourAttribute>& colour, const QString& key) {
   SurfaceEdit edit;
   edit.colour = colour;
-  document_.edit_surfaces(colour.value() ? tr("Colour") : tr("Reset colour"), edit, key);
+  document_.edit_surfaces(colour.value() ? tr("Set colour") : tr("Reset colour"), edit, key);
 }
 
 EmissionRow::EmissionRow(Document& document, QWidget* parent) : SurfaceRow(document, parent) {
-  power_ = number_box({tr("Power"),
-                       tr("What all selected faces emit together: π times their area times the mean "
-                          "of the radiance's three numbers"),
-                       0, Largest, 10, tr("W")},
-                      this);
+  power_ = number_box(
+      {tr("Power"), tr("Total power of the selected faces: π × area × mean of the radiance's RGB values"), 0,
+       Largest, 10, tr("W")},
+      this);
   field_ = power_;
   reset_ = tool_button(
-      "reset", tr("Take the light away"), {},
+      "reset", tr("Remove the emission"), {},
       [this] {
         SurfaceEdit edit;
         edit.emission = AttributeEdit<grf::Colour>::remove();
-        document_.edit_surfaces(tr("Emit nothing"), edit);
+        document_.edit_surfaces(tr("Remove emission"), edit);
       },
       this);
   radiance_ =
-      new ColourFields(tr("Radiance"), tr("what the fronts of the faces emit, W/(sr m²)"), Largest, this);
+      new ColourFields(tr("Radiance"), tr("radiance emitted by the front sides, W/(sr m²)"), Largest, this);
   auto* lines = tight_layout<QVBoxLayout>(this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
@@ -129,11 +128,11 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : SurfaceRow(docum
   connect(radiance_, &ColourFields::edited, this, [this](const grf::Colour& radiance) {
     SurfaceEdit edit;
     edit.emission = AttributeEdit<grf::Colour>::set(radiance);
-    document_.edit_surfaces(tr("Emit light"), edit, "radiance");
+    document_.edit_surfaces(tr("Set radiance"), edit, "radiance");
   });
   const auto take_power = [this](double power) {
     const grf::Colour colour = radiance_->colour().value_or(grf::Colour(1));
-    document_.edit_surfaces(tr("Emit %1 W").arg(power),
+    document_.edit_surfaces(tr("Set power to %1 W").arg(power),
                             emission_of_power(document_.objects(), document_.selection(), power, colour),
                             "power");
   };
@@ -153,25 +152,22 @@ void EmissionRow::show_facts(const SurfaceFacts& facts) {
     power_->set_blank(tr("none"));
   }
   power_->setEnabled(facts.area > 0);
-  enable(reset_, tr("The faces emit nothing"),
-         common.is_mixed || common.value ? QString() : tr("The faces emit nothing already."));
+  enable(reset_, tr("Remove the emission: the faces emit no light"),
+         common.is_mixed || common.value ? QString() : tr("The faces emit no light."));
 }
 
 VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
     : SurfaceRow(document, parent), kind_(kind) {
   const bool is_colour = kind == Kind::Colour;
-  fields_ = is_colour
-                ? new ColourFields(tr("Vertex colour"),
-                                   tr("at the faces' vertices, in place of their colour, linear"), 1, this)
-                : new ColourFields(tr("Irradiance"),
-                                   tr("what arrives at the faces' vertices from all directions, W/m²"),
-                                   Largest, this);
+  fields_ = is_colour ? new ColourFields(tr("Vertex colour"),
+                                         tr("linear RGB per vertex, which replaces the colour"), 1, this)
+                      : new ColourFields(tr("Irradiance"), tr("irradiance per vertex, W/m²"), Largest, this);
   field_ = fields_->field();
   auto* line = tight_layout<QHBoxLayout>(this, Grid / 4);
   line->addWidget(fields_, 1);
   if (!is_colour) {
     bake_ = tool_button(
-        "bake", tr("Bake the irradiance"), tr("Bake: compute what arrives at all vertices of the scene"),
+        "bake", tr("Bake the irradiance"), tr("Bake the irradiance at all vertices of the scene"),
         [this] { emit bake_requested(); }, this);
     line->addWidget(bake_);
   }
@@ -189,8 +185,7 @@ void VertexRow::show_facts(const SurfaceFacts& facts) {
   show_common(fields_, common.is_mixed, common.value);
   const QString none =
       is_colour ? tr("The vertices have no colours.") : tr("The vertices have no irradiance.");
-  enable(clear_,
-         is_colour ? tr("Clear: the vertices have no colours") : tr("Clear: the vertices have no irradiance"),
+  enable(clear_, is_colour ? tr("Clear the vertex colours") : tr("Clear the irradiance of the vertices"),
          common.is_mixed || common.value ? QString() : none);
 }
 
@@ -199,36 +194,37 @@ void VertexRow::put(const std::optional<grf::Colour>& value) {
   const bool is_colour = kind_ == Kind::Colour;
   grf::Scene scene = is_colour ? with_vertex_colours(faces, value) : with_irradiance(faces, value);
   const QString key = !value ? QString() : is_colour ? "vertex colours" : "irradiance";
-  document_.replace(is_colour ? tr("Vertex colours") : tr("Irradiance"), std::move(scene), key);
+  document_.replace(is_colour ? tr("Set vertex colours") : tr("Set irradiance"), std::move(scene), key);
 }
 
 NormalsRow::NormalsRow(Document& document, QWidget* parent)
     : SurfaceRow(document, parent), state_(new QLabel(this)) {
   constexpr double CommonCrease = 30;
-  angle_ = number_box(
-      {tr("Crease angle"), tr("Faces that are turned against each other by more keep an edge between them"),
-       0, 180, 5, "deg"},
-      this);
+  angle_ =
+      number_box({tr("Crease angle"), tr("Edges stay sharp where the angle between their faces is larger"), 0,
+                  180, 5, "deg"},
+                 this);
   angle_->set_value(CommonCrease);
   field_ = angle_;
   auto* line = tight_layout<QHBoxLayout>(this, Grid / 4);
   line->addWidget(state_, 1);
   line->addWidget(angle_, 1);
   line->addWidget(tool_button(
-      "smooth", tr("Smooth normals"), tr("Smooth: normals that go over edges up to that angle"),
+      "smooth", tr("Smooth normals"),
+      tr("Smooth shading: vertex normals, averaged across edges up to the crease angle"),
       [this] { apply(Change::Smooth); }, this));
   line->addWidget(tool_button(
-      "flat", tr("Flat faces"), tr("Flat: no normals, so that each face is even"),
+      "flat", tr("Flat faces"), tr("Flat shading: remove the vertex normals"),
       [this] { apply(Change::Flat); }, this));
   line->addWidget(tool_button(
-      "flip", tr("Flip the faces"), tr("Flip: fronts become backs, and normals point to the other side"),
+      "flip", tr("Flip the faces"), tr("Flip faces: reverse their orientation and their normals"),
       [this] { apply(Change::Flip); }, this));
 }
 
 void NormalsRow::show_facts(const SurfaceFacts& facts) {
   state_->setText(facts.vertices.have_normals ? tr("smooth") : tr("flat"));
-  state_->setToolTip(facts.vertices.have_normals ? tr("Vertices of the faces have normals")
-                                                 : tr("No vertex of the faces has a normal"));
+  state_->setToolTip(facts.vertices.have_normals ? tr("The faces have vertex normals")
+                                                 : tr("The faces have no vertex normals"));
 }
 
 void NormalsRow::apply(Change change) {

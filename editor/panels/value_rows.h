@@ -1,4 +1,4 @@
-// The rows of the surface panel for colours, emission, irradiance and vertices.
+// The rows of the Surface dock for colours, emission, irradiance and normals.
 #pragma once
 
 #include "editor/panels/surface_row.h"
@@ -12,7 +12,7 @@ namespace editor {
 class ColourFields;
 class NumberBox;
 
-/// What multiplies the BRDF: a colour by its name, or numbers.
+/// Edits the colour that multiplies the BRDF: a named one, or RGB values.
 class ColourRow : public SurfaceRow {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class ColourRow : public SurfaceRow {
   QToolButton* reset_;
 };
 
-/// What makes the faces an area light: a radiance, or the power of all of them together.
+/// Edits the emission that makes the faces an area light, by radiance or total power.
 class EmissionRow : public SurfaceRow {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class EmissionRow : public SurfaceRow {
   QToolButton* reset_;
 };
 
-/// A value of the faces' vertices: their colour or their irradiance.
+/// Edits a vertex attribute of the faces: colour or irradiance.
 class VertexRow : public SurfaceRow {
   Q_OBJECT
 
@@ -65,7 +65,7 @@ class VertexRow : public SurfaceRow {
   QToolButton* bake_ = nullptr;
 };
 
-/// Making normals anew.
+/// Recomputes or flips vertex normals.
 class NormalsRow : public SurfaceRow {
   Q_OBJECT
 

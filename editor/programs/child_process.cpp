@@ -9,14 +9,14 @@
 namespace editor {
 namespace {
 
-// Sanitizers take terabytes of address space, most of which is never touched.
+// Sanitizers reserve terabytes of address space, most of which is never touched.
 #ifdef GRANADA_HAS_SANITIZERS
 constexpr bool LimitsMemory = false;
 #else
 constexpr bool LimitsMemory = true;
 #endif
 
-/// In the child, before the program begins.
+/// Runs in the child before the program starts.
 void prepare_child(const ChildManners& manners) {
   static_cast<void>(::nice(manners.niceness));
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -87,7 +87,7 @@ void ChildProcess::kill() {
 
 void ChildProcess::ask_to_end(int signal) {
   asked_ = signal;
-  // One that is being started is asked as soon as it has.
+  // A child that is still starting is signalled as soon as it runs.
   if (process_.state() == QProcess::Running) ::kill(static_cast<pid_t>(process_.processId()), signal);
 }
 
@@ -105,7 +105,7 @@ void ChildProcess::end(int code, QProcess::ExitStatus status) {
   read_lines(true);
   ChildEnd end;
   if (status == QProcess::CrashExit) {
-    // A program that has only just started does not yet know how to end in order.
+    // A program that has just started may not handle the signal yet.
     end.cause = asked_ != 0 ? ChildEnd::Cause::Cancelled : ChildEnd::Cause::Crashed;
   } else {
     end.code = code;

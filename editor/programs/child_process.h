@@ -10,13 +10,13 @@
 
 namespace editor {
 
-/// How a child process is treated.
+/// Priority and resource limits of a child process.
 struct ChildManners {
-  int niceness = 0;     ///< see nice(2): the window comes before a child with more
-  int patience = 2000;  ///< milliseconds to end by itself once it is cancelled
-  /// Bytes of address space, which sanitizers do not heed, and of each file that it writes; 0: no limit.
+  int niceness = 0;     ///< see nice(2): above 0, the editor's window has priority
+  int patience = 2000;  ///< timeout after SIGTERM, milliseconds
+  /// Limit of address space, which sanitizers ignore, and of each written file, bytes; 0: no limit.
   std::uint64_t memory = 0;
-  /// Descriptors that become its standard output and standard error; -1: these are heard.
+  /// File descriptors that become its standard output and error; -1: they are read here.
   int output = -1;
   int errors = -1;
 };
@@ -25,36 +25,36 @@ struct ChildManners {
 struct ChildEnd {
   enum class Cause { Returned, NotStarted, Crashed, Cancelled };
   Cause cause = Cause::Returned;
-  int code = 0;  ///< what it returned
-  QString why;   ///< it was not started
+  int code = 0;  ///< exit code
+  QString why;   ///< error message if it could not be started
 };
 
-/// Runs another program, one command at a time, and hears it line by line. It ends with the editor, even if
-/// that crashes, and leaves no core dumps.
+/// Runs another program, one command at a time, and reads its output line by line. The child is killed with
+/// the editor, even after a crash, and leaves no core dumps.
 class ChildProcess : public QObject {
   Q_OBJECT
 
  public:
   explicit ChildProcess(const ChildManners& manners = {}, QObject* parent = nullptr);
-  /// A child that still runs is cancelled, and waited for; no signal comes.
+  /// Cancels a running child and waits for it; no signal follows.
   ~ChildProcess() override;
 
   void start(const QString& program, const QStringList& arguments);
   bool is_running() const { return process_.state() != QProcess::NotRunning; }
-  /// For threads without an event loop: waits so many milliseconds at most for `ended`, which comes before
-  /// this returns true.
+  /// For threads without an event loop: waits at most so many milliseconds for `ended`, which is emitted
+  /// before this returns true.
   bool wait(int milliseconds) { return process_.waitForFinished(milliseconds); }
-  /// Asks for what there is so far, by SIGINT. `ended` follows.
+  /// Sends SIGINT: the child stops and keeps its results. `ended` follows.
   void interrupt();
-  /// Asks it to end, by SIGTERM, and ends it if its patience is over. `ended` follows.
+  /// Sends SIGTERM, and SIGKILL after the timeout. `ended` follows.
   void cancel();
-  /// The same, and waits for it: `ended` comes before this returns.
+  /// Cancels and waits: `ended` is emitted before this returns.
   void finish();
-  /// Ends it at once. No signal comes.
+  /// Sends SIGKILL. No signal follows.
   void kill();
 
  signals:
-  /// A line of standard output or of standard error, with its end if it has one.
+  /// Emitted with a line of standard output or standard error, including its line end if it has one.
   void wrote(const QByteArray& line);
   void logged(const QByteArray& line);
   void ended(const editor::ChildEnd& end);

@@ -15,7 +15,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ImageProcess", text); }
 
-/// A file in memory: a child writes to it as fast as it can, and what it wrote is read once it has ended.
+/// Opens an in-memory file: a child writes to it at full speed, and it is read after the child ends.
 bool open_memory(QFile& file) {
   const int descriptor = ::memfd_create("image", MFD_CLOEXEC);
   return descriptor >= 0 && file.open(descriptor, QIODevice::ReadWrite, QFile::AutoCloseHandle);
@@ -26,7 +26,7 @@ QString first_line_in(QFile& file) {
   return file.seek(0) ? QString::fromUtf8(file.readLine(Longest)).trimmed() : QString();
 }
 
-/// An image as `bpt decode` writes it. None of it is believed: a file that took the decoder over may have had
+/// Parses an image as `bpt decode` writes it. It is untrusted: a file that exploits the decoder may have had
 /// it write anything.
 std::optional<transport::Image> image_in(QFile& file) {
   std::array<std::int32_t, 2> size = {};
@@ -60,11 +60,10 @@ std::optional<transport::Image> ImageProcess::read(const std::string& path, grf:
 }
 
 ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_token& stop) const {
-  if (program_.isEmpty()) return {{}, tr("cannot read the image: the program bpt is not there")};
+  if (program_.isEmpty()) return {{}, tr("cannot read the image: cannot find the program bpt")};
   QFile output;
   QFile errors;
-  if (!open_memory(output) || !open_memory(errors))
-    return {{}, tr("cannot read the image: it needs more memory than there is")};
+  if (!open_memory(output) || !open_memory(errors)) return {{}, tr("cannot read the image: out of memory")};
   ChildManners manners;
   manners.memory = limits_.memory;
   manners.output = output.handle();
@@ -79,15 +78,15 @@ ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_t
     const bool is_late = static_cast<double>(clock.elapsed()) > 1000 * limits_.seconds;
     if (!stop.stop_requested() && !is_late) continue;
     process.kill();
-    return {{}, tr("cannot read the image: it takes longer than %1 s").arg(limits_.seconds)};
+    return {{}, tr("cannot read the image: decoding takes longer than %1 s").arg(limits_.seconds)};
   }
   if (end->cause == ChildEnd::Cause::NotStarted)
-    return {{}, tr("cannot read the image: the program bpt cannot be started: %1").arg(end->why)};
+    return {{}, tr("cannot read the image: cannot start the program bpt: %1").arg(end->why)};
   if (end->cause != ChildEnd::Cause::Returned)
-    return {{}, tr("cannot read the image: it is broken (its decoder crashed)")};
+    return {{}, tr("cannot read the image: the file is corrupt (its decoder crashed)")};
   if (end->code != 0) return {{}, first_line_in(errors)};
   if (auto image = image_in(output)) return {std::move(image), {}};
-  return {{}, tr("cannot read the image: it is broken (its decoder wrote no image)")};
+  return {{}, tr("cannot read the image: the file is corrupt (its decoder wrote no image)")};
 }
 
 }  // namespace editor

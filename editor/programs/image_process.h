@@ -10,12 +10,11 @@
 
 namespace editor {
 
-/// Reads images that strangers made by the program `bpt`, one process an image: a file that crashes a
-/// decoder, keeps it busy or wants all memory is an error of that image. May be called from any thread, and
-/// from several at once.
+/// Decodes untrusted images with the program `bpt`, one process per image: a file that crashes a decoder, or
+/// exceeds its time or memory limit, is an error of that image. Thread-safe.
 class ImageProcess {
  public:
-  /// What one image may take.
+  /// Resource limits per image.
   struct Limits {
     double seconds = 60;
     std::uint64_t memory = std::uint64_t(4) << 30U;  ///< bytes
@@ -24,13 +23,14 @@ class ImageProcess {
   explicit ImageProcess(QString program = bundled_program("bpt")) : ImageProcess(std::move(program), {}) {}
   ImageProcess(QString program, const Limits& limits) : program_(std::move(program)), limits_(limits) {}
 
-  /// As transport::read_image does. Asked to stop, it ends the process, and returns nothing without an error.
+  /// Decodes an image as transport::read_image does. If cancelled, it kills the process, and returns nothing
+  /// without an error.
   std::optional<transport::Image> read(const std::string& path, grf::Diagnostics& diagnostics,
                                        const grf::SourceLocation& asked_for_at = {},
                                        const std::stop_token& stop = {}) const;
 
  private:
-  /// An image, or why there is none.
+  /// An image, or an error message.
   struct Result {
     std::optional<transport::Image> image;
     QString problem;

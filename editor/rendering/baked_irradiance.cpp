@@ -15,7 +15,7 @@
 namespace editor {
 namespace {
 
-/// A name for the IGRF file that an included file becomes, at which there is no file yet.
+/// An unused name for the IGRF file that replaces an included file.
 std::string igrf_name(const std::string& file, const std::string& naming_file) {
   const std::filesystem::path old = file;
   std::filesystem::path name = old;
@@ -26,12 +26,12 @@ std::string igrf_name(const std::string& file, const std::string& naming_file) {
   return name.string();
 }
 
-/// Makes files of includes that hold irradiance such as can be written.
+/// Renames included files that hold irradiance to IGRF, so that they can be written.
 class IncludeKeeper {
  public:
   explicit IncludeKeeper(const grf::Scene& scene) : counts_(included_files(scene)) {}
 
-  /// The file is that which names those that the list includes.
+  /// `naming_file` is the file to which the names of includes are relative.
   void keep(grf::BlockList& list, const std::string& naming_file) {
     std::vector<grf::Block> blocks;
     blocks.reserve(list.blocks.size());
@@ -54,7 +54,7 @@ class IncludeKeeper {
   std::size_t dissolved() const { return dissolved_; }
 
  private:
-  /// Whether it has to be dissolved.
+  /// Whether the include has to be replaced by its blocks.
   bool keep(grf::Include& include, const std::string& naming_file) {
     grf::BlockList inside = *include.contents;
     keep(inside, grf::path_beside(naming_file, include.file));

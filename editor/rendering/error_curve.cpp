@@ -46,7 +46,7 @@ void ErrorCurve::draw() {
   const double end = points_.back().x;
   const auto [lowest, highest] = std::ranges::minmax_element(
       points_, [](const plot::Point& a, const plot::Point& b) { return a.y < b.y; });
-  // Half a decade at least, so that a curve that has just begun is no noise.
+  // The axis covers half a decade at least, so that a short curve does not look like noise.
   const double least = std::min(target_ ? std::min(lowest->y, *target_) : lowest->y, highest->y / 3);
   plot::Chart chart{{},
                     {tr("seconds").toStdString(), false, 0, end > 0 ? end : 1, 0},

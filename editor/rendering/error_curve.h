@@ -10,8 +10,7 @@ class QCustomPlot;
 
 namespace editor {
 
-/// How the estimated error of a render falls with time, on a logarithmic scale, and the target that it is to
-/// reach.
+/// Plots the estimated error of a render against time, on a logarithmic scale, with the target error.
 class ErrorCurve : public QStackedWidget {
   Q_OBJECT
 
@@ -19,9 +18,9 @@ class ErrorCurve : public QStackedWidget {
   explicit ErrorCurve(QWidget* parent = nullptr);
 
   void clear();
-  /// In the order of time, seconds. Errors that are not over 0 are left out.
+  /// Adds points in order of time, seconds. Errors that are not positive are left out.
   void add(double seconds, double error);
-  /// Nothing: there is none.
+  /// Sets the target error; without a value there is none.
   void set_target(std::optional<double> error);
   std::size_t size() const { return points_.size(); }
 
@@ -36,7 +35,7 @@ class ErrorCurve : public QStackedWidget {
 
   QCustomPlot* plot_;
   std::vector<plot::Point> points_;  ///< seconds, error in percent
-  std::optional<double> target_;     ///< in percent
+  std::optional<double> target_;     ///< percent
 };
 
 }  // namespace editor

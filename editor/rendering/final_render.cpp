@@ -44,24 +44,27 @@ bool FinalRender::is_foreign(const QString& output) const {
 bool FinalRender::lock_output() {
   const QFileInfo image(output_);
   lock_ = std::make_unique<QLockFile>(image.dir().filePath("." + image.fileName() + ".lock"));
-  lock_->setStaleLockTime(0);  // as long as its program lives
+  lock_->setStaleLockTime(0);  // while its process lives
   if (lock_->tryLock()) return true;
-  // Where no lock can be made, neither can the image: the renderer says it better.
+  // If no lock can be made, the image cannot be written either: the renderer reports that better.
   return lock_->error() != QLockFile::LockFailedError;
 }
 
 void FinalRender::start(FinalRenderRequest request) {
-  if (is_running_) return emit failed(tr("a render is running: stop it first"));
+  if (is_running_) return emit failed(tr("a render is already running: stop it first"));
   if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
   output_ = output_of(request);
   request.options = with_absolute_paths(std::move(request.options), request.path);
   const std::string& environment = request.options.environment;
   if (!environment.empty() && grf::canonical_path(environment) == grf::canonical_path(output_.toStdString()))
-    return emit failed(tr("%1 is the environment map: choose another output").arg(output_));
+    return emit failed(
+        tr("the output %1 is the scene's environment map: choose another output").arg(output_));
   if (!request.may_replace && is_foreign(output_))
-    return emit failed(tr("%1 exists, and was not made by this session: choose another output").arg(output_));
+    return emit failed(
+        tr("%1 exists and was not rendered in this session: choose another output").arg(output_));
   if (!lock_output())
-    return emit failed(tr("another render writes %1: wait for it, or choose another output").arg(output_));
+    return emit failed(
+        tr("another render is writing %1: wait for it, or choose another output").arg(output_));
   is_running_ = true;
   is_stopped_ = false;
   summary_.reset();
@@ -81,7 +84,7 @@ void FinalRender::start(FinalRenderRequest request) {
 
 void FinalRender::run(const Files& files) {
   if (files.options.isEmpty()) return give_up(files.problem);
-  if (is_stopped_) return give_up(tr("stopped before there was an image"));
+  if (is_stopped_) return give_up(tr("stopped before the first image"));
   process_.start({"render", files.options, "--progress", "json", "--json"});
 }
 
@@ -106,8 +109,8 @@ void FinalRender::read(const QByteArray& line) {
 void FinalRender::end(const RendererEnd& end) {
   if (!end.problem.isEmpty()) return give_up(end.problem);
   if (!summary_) {
-    return give_up(end.is_interrupted ? tr("stopped before there was an image")
-                                      : tr("the renderer made no image"));
+    return give_up(end.is_interrupted ? tr("stopped before the first image")
+                                      : tr("the renderer wrote no image"));
   }
   made_.insert(output_);
   FinalRenderResult result;
@@ -118,7 +121,7 @@ void FinalRender::end(const RendererEnd& end) {
   reading_.setFuture(QtConcurrent::run(&FinalRender::read_result, result, copy));
 }
 
-/// A link costs no time and no space; the renderer replaces files, it does not write into them.
+/// Keeps a hard link, at no cost: the renderer replaces files instead of writing into them.
 FinalRender::Left FinalRender::read_result(FinalRenderResult result, const QString& copy) {
   const bool is_kept =
       ::link(QFile::encodeName(result.image).constData(), QFile::encodeName(copy).constData()) == 0 ||

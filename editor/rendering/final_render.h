@@ -19,71 +19,70 @@
 
 namespace editor {
 
-/// What a final render is made of.
+/// The input of a final render.
 struct FinalRenderRequest {
   grf::Scene scene;
-  QString path;  ///< of the scene's file; empty: it has none yet
+  QString path;  ///< of the scene's file; empty if it has none
   options::RenderOptions options;
-  ImportFolders imports;     ///< with images that the scene names
-  bool may_replace = false;  ///< an image that this session has not made
+  ImportFolders imports;     ///< folders with images that the scene uses
+  bool may_replace = false;  ///< whether to overwrite an image of another session
 };
 
-/// What a final render left.
+/// The result of a final render.
 struct FinalRenderResult {
   QString image;  ///< path
-  QString copy;   ///< of that image, which later renders do not replace; there until this session ends
+  QString copy;   ///< path of a copy that later renders do not overwrite, until this session ends
   RenderSummary summary;
-  bool is_stopped = false;  ///< before it had all samples, or its target
+  bool is_stopped = false;  ///< before it had all samples or reached its target error
 };
 
-/// Renders with the program `bpt`, from a snapshot of the scene: editing goes on meanwhile. One at a time.
+/// Renders a snapshot of the scene with the program `bpt`, while editing continues. One render at a time.
 class FinalRender : public QObject {
   Q_OBJECT
 
  public:
   explicit FinalRender(QString program = bundled_program("bpt"), QObject* parent = nullptr);
-  /// A render that goes on is stopped, and its image kept, if that takes no more than some seconds.
+  /// Stops a running render and keeps its image, if that takes no more than some seconds.
   ~FinalRender() override;
 
-  /// HOST:PORT where a viewer hears tev's protocol: whoever listens there passes to `show` what comes. Empty:
-  /// nobody does.
+  /// Sets HOST:PORT of a viewer with tev's protocol, which passes received images to `show`. Empty: none.
   void set_display(const QString& address) { display_ = address; }
 
-  /// Where such a render goes: the options' output; else beside the scene, under its name with .exr; else a
+  /// The output path: that of the options; else beside the scene, under its name with .exr; else in a
   /// temporary folder.
   QString output_of(const FinalRenderRequest& request) const;
-  /// Whether the output exists, and was not made by this session.
+  /// Whether the output exists and was not rendered in this session.
   bool is_foreign(const QString& output) const;
-  /// Renders to the request's output. What keeps it from that is said by `failed`.
+  /// Renders to the request's output. `failed` reports why it cannot start.
   void start(FinalRenderRequest request);
-  /// Ends the render; the image is kept, and marked as stopped.
+  /// Stops the render; the image is kept and marked as stopped.
   void stop();
   bool is_running() const { return is_running_; }
   const QString& output() const { return output_; }
 
-  /// The image so far, under the name by which it was announced: that of another program is passed over.
+  /// Shows the image rendered so far if it has the announced name; images of other programs are ignored.
   void show(const QString& name, const std::shared_ptr<const transport::Image>& image);
 
  signals:
   void started(const QString& output);
   void progressed(const editor::RenderReport& report);
-  /// So far, or the whole one.
+  /// Emitted with the image rendered so far, or the final one.
   void image_changed(std::shared_ptr<const transport::Image> image);
-  /// A line of what the program says of its work.
+  /// Emitted with a line of the program's log.
   void logged(const QString& line);
-  /// With an image.
+  /// Emitted when there is an image.
   void finished(const editor::FinalRenderResult& result);
-  /// There is no image, and why; a text without its stop.
+  /// Emitted with the reason, without a full stop, when there is no image.
   void failed(const QString& why);
 
  private:
-  /// What was written for the program to read.
+  /// The input files of the program.
   struct Files {
-    QString options;  ///< path of an OP file; empty: it could not be written
+    QString options;  ///< path of an OP file; empty if it could not be written
     QString problem;
   };
 
-  /// What a render left, and its image; null: it cannot be read.
+  /// The result and its image; null if it cannot be read.
   struct Left {
     FinalRenderResult result;
     std::shared_ptr<const transport::Image> image;
@@ -98,12 +97,12 @@ class FinalRender : public QObject {
   void give_up(const QString& why);
 
   QString display_;
-  QTemporaryDir folder_;  ///< of this session
-  int number_ = 0;        ///< of the render in this session
+  QTemporaryDir folder_;  ///< for this session
+  int number_ = 0;        ///< number of the render in this session
   bool is_running_ = false;
   bool is_stopped_ = false;
   QString output_;
-  QSet<QString> made_;  ///< images of this session
+  QSet<QString> made_;  ///< images rendered in this session
   std::unique_ptr<QLockFile> lock_;
   QFutureWatcher<Files> writing_;
   QFutureWatcher<Left> reading_;

@@ -11,7 +11,7 @@
 namespace editor {
 namespace {
 
-/// The mean of the pixels that a pixel of a smaller image covers; of a larger one, the nearest.
+/// Box filter over the pixels that a pixel of a smaller image covers; nearest neighbour for a larger one.
 reflectance::Rgb covered(const transport::Image& image, int x, int y, const QSize& size) {
   const auto part = [](int place, int count, int count_there) {
     const int begin = static_cast<int>(static_cast<qint64>(place) * count_there / count);
@@ -46,7 +46,7 @@ QImage fitted(const transport::Image& image, const QSize& pixels) {
 FittedImage::FittedImage(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Image"));
-  setToolTip(tr("The image so far. Click, or press Return, to open it"));
+  setToolTip(tr("The image rendered so far. Click or press Return to open it"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 

@@ -9,20 +9,20 @@
 
 namespace editor {
 
-/// An image as a screen shows it, no larger than so many pixels and in its own proportions; encoded in sRGB.
+/// Converts an image to sRGB, downscaled to fit into `pixels` with its aspect ratio.
 QImage fitted(const transport::Image& image, const QSize& pixels);
 
-/// A small display of an image, as large as fits. A click, or Return, opens it elsewhere.
+/// Displays an image scaled to fit. A click or Return requests to open it.
 class FittedImage : public QWidget {
   Q_OBJECT
 
  public:
   explicit FittedImage(QWidget* parent = nullptr);
 
-  /// Null: none.
+  /// Sets the image; null shows none.
   void set_image(std::shared_ptr<const transport::Image> image);
   const std::shared_ptr<const transport::Image>& image() const { return image_; }
-  /// What is said while there is none.
+  /// Sets the text shown while there is no image.
   void set_hint(const QString& hint);
 
   QSize sizeHint() const override;
@@ -38,7 +38,7 @@ class FittedImage : public QWidget {
 
  private:
   std::shared_ptr<const transport::Image> image_;
-  QImage drawn_;  ///< for the size at which it was last painted; null: not painted yet
+  QImage drawn_;  ///< cache for the last painted size; null before the first painting
   QString hint_;
 };
 

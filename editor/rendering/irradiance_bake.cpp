@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-/// Leaves what does not concern the irradiance, or would make files.
+/// Resets options that do not concern the irradiance, or would write files.
 options::RenderOptions bake_options(options::RenderOptions render_options, const QString& scene_path,
                                     const QString& snapshot) {
   render_options = with_absolute_paths(std::move(render_options), scene_path);
@@ -46,7 +46,7 @@ QString IrradianceBake::file(const char* extension) const { return folder_.fileP
 
 void IrradianceBake::start(const grf::Scene& scene, const QString& path,
                            options::RenderOptions render_options) {
-  if (is_running_) return emit failed(tr("irradiance is being baked: stop that first"));
+  if (is_running_) return emit failed(tr("irradiance is already being baked: stop that first"));
   if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
   is_running_ = true;
   is_stopped_ = false;
@@ -66,7 +66,7 @@ void IrradianceBake::start(const grf::Scene& scene, const QString& path,
 
 void IrradianceBake::run(const QString& problem) {
   if (!problem.isEmpty()) return give_up(problem);
-  if (is_stopped_) return give_up(tr("stopped before there was irradiance"));
+  if (is_stopped_) return give_up(tr("stopped before any irradiance was computed"));
   process_.start({"bake", file("op"), "-o", file("igrf"), "--progress", "json", "--json"});
 }
 
@@ -86,7 +86,7 @@ void IrradianceBake::read(const QByteArray& line) {
 
 void IrradianceBake::end(const RendererEnd& end) {
   if (!end.problem.isEmpty()) return give_up(without_snapshot(end.problem));
-  if (!summary_) return give_up(tr("stopped before there was irradiance"));
+  if (!summary_) return give_up(tr("stopped before any irradiance was computed"));
   result_ = {*summary_, without_snapshot(process_.lines().join('\n')), end.is_interrupted};
   reading_.setFuture(QtConcurrent::run([file = file("igrf").toStdString(), snapshot = snapshot_] {
     grf::Diagnostics diagnostics;
@@ -114,7 +114,7 @@ void IrradianceBake::give_up(const QString& why) {
   emit failed(why);
 }
 
-/// Places in the snapshot mean nothing to the scene's author; the lines that are quoted do.
+/// Removes locations in the snapshot, which mean nothing to the user; quoted lines are kept.
 QString IrradianceBake::without_snapshot(QString text) const {
   const QString name = QRegularExpression::escape(file("")) + "i?grf";
   return text.remove(QRegularExpression(name + "(:\\d+:\\d+)?: "));

@@ -14,47 +14,47 @@
 
 namespace editor {
 
-/// What a bake left besides the scene.
+/// The result of a bake besides the scene.
 struct IrradianceBakeResult {
   BakeSummary summary;
-  QString messages;         ///< what is to be known of it, as `bpt` prints it; may be empty
-  bool is_stopped = false;  ///< before it had all samples, or its target
+  QString messages;         ///< log of `bpt`; may be empty
+  bool is_stopped = false;  ///< before it had all samples or reached its target error
 };
 
-/// Estimates the irradiance at the vertices of a scene with the program `bpt`, from a snapshot: editing goes
-/// on meanwhile. One at a time.
+/// Bakes the irradiance at the vertices of a snapshot of the scene with the program `bpt`, while editing
+/// continues. One bake at a time.
 class IrradianceBake : public QObject {
   Q_OBJECT
 
  public:
   explicit IrradianceBake(QString program = bundled_program("bpt"), QObject* parent = nullptr);
-  /// A bake that goes on is given up.
+  /// Cancels a running bake.
   ~IrradianceBake() override;
 
-  /// The path is that of the scene's file; empty: it has none yet. Of the options count those of light
-  /// (surroundings, depth, sampling scheme), of effort (samples, which are a vertex's here, target error,
-  /// time, threads), the seed, and the eye, which is noted as the observer of a scene that names none.
-  /// What keeps it from that is said by `failed`.
+  /// Starts a bake. The path is that of the scene's file; empty if it has none. The options used are those of
+  /// light (environment, depth, sampling scheme), of effort (samples per vertex, target error, time,
+  /// threads), the seed, and the eye, which becomes the observer of a scene without one. `failed` reports why
+  /// the bake cannot start.
   void start(const grf::Scene& scene, const QString& path, options::RenderOptions render_options = {});
-  /// Ends it with what there is.
+  /// Stops the bake and keeps what was computed.
   void stop();
   bool is_running() const { return is_running_; }
 
  signals:
   void progressed(double done, std::optional<double> seconds_left);
-  /// The bake has irradiance for the scene of `start`, which may be another one by now.
+  /// Emitted with the irradiance for the scene of `start`, which may have been edited meanwhile.
   void finished(const editor::BakedIrradiance& irradiance, const editor::IrradianceBakeResult& result);
-  /// There is no irradiance, and why; a text without its stop.
+  /// Emitted with the reason, without a full stop, when there is no irradiance.
   void failed(const QString& why);
 
  private:
-  /// A baked file holds irradiance, or something is wrong with it.
+  /// The baked file, or the diagnostics of reading it.
   struct Baked {
     std::optional<BakedIrradiance> irradiance;
     QString problem;
   };
 
-  /// The snapshot's files, by extension.
+  /// The snapshot's file with an extension.
   QString file(const char* extension) const;
   void run(const QString& problem);
   void read(const QByteArray& line);

@@ -8,7 +8,7 @@ using job::PreviewState;
 
 namespace {
 
-/// For the first image of a request that is out of date already. One that takes longer is given up.
+/// Time limit for the first image of an outdated request, after which it is abandoned.
 constexpr std::chrono::milliseconds Patience(400);
 
 }  // namespace
@@ -24,7 +24,7 @@ Preview::Preview(QObject* parent, const ImageProcess& images)
   connect(&patience_, &QTimer::timeout, this, &Preview::start_waiting);
 }
 
-// Called by the thread of the render; what it says is taken up by that of this object.
+// Callbacks from the render thread, which pass results to this object's thread.
 job::PreviewListener Preview::listener() {
   job::PreviewListener listener;
   listener.image = [this](int request, auto image, const transport::RenderProgress& progress) {

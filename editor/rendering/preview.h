@@ -11,38 +11,38 @@
 
 namespace editor {
 
-/// A scene's image while one goes on editing: begins coarse, refines, and begins anew with each edit. Renders
-/// in threads of its own; images are read in processes of their own.
+/// A progressive preview of a scene that is being edited: starts coarse, refines, and restarts with each
+/// edit. Renders in threads; textures are decoded in child processes.
 class Preview : public QObject {
   Q_OBJECT
 
  public:
   explicit Preview(QObject* parent = nullptr, const ImageProcess& images = ImageProcess());
 
-  /// Shows this from now on. While edits follow each other faster than images come, each image is of the
-  /// newest edit that there was when it was begun.
+  /// Renders a new request. While edits arrive faster than images, each image shows the newest edit at the
+  /// time when it was started.
   void restart(job::PreviewRequest request);
-  /// Leaves the last image as it is.
+  /// Stops, and keeps the last image.
   void stop();
   void pause();
   void resume();
 
-  /// Between `restart` and `stop`, or a failure; finished and paused previews too.
+  /// True between `restart` and `stop` or a failure; also for finished and paused previews.
   bool is_on() const { return is_on_; }
   bool is_paused() const { return is_on_ && state_ == job::PreviewState::Paused; }
-  /// The last image; null: none yet.
+  /// The last image; null before the first.
   const std::shared_ptr<const transport::Image>& image() const { return image_; }
 
  signals:
-  /// An image, at first smaller than asked for. Never more often than the window takes them.
+  /// Emitted with an image, at first smaller than requested, and never faster than the window handles them.
   void image_changed(std::shared_ptr<const transport::Image> image, transport::RenderProgress progress);
   void state_changed(job::PreviewState state);
   void stopped();
-  /// What is wrong with the scene or the options; empty diagnostics: nothing is any more.
+  /// Emitted with the diagnostics of scene and options; empty when all errors are resolved.
   void diagnosed(grf::Diagnostics diagnostics);
 
  private:
-  /// What the thread has said and the window has not heard.
+  /// Results of the thread that the window has not received yet.
   struct Mail {
     std::mutex lock;
     int request = 0;
@@ -58,7 +58,7 @@ class Preview : public QObject {
 
   int request_ = 0;
   bool is_on_ = false;
-  bool has_shown_ = false;  ///< the current request
+  bool has_shown_ = false;  ///< an image of the current request
   job::PreviewState state_ = job::PreviewState::Done;
   std::shared_ptr<const transport::Image> image_;
   std::optional<job::PreviewRequest> waiting_;

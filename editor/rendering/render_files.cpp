@@ -13,7 +13,7 @@ QString naming_path(const QString& scene_path) {
                               : QFileInfo(scene_path).absoluteFilePath();
 }
 
-// Included files stay as they are: what was edited of them is not saved yet.
+// Included files are not overwritten: their edits are not saved yet.
 bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QString& path,
                     grf::Diagnostics& diagnostics) {
   const std::string from = naming_path(scene_path).toStdString();

@@ -1,4 +1,4 @@
-// The scene of a final render, as `bpt` reads it.
+// Writes a scene for a final render by `bpt`.
 #pragma once
 
 #include <QString>
@@ -8,12 +8,11 @@
 
 namespace editor {
 
-/// The absolute path from which a scene names other files; one that has no file does so from the current
-/// folder.
+/// The absolute path to which a scene's file names are relative; for an unsaved scene, in the current folder.
 QString naming_path(const QString& scene_path);
 
-/// Writes a scene as it is in memory to one file, whatever it includes, with all files named from there.
-/// False after an error.
+/// Writes a snapshot of a scene to one file, with includes expanded and file names relative to that file.
+/// Returns false after an error.
 bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QString& path,
                     grf::Diagnostics& diagnostics);
 

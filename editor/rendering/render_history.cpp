@@ -27,8 +27,8 @@ QString summary_of(const FinalRenderResult& result) {
 RenderHistory::RenderHistory(QWidget* parent) : QListWidget(parent) {
   setAccessibleName(tr("Renders of this session"));
   setToolTip(
-      tr("The renders of this session, with samples a pixel, seconds and estimated error. Click, or "
-         "press Return, to open the image"));
+      tr("Renders of this session, with samples per pixel, time and estimated error. Click or press Return "
+         "to open the image"));
   setIconSize(Thumbnail);
   setUniformItemSizes(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -61,7 +61,7 @@ void RenderHistory::paintEvent(QPaintEvent* event) {
   QPainter painter(viewport());
   painter.setPen(colours_of(theme_of(palette())).faint_text);
   painter.drawText(viewport()->rect().adjusted(Grid, 0, -Grid, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                   tr("F6 renders. What is finished is kept here until the editor is closed."));
+                   tr("Press F6 to render. Finished renders are listed here until the editor is closed."));
 }
 
 }  // namespace editor

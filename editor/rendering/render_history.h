@@ -6,7 +6,7 @@
 
 namespace editor {
 
-/// The renders of this session, the newest first.
+/// The list of this session's renders, newest first.
 class RenderHistory : public QListWidget {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class RenderHistory : public QListWidget {
   QSize sizeHint() const override;
 
  signals:
-  /// By a click or Return: the path of an image that later renders did not replace.
+  /// Emitted on click or Return with the path of an image that later renders did not overwrite.
   void image_chosen(const QString& path);
 
  protected:

@@ -70,7 +70,7 @@ void RenderPanel::make_actions() {
   render_action_ = make("render", tr("Render"), Qt::Key_F6, &RenderPanel::render);
   stop_action_ = make("stop", tr("Stop"), Qt::SHIFT | Qt::Key_F5, &RenderPanel::stop);
   options_action_ = make("options", tr("Options…"), {}, &RenderPanel::options_requested);
-  options_action_->setToolTip(tr("All options of a render, with their meanings"));
+  options_action_->setToolTip(tr("All render options, with their meanings"));
 }
 
 QWidget* RenderPanel::make_controls() {
@@ -94,7 +94,7 @@ QWidget* RenderPanel::make_controls() {
   progress_->setTextVisible(false);
   progress_->setFixedHeight(Grid);
   progress_->setAccessibleName(tr("Progress"));
-  progress_->setToolTip(tr("How far the render is, towards its samples, target error or time"));
+  progress_->setToolTip(tr("Progress of the render towards its samples, target error or time limit"));
   status_ = new QLabel(controls);
   status_->setAccessibleName(tr("State of the render"));
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -110,13 +110,14 @@ QPlainTextEdit* RenderPanel::make_log() {
   auto* log = new QPlainTextEdit(this);
   log->setReadOnly(true);
   log->setFrameStyle(QFrame::NoFrame);
-  log->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));  // carets stand under their words
+  log->setFont(QFontDatabase::systemFont(
+      QFontDatabase::FixedFont));  // fixed width, so that carets are under their words
   log->document()->setDocumentMargin(Grid);
   log->setMaximumBlockCount(2000);
   log->setLineWrapMode(QPlainTextEdit::NoWrap);
-  log->setPlaceholderText(tr("What the renderer says appears here"));
+  log->setPlaceholderText(tr("Messages of the renderer appear here"));
   log->setAccessibleName(tr("Log"));
-  log->setToolTip(tr("What the renderer says of the scene and of its work"));
+  log->setToolTip(tr("Messages of the renderer about the scene and its progress"));
   log->setMinimumSize(20 * Grid, 6 * Grid);
   return log;
 }
@@ -131,7 +132,7 @@ void RenderPanel::lay_out() {
   parts->setChildrenCollapsible(false);
   parts->setHandleWidth(Grid);
   image_ = new FittedImage(parts);
-  image_->set_hint(tr("F5 shows a preview here, which follows what you edit. F6 renders the image"));
+  image_->set_hint(tr("Press F5 for a preview that follows your edits, F6 to render the final image"));
   auto* course = new QSplitter(Qt::Vertical, parts);
   course->setChildrenCollapsible(false);
   course->setHandleWidth(Grid);
@@ -173,7 +174,7 @@ void RenderPanel::connect_preview() {
     if (state == PreviewState::Paused) say(tr("Preview paused"));
     if (state == PreviewState::Done)
       say(tr("Preview done") + status_->text().mid(status_->text().indexOf(" · ")));
-    if (state == PreviewState::Failed) say(tr("No preview: the log says why"));
+    if (state == PreviewState::Failed) say(tr("Preview failed: see the log"));
   });
   connect(&preview_, &Preview::stopped, this, [this] {
     update_actions();
@@ -202,7 +203,7 @@ void RenderPanel::connect_final() {
   connect(&final_, &FinalRender::finished, this, &RenderPanel::finish);
   connect(&final_, &FinalRender::failed, this, [this](const QString& why) {
     log(why);
-    say(tr("No image: %1").arg(why.section('\n', 0, 0)));
+    say(tr("Render failed: %1").arg(why.section('\n', 0, 0)));
     update_actions();
     if (std::exchange(resumes_after_, false)) preview_.resume();
     end_job();
@@ -220,7 +221,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   say(text);
   log(text);
   update_actions();
-  resumes_after_ = false;  // its images would hide this one
+  resumes_after_ = false;  // preview images would hide this one
   end_job();
 }
 
@@ -236,7 +237,7 @@ void RenderPanel::show_options() {
 }
 
 void RenderPanel::toggle_preview() {
-  settings_->commit();  // a button that is clicked takes no focus
+  settings_->commit();  // clicking a button does not take the focus
   if (!preview_.is_on()) return restart_preview();
   if (preview_.is_paused()) {
     preview_.resume();
@@ -246,7 +247,7 @@ void RenderPanel::toggle_preview() {
 }
 
 void RenderPanel::restart_preview() {
-  if (final_.is_running()) {  // the processor is the render's
+  if (final_.is_running()) {  // the render has priority
     resumes_after_ = false;
     return preview_.stop();
   }
@@ -256,7 +257,7 @@ void RenderPanel::restart_preview() {
   update_actions();
 }
 
-/// The scene and its options are rendered as they are now, also if other renders come before.
+/// Renders the scene and its options as they are now, also if the render is queued.
 void RenderPanel::render() {
   settings_->commit();
   FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options(),
@@ -267,7 +268,7 @@ void RenderPanel::render() {
   keep_op_file();
   jobs_.add({tr("Render %1").arg(QFileInfo(image).fileName()), RenderQueue,
              [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
-             tr("Stop this render, and keep its image")});
+             tr("Stop this render and keep its image")});
 }
 
 void RenderPanel::begin(Job& job, const FinalRenderRequest& request) {
@@ -277,17 +278,16 @@ void RenderPanel::begin(Job& job, const FinalRenderRequest& request) {
   final_.start(request);
 }
 
-/// The next render begins, if one waits.
+/// Ends the current job, so that the next render starts.
 void RenderPanel::end_job() {
   if (job_) job_->end();
 }
 
 bool RenderPanel::may_replace(const QString& image) {
-  QMessageBox question(QMessageBox::Warning, tr("Replace an image"), tr("%1 exists.").arg(image),
+  QMessageBox question(QMessageBox::Warning, tr("Replace the image"), tr("%1 exists.").arg(image),
                        QMessageBox::Save | QMessageBox::Cancel, this);
-  question.setInformativeText(
-      tr("It was not rendered since the program was started. Rendering replaces it."));
-  question.button(QMessageBox::Save)->setText(tr("Replace it"));
+  question.setInformativeText(tr("It was not rendered in this session. Rendering overwrites it."));
+  question.button(QMessageBox::Save)->setText(tr("Replace"));
   question.setDefaultButton(QMessageBox::Cancel);
   return question.exec() == QMessageBox::Save;
 }
@@ -300,7 +300,7 @@ void RenderPanel::stop() {
   preview_.stop();
 }
 
-/// What authors wrote is theirs: an OP file that is there is changed only where they say so.
+/// Changes an existing OP file only if its author agrees.
 void RenderPanel::keep_op_file() {
   if (document_.path().isEmpty()) return;
   const QString op_file = op_file_beside(document_.path());
@@ -309,7 +309,7 @@ void RenderPanel::keep_op_file() {
     options_.save_beside(document_.path(), diagnostics);
     return log(QString::fromStdString(diagnostics.to_text()));
   }
-  // What is wrong with it was said when the scene was opened.
+  // Its errors were reported when the scene was opened.
   auto there = options::read_op_file(QFileInfo(op_file).absoluteFilePath().toStdString(), diagnostics);
   RenderOptions now = options_.valid_options();
   if (there) now.scene = there->scene;
@@ -349,18 +349,18 @@ void RenderPanel::update_actions() {
     action->setEnabled(is_enabled);
     action->setToolTip(tr("%1 (%2)").arg(tip, key));
   };
-  preview_action_->setText(!preview_.is_on() ? tr("Preview") : is_paused ? tr("Go on") : tr("Pause"));
+  preview_action_->setText(!preview_.is_on() ? tr("Preview") : is_paused ? tr("Resume") : tr("Pause"));
   preview_action_->setIcon(icon(preview_.is_on() && !is_paused ? "pause" : "preview"));
   set(preview_action_, !renders,
-      renders ? tr("A render is running: its images are shown until it is done")
-              : tr("Shows the scene, coarse at first, and follows what is edited"));
+      renders ? tr("A render is already running: its image is shown until it is done")
+              : tr("Render a progressive preview that follows your edits"));
   set(render_action_, true,
-      renders ? tr("Renders the scene as it is now, once the renders before it are done")
-              : tr("Renders the image to its file, from the scene as it is now"));
+      renders ? tr("Queue a render of the scene as it is now")
+              : tr("Render the scene as it is now to the image file"));
   set(stop_action_, renders || preview_.is_on(),
-      renders            ? tr("Ends the render and keeps its image")
-      : preview_.is_on() ? tr("Ends the preview")
-                         : tr("Nothing is being rendered"));
+      renders            ? tr("Stop the render and keep its image")
+      : preview_.is_on() ? tr("Stop the preview")
+                         : tr("No render is running"));
 }
 
 }  // namespace editor

@@ -24,36 +24,37 @@ class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
 
-/// The dock in which a scene is rendered: a preview in the window, which follows what is edited, and final
-/// renders by `bpt`, which are jobs: one that is begun while another one runs waits for it.
+/// The Render dock: a progressive preview that follows edits, and final renders by `bpt`, which are jobs in a
+/// queue.
 class RenderPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// The panel renders the document, and its controls edit the options of that. Document and jobs outlive it.
+  /// The panel renders the document and edits its render options. Document and jobs outlive it.
   RenderPanel(Document& document, JobList& jobs, const QString& program = bundled_program("bpt"),
               QWidget* parent = nullptr);
 
-  /// Previews see the scene from this view, which is more exact than the options' camera. It is shown with
-  /// the next change of the options, and counts until they give another camera.
+  /// Sets the view of previews, which is more precise than the options' camera. It applies from the next
+  /// change of the options until they have another camera.
   void set_view(const transport::View& view) { view_ = view; }
 
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
-  // For menus too; their shortcuts are those of the window.
+  // Actions for menus; their shortcuts are those of the window.
   QAction* preview_action() const { return preview_action_; }
   QAction* render_action() const { return render_action_; }
   QAction* stop_action() const { return stop_action_; }
   QAction* options_action() const { return options_action_; }
 
  signals:
-  /// All of them are to be shown.
+  /// Requests the window of all options.
   void options_requested();
-  /// An image file is to be shown large.
+  /// Requests to open an image file in the image view.
   void image_opened(const QString& path);
-  /// The preview is to be shown large.
+  /// Requests to open the preview in the image view.
   void preview_opened();
-  /// The OP file beside the scene says other things than what is rendered: saving the scene changes those.
+  /// Emitted when the OP file beside the scene differs from the current render settings, which saving the
+  /// scene writes.
   void op_file_differs(const QString& path);
 
  private:
@@ -81,11 +82,11 @@ class RenderPanel : public QWidget {
 
   Document& document_;
   JobList& jobs_;
-  QPointer<Job> job_;  ///< the render that runs
+  QPointer<Job> job_;  ///< the running render
   OpDocument& options_;
   std::optional<transport::View> view_;
-  QString image_path_;          ///< of the image that is shown; empty: it is the preview's
-  bool resumes_after_ = false;  ///< the preview was paused for a render
+  QString image_path_;          ///< of the shown image; empty for the preview
+  bool resumes_after_ = false;  ///< whether the preview was paused for a render
 
   QAction* preview_action_;
   QAction* render_action_;

@@ -1,4 +1,4 @@
-// What `bpt` says of a render or a bake, a line of JSON at a time.
+// Parses the progress reports of `bpt`, one line of JSON each.
 #pragma once
 
 #include <QByteArray>
@@ -7,39 +7,39 @@
 
 namespace editor {
 
-/// How far a render is.
+/// Progress of a render.
 struct RenderReport {
   double done = 0;  ///< 0..1
   double seconds = 0;
-  std::optional<double> seconds_left;     ///< nothing while that cannot be known
+  std::optional<double> seconds_left;     ///< none if unknown
   std::optional<double> estimated_error;  ///< sqrt(relMSE)
 };
 
-/// What a render came to.
+/// Summary of a render.
 struct RenderSummary {
   int width = 0;  ///< pixels
   int height = 0;
-  double samples = 0;  ///< a pixel
+  double samples = 0;  ///< per pixel
   double seconds = 0;
   std::optional<double> estimated_error;
 };
 
-/// What a bake of irradiance came to.
+/// Summary of a bake of irradiance.
 struct BakeSummary {
-  double vertices = 0;  ///< that have irradiance
-  double samples = 0;   ///< a vertex
+  double vertices = 0;  ///< number of vertices with irradiance
+  double samples = 0;   ///< per vertex
   double seconds = 0;
   std::optional<double> estimated_error;  ///< sqrt(relMSE)
 };
 
-/// Nothing if the line is another one.
+/// Parses a progress report; nothing if the line is another one.
 std::optional<RenderReport> render_report_of(const QByteArray& line);
 std::optional<RenderSummary> render_summary_of(const QByteArray& line);
 std::optional<BakeSummary> bake_summary_of(const QByteArray& line);
 
-/// A duration as people say it: `12 s`, `4 min 05 s`, `2 h 07 min`.
+/// Formats a duration: `12 s`, `4 min 05 s`, `2 h 07 min`.
 QString duration_text(double seconds);
-/// A share in percent, in three digits: `1.25 %`.
+/// Formats a fraction in percent with three digits: `1.25 %`.
 QString percent_text(double share);
 
 }  // namespace editor

@@ -23,10 +23,10 @@ QString help_of(const OptionInfo& option) {
       .arg(help.toHtmlEscaped(), text_of(option.default_value).toHtmlEscaped(), text_of(option.key));
 }
 
-/// Most of a screen, not what the table allows: a wheel must not lead to gigapixels.
+/// The limit of the wheel, below that of the table: scrolling must not lead to gigapixels.
 constexpr int LargestSide = 16384;
 
-/// What is given, or else a word for what nothing means. What is being typed stays if that is no news.
+/// Shows a value, or a word for none. Text that is being typed is kept if the value is unchanged.
 void put(NumberBox& box, std::optional<double> value, const QString& word) {
   if (value) {
     box.set_value(*value);
@@ -35,7 +35,7 @@ void put(NumberBox& box, std::optional<double> value, const QString& word) {
   }
 }
 
-/// None means that nobody gives it.
+/// Nothing if the option is not set.
 std::optional<int> whole(double value) {
   return value > 0 ? std::optional(static_cast<int>(std::lround(value))) : std::nullopt;
 }
@@ -46,7 +46,7 @@ std::optional<float> given(double value) {
 
 void set_help(QWidget& control, const QString& help) { control.setToolTip(help); }
 
-// It says its range, too.
+// The help includes the range.
 void set_help(NumberBox& box, const QString& help) { box.set_help(help); }
 
 }  // namespace
@@ -77,8 +77,9 @@ RenderSettingsRow::RenderSettingsRow(QWidget* parent) : QWidget(parent), layout_
   layout_->setVerticalSpacing(2);
   width_ = add_number(tr("Width"), "BPT_Image_Resolution", 0, 0);
   height_ = add_number(tr("Height"), "BPT_Image_Resolution", 0, 1);
-  samples_ = add_number(tr("Samples"), "BPT_Samples", 0, 2,
-                        tr("<p>auto: as many as target error or time ask for, else the default.</p>"));
+  samples_ = add_number(
+      tr("Samples"), "BPT_Samples", 0, 2,
+      tr("<p>auto: no sample limit if there is a target error or a time limit, otherwise the default.</p>"));
   depth_ = add_number(tr("Depth"), "BPT_Depth", 0, 3);
   scheme_ = add<QComboBox>(tr("Sampling scheme"), "BPT_Pdf_Name", 1, 0, 2);
   scheme_->addItem(tr("as in the scene"), QString());

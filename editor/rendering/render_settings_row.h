@@ -12,8 +12,8 @@ namespace editor {
 
 class NumberBox;
 
-/// The options that are changed from one render to the next: size, samples, depth, sampling scheme, target
-/// error and time. Ranges, words and meanings are those of the options' table.
+/// Controls for the most used render options: size, samples, depth, sampling scheme, target error and time
+/// limit. Ranges, words and meanings come from the options' table.
 class RenderSettingsRow : public QWidget {
   Q_OBJECT
 
@@ -21,13 +21,13 @@ class RenderSettingsRow : public QWidget {
   explicit RenderSettingsRow(QWidget* parent = nullptr);
 
   void set_options(const options::RenderOptions& render_options);
-  /// Those that were set, with what the controls say.
+  /// The options that were set, with the values of the controls.
   const options::RenderOptions& options() const { return options_; }
-  /// Takes what was typed, as the return key does.
+  /// Commits typed text, as the Return key does.
   void commit();
 
  signals:
-  /// A control was changed by hand, and is done with.
+  /// Emitted when the user has finished editing a control.
   void edited();
 
  private:

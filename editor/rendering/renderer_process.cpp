@@ -8,8 +8,7 @@
 namespace editor {
 namespace {
 
-/// The window comes first; and a run that is ended as the editor quits has some seconds to keep what there
-/// is.
+/// The window has priority, and a run that is cancelled when the editor quits has some seconds to save.
 constexpr ChildManners Manners = {.niceness = 5, .patience = 5000};
 
 }  // namespace
@@ -23,7 +22,7 @@ RendererProcess::RendererProcess(QString program, QObject* parent)
 
 QString RendererProcess::why_missing() const {
   if (!program_.isEmpty()) return {};
-  return tr("the renderer 'bpt' is missing: it belongs into the folder %1, or into one of PATH")
+  return tr("cannot find the renderer 'bpt': put it into the folder %1, or into one of PATH")
       .arg(QCoreApplication::applicationDirPath());
 }
 
@@ -46,11 +45,11 @@ void RendererProcess::end(const ChildEnd& end) {
   told.is_interrupted =
       end.cause == Cause::Cancelled || end.code == static_cast<int>(grf::ExitCode::Interrupted);
   if (end.cause == Cause::NotStarted) {
-    told.problem = tr("the renderer %1 does not start: %2").arg(program_, end.why);
+    told.problem = tr("cannot start the renderer %1: %2").arg(program_, end.why);
   } else if (end.cause == Cause::Crashed) {
-    told.problem = tr("the renderer was ended by a signal");
+    told.problem = tr("the renderer was terminated by a signal");
   } else if (!told.is_interrupted && end.code != 0) {
-    told.problem = log_.isEmpty() ? tr("the renderer ended with code %1").arg(end.code) : log_.join('\n');
+    told.problem = log_.isEmpty() ? tr("the renderer exited with code %1").arg(end.code) : log_.join('\n');
   }
   emit ended(told);
 }

@@ -12,30 +12,30 @@ namespace editor {
 
 /// How a run of the renderer ended.
 struct RendererEnd {
-  bool is_interrupted = false;  ///< it was asked to end early, and did
-  QString problem;              ///< why it failed, which may be lines; empty: it did not
+  bool is_interrupted = false;  ///< stopped early on request
+  QString problem;              ///< error message, perhaps several lines; empty on success
 };
 
-/// Runs the program `bpt`, one command at a time, and hears it line by line.
+/// Runs the program `bpt`, one command at a time, and reads its output line by line.
 class RendererProcess : public QObject {
   Q_OBJECT
 
  public:
   explicit RendererProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr);
-  /// Why it cannot be run; empty: as far as is known it can.
+  /// Why the program cannot be run; empty if it was found.
   QString why_missing() const;
   void start(const QStringList& arguments);
-  /// Asks for what there is so far. `ended` follows.
+  /// Asks the program to stop and keep its results. `ended` follows.
   void interrupt() { process_.interrupt(); }
-  /// Ends it at once, with nothing kept. No signal comes.
+  /// Kills the program and discards its results. No signal follows.
   void kill() { process_.kill(); }
-  /// What it said of its work since it was started.
+  /// The log since the start.
   const QStringList& lines() const { return log_; }
 
  signals:
-  /// A line of its standard output.
+  /// Emitted with a line of standard output.
   void reported(const QByteArray& line);
-  /// A line of what it says of its work.
+  /// Emitted with a line of the log.
   void logged(const QString& line);
   void ended(const editor::RendererEnd& end);
 

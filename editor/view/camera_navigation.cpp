@@ -8,14 +8,14 @@
 namespace editor {
 namespace {
 
-/// Radians a pixel of the window, and a press of a key.
+/// Radians per pixel of the window, and per key press.
 constexpr double OrbitPerPixel = 0.008;
 constexpr double LookPerPixel = 0.004;
 constexpr double OrbitPerKey = 0.1;
-/// Parts of the picture's height a press of a key.
+/// Fractions of the image's height per key press.
 constexpr double PanPerKey = 0.05;
 constexpr double ZoomPerStep = 0.85;
-/// Distances to what is looked at that one flies in a second.
+/// Flying speed, in distances to the target per second.
 constexpr double FlyingSpeed = 0.8;
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace editor {
 
-/// Moves a camera as the pointer, the wheel and keys ask for. Places in the image are those of ViewCamera.
+/// Moves a camera by pointer, wheel and keys. Positions in the image are those of ViewCamera.
 class CameraNavigation : public QObject {
   Q_OBJECT
 
@@ -19,18 +19,18 @@ class CameraNavigation : public QObject {
   CameraNavigation();
 
   const ViewCamera& camera() const { return camera_; }
-  /// Without a signal.
+  /// Sets the camera, without a signal.
   void set_camera(const ViewCamera& camera) { camera_ = camera; }
   void move(const ViewCamera& camera);
 
   void begin(Drag drag) { drag_ = drag; }
-  /// By so many pixels of an image of that height.
+  /// Drags by so many pixels in an image of that height.
   void drag(const QPointF& way, double height);
   void zoom(double steps, const grf::Vec2d& place, double aspect);
-  /// Returns whether the key moves the camera.
+  /// Handles a key press. Returns whether the key moves the camera.
   bool press(int key, bool has_shift, double aspect);
 
-  /// Flies as long as one of its keys is pressed. Returns whether this is one.
+  /// Starts to fly, until the key is released. Returns whether the key is one for flying.
   bool begin_flying(int key);
   void end_flying(int key);
   void end_flying();

@@ -10,12 +10,12 @@
 
 namespace editor {
 
-/// The G-buffer has what is seen from one place, pixel by pixel: first what is there, then how it looks.
+/// The G-buffer of a view: for each pixel the geometry, then the light and the colour.
 ///
-/// Faces: two integers a pixel, the instance's number plus 1 (0: nothing; the highest bit: seen from behind)
-/// and the face's number among those of all meshes. Normals: in the camera's coordinates, towards the eye, as
-/// an octahedron, and the angle of the tangent about it. Values: the vertices' colour and log2 of the width
-/// of a pixel in uv, or their irradiance and whether it is there. Light: radiance. Colour: what is shown,
+/// Faces: two integers per pixel, the instance's number plus 1 (0: background; the highest bit: back face)
+/// and the face's number among those of all meshes. Normals: in camera space, towards the eye, octahedrally
+/// encoded, and the angle of the tangent about it. Values: the vertex colour and log2 of the pixel footprint
+/// in uv, or the irradiance and whether it exists. Light: radiance. Colour: the displayed colour,
 /// premultiplied, in the screen's encoding.
 class GBuffer {
  public:
@@ -25,18 +25,18 @@ class GBuffer {
 
   enum class Target {
     Geometry,  ///< faces, normals, values, uv and depth
-    Values,    ///< alone, to multiply them
+    Values,    ///< only values, for multiplication
     Light,
-    Colour,  ///< tests against depth are possible
+    Colour,  ///< with depth test
   };
-  /// Draws to this from now on, or reads the first of it.
+  /// Binds a target for drawing, or reads its first texture.
   void begin(Target target);
 
-  /// For shaders: faces, normals, values, uv, depth, light, colour from this texture unit on.
+  /// Binds faces, normals, values, uv, depth, light and colour to texture units from this one on.
   void bind_textures(GLuint first_unit) const;
 
-  /// Some rows of what shading needs, pixel by pixel, from the bottom. Values are rgb, and normals as they
-  /// are encoded.
+  /// The shading inputs of some rows, pixel by pixel, from the bottom. Values are rgb, and normals are
+  /// encoded.
   struct Rows {
     std::vector<std::array<GLuint, 2>> faces;
     std::vector<Imath::V4f> normals;
@@ -44,7 +44,7 @@ class GBuffer {
     std::vector<Imath::V3f> light;
   };
   Rows read_rows(int first, int count);
-  /// Replaces the light of as many rows as these are.
+  /// Replaces the light of as many rows.
   void set_light(int first, const std::vector<Imath::V3f>& light);
 
  private:

@@ -10,11 +10,11 @@
 namespace editor {
 namespace {
 
-/// Meshes that have no more corners than this together are prepared at once; the others in threads.
+/// Meshes with no more corners than this in total are prepared at once; the others in threads.
 constexpr std::size_t SmallMeshes = 40'000;
-/// What a thread makes before it shows it has somewhat more.
+/// Corners that a thread prepares before partial results are shown.
 constexpr std::size_t CornersPerTask = 400'000;
-/// Nothing is gained by standing in for fewer triangles.
+/// Smaller meshes get no proxy.
 constexpr std::size_t LeastStoodInFor = 1'000;
 
 bool is_of_same_shape(const grf::Mesh& a, const grf::Mesh& b) {
@@ -75,7 +75,7 @@ void GeometryStore::reuse(const Entry& old, Entry& entry) {
   entry.is_in_work = old.is_in_work && entry.shape.geometry == nullptr;
   if (entry.quick_triangles == 0) return;
   entry.shape.quick = old.shape.quick;
-  // A stand-in of about the wanted size does.
+  // An existing proxy of about the wanted size is kept.
   const double ratio = static_cast<double>(old.quick_triangles) / static_cast<double>(entry.quick_triangles);
   const bool is_alike = ratio > 0.5 && ratio < 2;
   entry.has_stand_in = old.has_stand_in && is_alike;

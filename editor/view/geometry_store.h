@@ -11,49 +11,49 @@
 
 namespace editor {
 
-/// What a mesh is drawn from.
+/// The drawable geometry of a mesh.
 struct MeshShape {
-  std::shared_ptr<const MeshGeometry> geometry;  ///< null until it is made
-  /// What is drawn instead while the camera moves; null if that is the mesh itself.
+  std::shared_ptr<const MeshGeometry> geometry;  ///< null until it is built
+  /// The proxy that is drawn while the camera moves; null if that is the mesh itself.
   std::shared_ptr<const TriangleArrays> quick;
 
   bool operator==(const MeshShape&) const = default;
 };
 
-/// What meshes are drawn from, made in other threads, and kept while only surfaces change. A few small meshes
-/// are there at once, so that none of their edits flickers.
+/// Builds drawable geometry in threads, and caches it while only surfaces change. A few small meshes are
+/// built at once, so that edits do not flicker.
 class GeometryStore : public QObject {
   Q_OBJECT
 
  public:
-  /// A scene of more triangles than this has stand-ins.
+  /// A scene with more triangles than this uses proxies.
   static constexpr std::size_t QuickTriangles = 50'000;
 
   explicit GeometryStore(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Starts to make what is missing, and forgets what these have not.
+  /// Starts to build missing geometry, and drops unused geometry.
   void set_objects(const SceneObjects& objects);
 
-  /// Of the meshes in their order.
+  /// The geometry of the meshes, in their order.
   std::vector<MeshShape> shapes() const;
-  /// Whether all meshes are made; stand-ins may still come.
+  /// Whether all meshes are built; proxies may still follow.
   bool has_all_meshes() const;
-  /// Whether nothing more will come.
+  /// Whether everything is built.
   bool is_complete() const;
 
  signals:
-  /// Something was made.
+  /// Emitted when something was built.
   void changed();
 
  private:
   struct Entry {
     grf::Shared<grf::Mesh> mesh;
     MeshShape shape;
-    std::size_t quick_triangles = 0;  ///< wanted; 0: no stand-in
+    std::size_t quick_triangles = 0;  ///< size of the wanted proxy; 0: none
     bool has_stand_in = false;
-    bool is_in_work = false;  ///< its geometry, or its stand-in, is being made
+    bool is_in_work = false;  ///< whether its geometry or its proxy is being built
   };
-  /// A mesh, and what was made of it.
+  /// A mesh and its geometry.
   using MadeGeometry = std::pair<grf::Shared<grf::Mesh>, std::shared_ptr<const MeshGeometry>>;
 
   static void reuse(const Entry& old, Entry& entry);

@@ -4,7 +4,7 @@
 
 #include <QMatrix4x4>
 
-/// Resources of a static library are there once somebody asks for them. The macro has to be in no namespace.
+/// Registers the resources of the static library. The macro must be in no namespace.
 static void need_resources() { Q_INIT_RESOURCE(view_shaders); }
 
 namespace editor {
@@ -36,7 +36,7 @@ BufferTexture::BufferTexture(Gl& gl, GLenum format)
 
 void BufferTexture::upload(const void* data, std::size_t bytes) {
   gl_.glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-  // Room for one element at least: an empty buffer is no texture.
+  // At least one element, since an empty buffer is no texture.
   const auto size = static_cast<GLsizeiptr>(bytes);
   gl_.glBufferData(GL_TEXTURE_BUFFER, size > 0 ? size : 16, size > 0 ? data : nullptr, GL_STATIC_DRAW);
   gl_.glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
@@ -75,7 +75,7 @@ QMatrix4x4 to_qt(const grf::Matrix44d& matrix) {
   QMatrix4x4 result;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      // Ours multiplies row vectors, Qt's column vectors.
+      // Imath multiplies row vectors, Qt column vectors.
       result(column, row) = static_cast<float>(matrix[row][column]);
     }
   }

@@ -1,5 +1,4 @@
-// Things that live on the graphics card, destroyed with their owners. All of them are made, used and
-// destroyed while their context is current.
+// RAII owners of OpenGL objects. They are created, used and destroyed while their context is current.
 #pragma once
 
 #include <QOpenGLShaderProgram>
@@ -42,7 +41,7 @@ class GlObject {
   GLuint name_ = 0;
 };
 
-/// So many objects of a kind.
+/// An array of objects of a kind.
 template <std::size_t Count>
 std::array<GlObject, Count> gl_objects(Gl& gl, GlKind kind) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -51,10 +50,10 @@ std::array<GlObject, Count> gl_objects(Gl& gl, GlKind kind) {
   (std::make_index_sequence<Count>());
 }
 
-/// An array that shaders read by index.
+/// A buffer texture: an array that shaders read by index.
 class BufferTexture {
  public:
-  /// The format of an element, such as GL_R32UI.
+  /// `format` is that of an element, such as GL_R32UI.
   BufferTexture(Gl& gl, GLenum format);
 
   template <class T>
@@ -72,21 +71,21 @@ class BufferTexture {
   GlObject texture_;
 };
 
-/// The driver refuses a shader without which nothing can be drawn.
+/// Thrown if the driver cannot compile a shader that is indispensable.
 class ShaderRefused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A program of shaders that are files under :/view/: those of the fragment shader one after the other, and
-/// the geometry shader only if it is named. Throws ShaderRefused.
+/// Compiles a shader program from files under :/view/: those of the fragment shader are concatenated, and the
+/// geometry shader is optional. Throws ShaderRefused.
 std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, const QString& vertex,
                                                  const QStringList& fragments, const QString& geometry = {});
-/// These files under :/view/, one after the other.
+/// The concatenated files under :/view/.
 QByteArray shader_text(const QStringList& names);
 inline const QByteArray GlslVersion = "#version 330 core\n";
 
-/// Matrices as shaders take them.
+/// Converts a matrix for shaders.
 QMatrix4x4 to_qt(const grf::Matrix44d& matrix);
 inline QVector3D to_qt(const grf::Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

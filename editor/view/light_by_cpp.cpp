@@ -12,8 +12,7 @@ namespace {
 
 using reflectance::Rgb;
 
-/// The C++ half of sky.glsl and reflected_light.glsl. In double, since GLSL's numbers are of C++'s type
-/// double.
+/// The C++ side of sky.glsl and reflected_light.glsl, in double, the type of unsuffixed literals in C++.
 struct LightFormula {
   // NOLINTBEGIN(readability-identifier-naming): GLSL's names
   using real = double;
@@ -63,7 +62,7 @@ struct LightFormula {
 
 using Vec3 = LightFormula::vec3;
 
-/// As normal_at of g_buffer.glsl.
+/// Decodes as normal_at of g_buffer.glsl does.
 Vec3 decoded_normal(const Imath::V4f& encoded) {
   const double x = 2.0 * encoded.x - 1;
   const double y = 2.0 * encoded.y - 1;
@@ -93,7 +92,7 @@ class Shading {
     tangents_ = {tangent * light.aspect, tangent};
   }
 
-  /// The light from a pixel, before what it is painted with.
+  /// The radiance of a pixel, before multiplication by its colour.
   Vec3 reflected(std::uint32_t surface, const Imath::V4f& normal, int column, int row) {
     const Imath::V4f& terms = tables_.surfaces[3 * surface + 2];
     const auto frame = formula_.frame_about(decoded_normal(normal), normal.z);

@@ -1,4 +1,4 @@
-// C++ computes the light of shaders/brdf.frag where the graphics driver refuses a shader.
+// Computes the light of shaders/brdf.frag on the CPU, for drivers that cannot compile its shader.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 
 namespace editor {
 
-/// The light that the surfaces of one BRDF model reflect.
+/// Shades the surfaces of one BRDF model on the CPU.
 struct LightByCpp {
   std::size_t model = 0;  ///< its number in the tables
-  int samples = 8;        ///< directions to the sky
+  int samples = 8;        ///< number of sky directions
   int first_sample = 0;
   ViewCamera camera;
   double aspect = 1;
 };
 
-/// Adds it to some rows of a G-buffer, of which all besides light is there.
+/// Adds the light to rows of a G-buffer, whose other values are complete.
 void add_light_by_cpp(const LightByCpp& light, const FaceTables& faces, const SurfaceTables& surfaces,
                       GBuffer& g_buffer, int first_row, int rows);
 

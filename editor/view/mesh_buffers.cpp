@@ -37,7 +37,8 @@ std::unique_ptr<GlObject> MeshBuffers::buffer_of(GLenum target, const void* data
   return buffer;
 }
 
-/// Of the vertex array that is bound. What holds where there is no buffer is no part of it.
+/// Sets an attribute of the bound vertex array; the constant of an attribute without buffer is not part of
+/// that.
 void MeshBuffers::attribute(GLuint index, const GlObject* buffer, int components, float constant) {
   if (buffer == nullptr) {
     gl_.glDisableVertexAttribArray(index);

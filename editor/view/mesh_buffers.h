@@ -8,10 +8,10 @@
 
 namespace editor {
 
-/// Which of a vertex's values shaders get besides position, normal and uv.
+/// The vertex attribute that shaders get besides position, normal and uv.
 enum class VertexValue { Colour, Irradiance };
 
-/// A mesh's arrays on the graphics card.
+/// The vertex and index buffers of a mesh.
 class MeshBuffers {
  public:
   MeshBuffers(Gl& gl, const TriangleArrays& arrays);
@@ -22,11 +22,11 @@ class MeshBuffers {
   bool has_edges() const { return edges_ != nullptr; }
   bool has_face_normals() const { return face_count_ > 0; }
 
-  /// Adds what some modes alone draw.
+  /// Adds the edges, which only some display modes draw.
   void set_edges(const std::vector<MeshGeometry::Edge>& edges);
   void set_face_normals(const MeshGeometry& geometry);
 
-  /// The faces of triangles are bound to texture unit 0. Shaders get a triangle's number from `first` on.
+  /// Draws triangles with their faces bound to texture unit 0. Shaders number triangles from `first` on.
   void draw_triangles(std::size_t first, std::size_t count, VertexValue value);
   void draw_edges(std::size_t first, std::size_t count);
   void draw_vertices();

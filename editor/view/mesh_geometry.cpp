@@ -41,18 +41,19 @@ void copy_vertices(const grf::Mesh& mesh, TriangleArrays& arrays) {
   }
 }
 
-/// Whether the line meets the box between these distances. Infinities of a direction along an axis are right.
+/// Slab test of a line and a box between these distances; correct with infinities for axis-aligned
+/// directions.
 bool meets(const grf::Box3f& box, const Vec3d& origin, const Vec3d& inverse, double nearest,
            double farthest) {
   for (int i = 0; i < 3; ++i) {
     double enter = (box.min[i] - origin[i]) * inverse[i];
     double leave = (box.max[i] - origin[i]) * inverse[i];
     if (enter > leave) std::swap(enter, leave);
-    // A comparison with NaN, of a ray in the plane of a side, is false and lets the box stay.
+    // A comparison with NaN, for a ray in the plane of a side, is false and keeps the box.
     if (enter > nearest) nearest = enter;
     if (leave < farthest) farthest = leave;
   }
-  // Some more than rounding can make of a flat box.
+  // Slightly enlarged, for the rounding of flat boxes.
   return nearest <= farthest + 1e-9 * std::abs(farthest) + 1e-12;
 }
 

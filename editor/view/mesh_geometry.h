@@ -1,4 +1,4 @@
-// A mesh as the 3D view draws and picks it: polygons cut into triangles, with the face of each.
+// The geometry of a mesh for drawing and picking: triangulated polygons, with the face of each triangle.
 #pragma once
 
 #include <array>
@@ -13,26 +13,26 @@
 
 namespace editor {
 
-/// Arrays as the graphics card takes them. Optional ones are empty where no vertex has a value.
+/// Vertex and index arrays for the GPU. Optional ones are empty if no vertex has a value.
 struct TriangleArrays {
   using Triangle = std::array<std::uint32_t, 3>;
 
   std::vector<grf::Vec3f> positions;
-  std::vector<Imath::V4f> normals;     ///< w is 1, or 0 for a vertex without one
-  std::vector<Imath::V4f> colours;     ///< absent ones are 1
-  std::vector<Imath::V4f> irradiance;  ///< W/m2 of all directions together; w as for normals
-  std::vector<grf::Vec2f> uvs;         ///< absent ones are 0
-  std::vector<Triangle> triangles;     ///< vertices
+  std::vector<Imath::V4f> normals;     ///< w is 1, or 0 for a vertex without normal
+  std::vector<Imath::V4f> colours;     ///< missing ones are 1
+  std::vector<Imath::V4f> irradiance;  ///< W/m2 from all directions together; w as for normals
+  std::vector<grf::Vec2f> uvs;         ///< missing ones are 0
+  std::vector<Triangle> triangles;     ///< vertex indices
   std::vector<std::uint32_t> face_of_triangle;
 };
 
-/// Where a ray meets a triangle of a mesh.
+/// The intersection of a ray and a triangle of a mesh.
 struct MeshHit {
   double distance = 0;  ///< in lengths of the ray's direction
   std::uint32_t triangle = 0;
 };
 
-/// Immutable, and made in any thread.
+/// An immutable mesh geometry, which can be built in any thread.
 class MeshGeometry {
  public:
   using Edge = std::array<std::uint32_t, 2>;
@@ -40,18 +40,19 @@ class MeshGeometry {
   explicit MeshGeometry(const grf::Mesh& mesh);
 
   const TriangleArrays& arrays() const { return arrays_; }
-  /// Of the polygons, not of the triangles that they are cut into; each once. They are found anew at each
+  /// The edges of the polygons, each once, without those of their triangulation. They are computed on each
   /// call, since few display modes need them.
   std::vector<Edge> edges() const;
   const grf::Box3f& bounds() const { return bounds_; }
-  /// The triangles of a face follow each other.
+  /// The first triangle of a face; those of a face are consecutive.
   std::size_t first_triangle(std::uint32_t face) const { return geometry_.triangulation().first_of(face); }
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(centres_.size()); }
-  /// The means of faces' corners, and their unit normals, 0 for a face without area.
+  /// The centroids of faces' corners, and their unit normals, 0 for a face without area.
   const std::vector<grf::Vec3f>& centres() const { return centres_; }
   const std::vector<grf::Vec3f>& normals() const { return normals_; }
 
-  /// The nearest triangle on a ray in the mesh's coordinates, from both sides; of two at one place the first.
+  /// The nearest intersection of a ray in local coordinates, with front or back faces; at equal distances the
+  /// first triangle.
   std::optional<MeshHit> intersect(const ViewRay& ray) const;
 
  private:

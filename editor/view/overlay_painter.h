@@ -9,26 +9,26 @@
 
 namespace editor {
 
-/// A line in the world, or in pixels from the upper left.
+/// A line in world space, or in pixels from the upper left.
 struct OverlayLine {
   grf::Vec3d from;
   grf::Vec3d to;
   QColor colour;
 };
 
-/// Lines that are drawn alike.
+/// Lines with a common style.
 struct OverlayLayer {
   std::vector<OverlayLine> lines;
-  double width = 1;           ///< pixels of the window
-  double hidden_opacity = 0;  ///< of parts behind the scene: 0 to 1
-  bool is_flat = false;       ///< in pixels, and in front of all
+  double width = 1;           ///< logical pixels
+  double hidden_opacity = 0;  ///< opacity of occluded parts: 0 to 1
+  bool is_flat = false;       ///< in pixels, in front of everything
 };
 
-/// Draws smooth lines of one width on the screen.
+/// Draws antialiased lines of constant screen width.
 class OverlayPainter {
  public:
   struct Screen {
-    grf::Vec2d size;  ///< pixels of the window
+    grf::Vec2d size;  ///< logical pixels
     double pixel_ratio = 1;
   };
 

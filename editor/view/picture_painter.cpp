@@ -12,13 +12,13 @@
 namespace editor {
 namespace {
 
-/// Triangles, and edges, of one step.
+/// Number of triangles or edges per step.
 constexpr std::size_t TrianglesPerStep = 20'000;
 constexpr std::size_t EdgesPerStep = 12'000;
-/// Rows of pixels of one step of a BRDF.
+/// Rows of pixels per step of BRDF shading.
 constexpr int BrdfRows = 32;
 constexpr int RowsByCpp = 2;
-/// How far lines are drawn nearer than they are, so that faces beside them do not hide them.
+/// Depth bias of lines, so that adjacent faces do not hide them.
 constexpr float Nearer = 2e-4F;
 
 grf::Matrix44d moved(const grf::Matrix44d& matrix, const grf::Vec2d& shift, const QSize& size) {
@@ -30,7 +30,7 @@ bool has_faces(DisplayMode mode) { return mode != DisplayMode::Points && mode !=
 
 bool has_textures(DisplayMode mode) { return mode == DisplayMode::Textured || mode == DisplayMode::Brdf; }
 
-/// Of a pixel and a pass.
+/// Sky samples per pixel and pass.
 int sky_samples(const PictureRequest& request) { return request.is_quick ? 4 : 8; }
 
 QVector4D premultiplied(const QColor& colour) {
@@ -200,7 +200,7 @@ void PicturePainter::add_line_steps(const SharedJob& job, std::vector<Step>& ste
   const bool stands_in = job->request.is_quick && job->scene.has_stand_ins();
   if (style.mode == DisplayMode::Points) steps.emplace_back([this, job] { paint_points(*job); });
   if (style.mode == DisplayMode::Wireframe || (style.mode == DisplayMode::SolidEdges && !stands_in)) {
-    // A stand-in has no polygons.
+    // A proxy has no polygons.
     if (!stands_in) {
       for (std::uint32_t mesh = 0; mesh < job->scene.faces().first_face.size(); ++mesh) {
         MeshBuffers* buffers = job->scene.mesh(mesh);
@@ -284,7 +284,7 @@ void PicturePainter::paint_normals(const Job& job, bool of_faces) {
     const MeshGeometry& geometry = *job.scene.geometry(instance.mesh);
     if (of_faces && !mesh->has_face_normals()) mesh->set_face_normals(geometry);
     const grf::Matrix44d to_camera = instance.to_world * world_to_camera;
-    // About as long as an edge.
+    // About the length of an edge.
     const double faces = std::max(geometry.face_count(), 1U);
     const double scale = std::cbrt(std::abs(instance.to_world.determinant()));
     const double size = scale * grf::Box3d(geometry.bounds().min, geometry.bounds().max).size().length() /
@@ -299,7 +299,7 @@ void PicturePainter::paint_normals(const Job& job, bool of_faces) {
 
 void PicturePainter::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
   for (const std::size_t model : job->scene.surfaces().models) {
-    // A program is compiled in the first step that needs it, so that what is asked for meanwhile waits less.
+    // A shader is compiled in the first step that needs it, so that other requests wait less.
     const auto made = brdfs_.find(model);
     const int rows = made != brdfs_.end() && made->second == nullptr ? RowsByCpp : BrdfRows;
     for (int row = 0; row < job->g_buffer.size().height(); row += rows) {

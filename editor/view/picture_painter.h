@@ -12,33 +12,33 @@
 
 namespace editor {
 
-/// What the 3D view shows of faces.
+/// The display modes of the 3D view.
 enum class DisplayMode { Points, Wireframe, Solid, SolidEdges, Textured, VertexColours, Irradiance, Brdf };
 
-/// How a scene is drawn.
+/// Display mode and colours of a view.
 struct ViewStyle {
   DisplayMode mode = DisplayMode::Solid;
   bool has_vertex_normals = false;
   bool has_face_normals = false;
   QColor lines;           ///< edges and points
-  QColor normals;         ///< lines of normals
-  float pixel_ratio = 1;  ///< of device pixels to those of the window
+  QColor normals;         ///< normals drawn as lines
+  float pixel_ratio = 1;  ///< device pixels per logical pixel
 
   bool operator==(const ViewStyle&) const = default;
 };
 
-/// What a picture is to show.
+/// The parameters of an image.
 struct PictureRequest {
   ViewCamera camera;
-  grf::Box3d bounds;  ///< of all that is drawn
+  grf::Box3d bounds;  ///< of everything drawn
   ViewStyle style;
   double aspect = 1;
-  bool is_quick = false;             ///< with what stands in for large meshes, and with less light
-  int pass = 0;                      ///< pictures of several passes differ in what is random
-  grf::Vec2d shift = grf::Vec2d(0);  ///< pixels, by which the image is moved
+  bool is_quick = false;             ///< with proxy meshes and fewer light samples
+  int pass = 0;                      ///< seed of the random numbers
+  grf::Vec2d shift = grf::Vec2d(0);  ///< subpixel shift, pixels
 };
 
-/// Paints scenes into pictures, step by step: each takes some milliseconds at most.
+/// Renders scenes into images in steps of at most some milliseconds each.
 class PicturePainter {
  public:
   using Step = std::function<void()>;
@@ -46,15 +46,15 @@ class PicturePainter {
   /// Throws ShaderRefused.
   PicturePainter(Gl& gl, const GraphicsDriver& driver);
 
-  /// What is to be done, in this order. Scene and G-buffer have to stay until then.
+  /// The steps of a render, in order. Scene and G-buffer must outlive them.
   std::vector<Step> steps(SceneBuffers& scene, GBuffer& g_buffer, const PictureRequest& request);
 
-  /// BRDF models, by their keyword, whose shader the driver refuses, and why. Light that they reflect is
-  /// computed by C++.
+  /// BRDF models, by keyword, whose shader the driver cannot compile, and why. Their light is computed on the
+  /// CPU.
   const std::map<std::string, QString>& refused() const { return refused_; }
 
  private:
-  /// Some of the triangles or edges of an instance.
+  /// A range of the triangles or edges of an instance.
   struct Run {
     std::size_t instance = 0;
     std::size_t first = 0;
@@ -87,7 +87,7 @@ class PicturePainter {
   void paint_normals(const Job& job, bool of_faces);
   void cover(QOpenGLShaderProgram& program, const Job& job);
   void set_eye(QOpenGLShaderProgram& program, const Job& job);
-  /// Null if the driver refuses it.
+  /// Null if the driver cannot compile it.
   QOpenGLShaderProgram* brdf_program(std::size_t model);
 
   Gl& gl_;
@@ -98,7 +98,7 @@ class PicturePainter {
   std::map<std::string, QString> refused_;
 };
 
-/// Tells a program that starts with g_buffer.glsl which texture units its tables have.
+/// Sets the texture units of the tables in a program that starts with g_buffer.glsl.
 void set_shader_units(QOpenGLShaderProgram& program);
 /// The first texture units of G-buffers, of tables, and of an image.
 constexpr GLuint GBufferUnit = 0;

@@ -5,7 +5,7 @@
 
 namespace editor {
 
-/// A box or a lasso that the pointer draws, in pixels of the window.
+/// A selection box or lasso that the pointer draws, in logical pixels.
 class RegionGesture {
  public:
   void begin(const QPointF& at, bool is_lasso) {
@@ -22,7 +22,7 @@ class RegionGesture {
     }
   }
   const QPolygonF& polygon() const { return polygon_; }
-  /// Ends it. What is left has fewer than three corners if nothing was drawn.
+  /// Ends the gesture. The polygon has fewer than three corners if nothing was drawn.
   QPolygonF take() { return std::exchange(polygon_, {}); }
 
  private:

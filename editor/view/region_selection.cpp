@@ -10,7 +10,7 @@ namespace {
 
 using grf::Vec3d;
 
-/// Which pixels are inside a polygon.
+/// A mask of the pixels inside a polygon.
 class Mask {
  public:
   Mask(const QPolygonF& region, const QSize& size)
@@ -27,7 +27,7 @@ class Mask {
 
   const QRect& rectangle() const { return rectangle_; }
   bool empty() const { return rectangle_.isEmpty(); }
-  /// For a pixel of the rectangle, whose corner is (0,0).
+  /// The position is relative to the rectangle's corner (0,0).
   bool has(int x, int y) const { return image_.constScanLine(y)[x] != 0; }
 
  private:
@@ -35,7 +35,7 @@ class Mask {
   QImage image_;
 };
 
-/// An instance, with what is computed once for all of its faces.
+/// An instance with precomputed values for all of its faces.
 struct PlacedMesh {
   std::uint32_t mesh = 0;
   const MeshGeometry* geometry = nullptr;
@@ -76,7 +76,7 @@ std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
 }
 
 /// Calls visit(face, x, y, centre) for each face of a mesh whose centre is in the region: the pixel in the
-/// mask's rectangle, and the centre in the world.
+/// mask's rectangle, and the centre in world space.
 template <class Visit>
 void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh& mesh, const Visit& visit) {
   if (mesh.geometry == nullptr) return;
@@ -97,7 +97,7 @@ void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh&
   }
 }
 
-/// Tells whether a face that is too small for a pixel lies on the face that its pixel shows.
+/// Tells whether a face smaller than a pixel lies on the face that its pixel shows.
 bool is_seen_small(const SeenScene& scene, const PlacedMesh& mesh, std::uint32_t face,
                    const PlacedMesh& shown, std::uint32_t shown_face) {
   const Vec3d centre = mesh.centre(face);

@@ -10,7 +10,7 @@
 
 namespace editor {
 
-/// A scene as it is seen in an image of so many pixels.
+/// A scene with the camera and the size of its image.
 struct SeenScene {
   const SceneObjects& objects;
   const std::vector<MeshShape>& shapes;
@@ -18,7 +18,7 @@ struct SeenScene {
   QSize size;
 };
 
-/// The nearest face on a ray in the world, and where the ray meets it.
+/// The nearest face on a ray in world space, and the intersection.
 struct SceneHit {
   FaceId face;
   std::uint32_t instance = 0;
@@ -27,13 +27,13 @@ struct SceneHit {
 std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
                                   const ViewRay& ray);
 
-/// The faces of a region of the image, whose corners are in pixels from the upper left. Those that are seen
-/// in a pixel of it are; and of those too small for a pixel, those whose centre is in the region and lies on
-/// what is seen there. `faces_in` gives the pixels of a rectangle, from the lower left.
+/// The visible faces of a region of the image, whose corners are in pixels from the upper left: those that
+/// cover a pixel of it, and those smaller than a pixel whose centre is in the region and not occluded.
+/// `faces_in` returns the pixels of a rectangle, from the lower left.
 FaceSelection seen_in_region(const SeenScene& scene, const QPolygonF& region,
                              const std::function<std::vector<FacePixel>(const QRect&)>& faces_in);
 
-/// All faces whose centre is in the region, hidden or not.
+/// All faces whose centre is in the region, occluded or not.
 FaceSelection all_in_region(const SeenScene& scene, const QPolygonF& region);
 
 }  // namespace editor

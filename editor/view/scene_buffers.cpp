@@ -40,7 +40,7 @@ bool SceneBuffers::set_objects(std::shared_ptr<const SceneObjects> objects) {
   return has_other_faces;
 }
 
-/// Whether all that shaders look up for a mesh is in what the driver takes of the tables.
+/// Whether the table entries of a mesh are within the driver's limits.
 bool SceneBuffers::fits(std::size_t mesh) const {
   const grf::Mesh& shown = *objects_->meshes[mesh].mesh;
   return faces_.first_face[mesh] + shown.face_count() <= limits_.buffer_texels &&
@@ -114,7 +114,7 @@ std::unique_ptr<QOpenGLTexture> SceneBuffers::texture_of(const transport::Image&
   texture->setFormat(QOpenGLTexture::RGB16F);
   texture->setMipLevels(texture->maximumMipLevels());
   texture->allocateStorage(QOpenGLTexture::RGB, QOpenGLTexture::Float32);
-  // OpenGL has rows from the bottom.
+  // OpenGL's rows start at the bottom.
   std::vector<reflectance::Rgb> rows(image.pixels.size());
   const auto width = static_cast<std::ptrdiff_t>(image.width);
   for (std::ptrdiff_t y = 0; y < image.height; ++y) {

@@ -1,4 +1,4 @@
-// A scene on the graphics card.
+// The GPU buffers of a scene.
 #pragma once
 
 #include <QImage>
@@ -21,34 +21,34 @@ class SceneBuffers {
  public:
   SceneBuffers(Gl& gl, const GraphicsLimits& limits);
 
-  /// Takes up what differs from the objects before. Returns whether faces got other numbers or surfaces.
+  /// Uploads the differences from the former objects. Returns whether faces were renumbered or have other
+  /// surfaces.
   bool set_objects(std::shared_ptr<const SceneObjects> objects);
-  /// Of the objects' meshes, after these; keeps the buffers of geometry that stays. Returns whether a mesh
-  /// got another one, and not only another stand-in.
+  /// Sets the geometry of the meshes after `set_objects`; buffers of unchanged geometry are kept. Returns
+  /// whether a mesh changed, and not only its proxy.
   bool set_shapes(const std::vector<MeshShape>& shapes);
   void set_selection(const FaceSelection& selection);
-  /// An image that a face of the scene names, which gets smaller until the driver takes it; none: it cannot
-  /// be read.
+  /// Sets a texture, downscaled to the driver's limit; null if it cannot be read.
   void set_texture(const std::string& path, const transport::Image* image);
 
   const std::vector<MeshInstance>& instances() const { return *objects_->instances; }
   const FaceTables& faces() const { return faces_; }
   const SurfaceTables& surfaces() const { return surfaces_; }
-  /// Null until the geometry is made, and for meshes that are left out.
+  /// Null until the geometry is built, and for meshes that are left out.
   MeshBuffers* mesh(std::uint32_t mesh) const { return meshes_[mesh]; }
-  /// What stands in for it, or the mesh itself.
+  /// The proxy, or the mesh itself.
   MeshBuffers* quick_mesh(std::uint32_t mesh) const { return quick_meshes_[mesh]; }
   const MeshGeometry* geometry(std::uint32_t mesh) const { return geometries_[mesh].get(); }
   bool has_stand_ins() const;
   bool has_selection() const { return has_selection_; }
-  /// Images that got smaller.
+  /// Textures that were downscaled.
   const std::set<std::string>& reduced_textures() const { return reduced_textures_; }
-  /// How many meshes are not there, since the tables for their faces would be too long for the driver.
+  /// The number of meshes that are left out, since their face tables would exceed the driver's limit.
   std::size_t left_out() const { return left_out_; }
 
-  /// The tables, from this unit on: selected faces, surfaces of faces, surfaces, terms.
+  /// Binds the tables to texture units from this one on: selected faces, surfaces of faces, surfaces, terms.
   void bind_tables(GLuint first_unit) const;
-  /// Of a number in the tables; a plain one until it has come.
+  /// Binds a texture by its number; a plain one until it is loaded.
   void bind_texture(std::size_t number, GLuint unit);
 
  private:

@@ -13,7 +13,7 @@ namespace {
 using grf::Vec2d;
 using grf::Vec3d;
 
-/// In pixels of the window.
+/// Logical pixels.
 constexpr double GripRadius = 10;
 constexpr double LineRadius = 5;
 
@@ -45,7 +45,7 @@ SceneHandle observer_handle(const ObserverObject& observer, double size) {
                      observer.position,
                      observer.position,
                      {}};
-  // An eye with its pupil, upright.
+  // An upright eye with its pupil.
   constexpr int Steps = 24;
   const auto ring = [&](double width, double height) {
     const auto at = [&](int i) {
@@ -72,7 +72,7 @@ void add_camera(const transport::View& view, double aspect, double size, std::ve
     viewer.lines.emplace_back(view.eye, corners[i]);
     viewer.lines.emplace_back(corners[i], corners[(i + 1) % 4]);
   }
-  // Where up is.
+  // The up direction.
   viewer.lines.emplace_back(corner(-0.5, 1.15), corner(0, 1.7));
   viewer.lines.emplace_back(corner(0, 1.7), corner(0.5, 1.15));
   viewer.lines.emplace_back(corner(0.5, 1.15), corner(-0.5, 1.15));
@@ -85,7 +85,7 @@ void add_camera(const transport::View& view, double aspect, double size, std::ve
   handles.push_back(std::move(target));
 }
 
-/// Pixels from the upper left.
+/// Pixel coordinates from the upper left.
 std::optional<Vec2d> pixel_of(const Vec3d& point, const ViewCamera& camera, const Vec2d& size) {
   const auto place = camera.place_of(point, size.x / size.y);
   if (!place) return std::nullopt;
@@ -98,7 +98,7 @@ double distance_to_line(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
   return (a + along * t - p).length();
 }
 
-/// How near a pixel is to a handle, or infinity if it is too far.
+/// The distance from a pixel to a handle, or infinity if it is too far.
 double nearness(const SceneHandle& handle, const ViewCamera& camera, const Vec2d& pixel, const Vec2d& size) {
   const auto grip = pixel_of(handle.grip, camera, size);
   if (grip && (*grip - pixel).length() <= GripRadius) return (*grip - pixel).length() / 2;
@@ -111,7 +111,7 @@ double nearness(const SceneHandle& handle, const ViewCamera& camera, const Vec2d
   return nearest <= LineRadius ? nearest + GripRadius : std::numeric_limits<double>::infinity();
 }
 
-/// A handle that is moved by so much.
+/// A handle translated by an offset.
 SceneHandle moved(const SceneHandle& handle, const Vec3d& offset) {
   SceneHandle result = handle;
   result.position += offset;
@@ -123,19 +123,19 @@ SceneHandle moved(const SceneHandle& handle, const Vec3d& offset) {
   return result;
 }
 
-/// Where a handle's grip goes when the pointer goes from one pixel to another.
+/// The new position of a handle's grip when the pointer moves from one pixel to another.
 Vec3d dragged(const Vec3d& grip, const ViewCamera& camera, const Vec2d& from, const Vec2d& to,
               const Vec2d& size, bool along_axis) {
   const double pixel = 2 * camera.half_height_at(grip) / size.y;
   const Vec2d way = to - from;
   if (!along_axis) return grip + (camera.right() * way.x - camera.up() * way.y) * pixel;
-  // What one world unit along each axis is on the screen.
+  // The projection of one world unit along each axis.
   Vec3d best = grip;
   double best_cosine = -1;
   for (const Vec3d& axis : Axes) {
     const Vec2d on_screen(axis.dot(camera.right()) / pixel, -axis.dot(camera.up()) / pixel);
     const double length = on_screen.length();
-    if (length * pixel < 0.05 || way.length() == 0) continue;  // it points at the viewer
+    if (length * pixel < 0.05 || way.length() == 0) continue;  // it points towards the eye
     const double cosine = std::abs(on_screen.dot(way)) / (length * way.length());
     if (cosine <= best_cosine) continue;
     best_cosine = cosine;

@@ -1,5 +1,4 @@
-// What stands in a scene besides faces, and can be taken and moved: lights, observers and the render's
-// camera.
+// Draggable handles of lights, observers and the render camera.
 #pragma once
 
 #include <optional>
@@ -14,11 +13,11 @@ namespace editor {
 
 enum class HandleKind { Light, Observer, CameraViewer, CameraTarget };
 
-/// Which thing it is.
+/// Identifies a handle.
 struct HandleId {
   HandleKind kind = HandleKind::Light;
   grf::ScenePath path;     ///< of the light or of the `params`; empty for the camera
-  std::size_t number = 0;  ///< of the observer among those of its `params`
+  std::size_t number = 0;  ///< of the observer in its `params`
 
   bool operator==(const HandleId&) const = default;
 };
@@ -27,38 +26,39 @@ struct SceneHandle {
   using Line = std::pair<grf::Vec3d, grf::Vec3d>;
 
   HandleId id;
-  std::string name;  ///< in words
-  /// In the world: a light's corner, where an observer or the camera is, what the camera looks at. What moves
-  /// a thing moves this by as much.
+  std::string name;  ///< display name
+  /// World-space position of a light's corner, of an observer, of the camera or of its target. Dragging
+  /// translates it.
   grf::Vec3d position;
-  grf::Vec3d grip;          ///< where it is taken
-  std::vector<Line> lines;  ///< in the world
+  grf::Vec3d grip;          ///< where it is grabbed
+  std::vector<Line> lines;  ///< world space
 };
 
-/// Of a scene, and of a camera with the image that it makes if there is one; `size` is that of small symbols.
+/// Creates the handles of a scene, and of the render camera with its image if there is one; `size` is that of
+/// small symbols.
 std::vector<SceneHandle> handles_of(const SceneObjects& objects, const std::optional<transport::View>& camera,
                                     double aspect, double size);
 
-/// The handles that stand in a view, of which one may be under the pointer and be dragged. Pixels are those
-/// of a window of that size, from the upper left.
+/// The handles of a view: hover and drag. Pixels are relative to the upper left corner of a window of the
+/// given size.
 class HandleGesture {
  public:
   const std::vector<SceneHandle>& handles() const { return handles_; }
   void set_handles(std::vector<SceneHandle> handles) { handles_ = std::move(handles); }
-  /// As it is drawn.
+  /// The handle as it is drawn, also during a drag.
   SceneHandle shown(std::size_t number) const;
   bool is_lit(std::size_t number) const { return taken_ == number || hovered_ == handles_[number].id; }
 
-  /// The handle at a pixel: the nearest whose grip or lines are within some pixels; null: there is none.
+  /// The handle at a pixel: the nearest whose grip or lines are within some pixels; null if there is none.
   const SceneHandle* at(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size) const;
-  /// The handle under the pointer, or null. Returns whether it is another one than before.
+  /// Sets the handle under the pointer, or null. Returns whether it changed.
   bool hover(const SceneHandle* handle);
 
   void begin(const SceneHandle& handle, const grf::Vec2d& pixel);
-  /// Moves it as far as the pointer: in the plane of the view, or only along the world's axis that is nearest
-  /// to the pointer's way.
+  /// Drags the handle with the pointer: in the view plane, or only along the world axis nearest to the
+  /// motion.
   void drag(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size, bool along_axis);
-  /// Leaves it there, until other handles are set; or where it was. Returns the handle that was dragged.
+  /// Ends the drag; the handle stays until others are set, or returns. Returns the dragged handle.
   SceneHandle end(bool stays);
 
  private:

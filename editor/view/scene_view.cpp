@@ -61,7 +61,7 @@ SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver, const ImageP
   connect(&renderer_, &ViewRenderer::warned, this, &SceneView::warned);
 }
 
-// What is to be seen
+// Display
 
 void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   cancel_gesture();
@@ -174,7 +174,7 @@ QSize SceneView::picture_size() const {
   return {std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio))};
 }
 
-/// All that has a depth: the scene, its lights and the grid.
+/// The bounds of everything with a depth: the scene, its lights and the grid.
 grf::Box3d SceneView::drawn_bounds() const {
   grf::Box3d box = objects_->bounds;
   for (const SceneHandle& handle : handles_.handles()) {
@@ -190,7 +190,7 @@ grf::Box3d SceneView::drawn_bounds() const {
 void SceneView::draw() {
   ++number_;
   if (is_ordered_ || !isVisible()) return;
-  // Of all changes of one turn of the event loop there is one picture.
+  // Changes of one turn of the event loop are drawn together.
   is_ordered_ = true;
   QMetaObject::invokeMethod(
       this,
@@ -221,18 +221,17 @@ void SceneView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QSizeF size = shown_.image.deviceIndependentSize();
   if (shown_.size == picture_size()) {
-    // The size is said, since Qt heeds no ratio of pixels below 1, as of an image that the driver made
-    // smaller.
+    // The size is explicit, since Qt ignores pixel ratios below 1, as of an image that the driver downscaled.
     painter.drawImage(QRectF(QPointF(), size), shown_.image);
   } else {
-    // In the middle, until that of this size comes.
+    // Centred, until an image of this size arrives.
     const ViewColours background = view_colours(palette());
     QLinearGradient gradient(0, 0, 0, height());
     gradient.setColorAt(0, background.background_top);
     gradient.setColorAt(1, background.background_bottom);
     painter.fillRect(rect(), gradient);
     painter.drawImage(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2), shown_.image);
-    // The window may have gone to a screen of other pixels.
+    // The window may have moved to a screen with another pixel ratio.
     if (!shown_.image.isNull()) draw();
   }
   paint_gesture(painter);
@@ -257,7 +256,7 @@ void SceneView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-// What is pointed at
+// Picking
 
 grf::Vec2d SceneView::place_at(const QPointF& pixel) const {
   return {2 * pixel.x() / window_size().x - 1, 1 - 2 * pixel.y() / window_size().y};
@@ -282,11 +281,11 @@ QString SceneView::text_of(const std::optional<SceneHit>& hit) const {
   if (!hit) return {};
   const MeshObject& mesh = objects_->meshes[hit->face.mesh];
   const Look& look = mesh.looks[(*mesh.mesh->surface_of_face)[hit->face.face]];
-  QStringList surface(look.brdf ? QString::fromStdString(look.brdf->keyword) : tr("diffuse by default"));
+  QStringList surface(look.brdf ? QString::fromStdString(look.brdf->keyword) : tr("default diffuse"));
   if (!look.texture.empty()) surface += tr("textured");
-  if (look.emission) surface += tr("emits");
+  if (look.emission) surface += tr("emissive");
   return tr("%1 · face %2 · %3")
-      .arg(mesh.name.empty() ? tr("mesh without a name") : QString::fromStdString(mesh.name),
+      .arg(mesh.name.empty() ? tr("unnamed mesh") : QString::fromStdString(mesh.name),
            QString::number(hit->face.face), mesh.is_light ? tr("light") : surface.join(", "));
 }
 
@@ -369,7 +368,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   update();
 }
 
-/// A thing that was dragged stays there until the scene says where it is.
+/// A dragged object stays there until the scene is updated.
 void SceneView::end_handle() {
   const SceneHandle handle = handles_.end(!is_click_);
   draw();
@@ -388,7 +387,7 @@ void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
 void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
   if (!region_order_ || region_order_->state != state) return;
   const RegionOrder order = *std::exchange(region_order_, std::nullopt);
-  // Of a scene that is another one by now nothing is selected.
+  // Nothing is selected if the scene was replaced meanwhile.
   if (order.objects == objects_) make_selection(selected, order.modifiers);
 }
 
@@ -396,7 +395,7 @@ void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   FaceSelection made(*objects_);
   const auto hit = hit_at(pixel);
   if (hit) made.set(hit->face);
-  // A click beside everything with a modifier changes nothing.
+  // A click on the background with a modifier changes nothing.
   if (!hit && modifiers != Qt::NoModifier) return;
   make_selection(std::move(made), modifiers);
 }
@@ -475,7 +474,7 @@ void SceneView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void SceneView::focusInEvent(QFocusEvent* event) {
-  // Who comes by keyboard goes on by keyboard.
+  // Focus that came by keyboard shows the keyboard cursor.
   const Qt::FocusReason reason = event->reason();
   if (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) shows_middle_ = true;
   update();

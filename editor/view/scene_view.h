@@ -20,18 +20,18 @@ namespace editor {
 
 struct SceneHit;
 
-/// Shows a scene and lets faces be selected and things be moved. It edits nothing: what gestures ask for is
-/// said by signals, and what has become of it comes back by `show` and `set_selection`. What it shows is
-/// drawn in a thread of its own, and comes when it is ready; a box or lasso is read from it there.
+/// Displays a scene, and handles selection and dragging. It edits nothing: gestures emit signals, and their
+/// effect arrives by `show` and `set_selection`. The image is rendered asynchronously in a thread, which also
+/// evaluates boxes and lassos.
 ///
 /// Pointer: a click selects a face, a drag from a face those in a box (with Alt or `set_lasso` in a lasso);
-/// Shift adds, Ctrl takes away. A drag from empty ground or with the middle button orbits, Shift and the
+/// Shift adds, Ctrl removes. A drag from the background or with the middle button orbits, Shift and the
 /// middle button pan, the wheel zooms about the pointer, with the right button held the view turns and W A S
-/// D Q E fly. A double click sets the centre of the orbit.
+/// D Q E fly. A double click sets the orbit centre.
 ///
 /// Keys: arrows orbit (with Shift pan), + and - zoom, F frames the selection, Home all, 1 3 7 are the front,
-/// the right and the top, 9 the opposite, 5 perspective or parallel, Space toggles the face in the middle,
-/// Escape gives up a gesture.
+/// right and top views, 9 the opposite, 5 toggles orthographic, Space toggles the face in the middle, Escape
+/// cancels a gesture.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -40,20 +40,20 @@ class SceneView : public QWidget {
                      const ImageProcess& images = ImageProcess());
 
   using QWidget::show;
-  /// Shows another state of the scene. Faces stay selected if the meshes have as many as before.
+  /// Shows another state of the scene. The selection is kept if the meshes have as many faces as before.
   void show(std::shared_ptr<const SceneObjects> objects);
   const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const SceneObjects& objects() const { return *objects_; }
-  /// Of the objects that are shown.
+  /// Sets the selection, which belongs to the shown objects.
   void set_selection(const FaceSelection& selection);
   const FaceSelection& selection() const { return *selection_; }
   void set_camera(const ViewCamera& camera);
   const ViewCamera& camera() const { return navigation_.camera(); }
-  /// As by a gesture: with `camera_moved`.
+  /// Moves the camera as a gesture does: with `camera_moved`.
   void move_camera(const ViewCamera& camera) { navigation_.move(camera); }
   void frame_all() { frame(objects_->bounds); }
   void frame_selection();
-  /// Does what a key does that moves the camera or selects. Returns whether it is one.
+  /// Handles a key that moves the camera or selects. Returns whether it is one.
   bool press(int key, bool has_shift = false);
 
   void set_mode(DisplayMode mode);
@@ -61,34 +61,33 @@ class SceneView : public QWidget {
   void set_vertex_normals(bool are_shown);
   void set_face_normals(bool are_shown);
   void set_grid(bool is_shown);
-  /// A drag makes a lasso instead of a box.
+  /// Makes a drag draw a lasso instead of a box.
   void set_lasso(bool is_lasso) { is_lasso_ = is_lasso; }
-  /// Boxes and lassos select hidden faces too.
+  /// Makes boxes and lassos select occluded faces, too.
   void set_select_through(bool selects_through) { selects_through_ = selects_through; }
-  /// The render's camera and its image's width over height; none: it is not drawn.
+  /// Sets the render camera and its image's aspect ratio; without a camera none is drawn.
   void set_render_camera(const std::optional<transport::View>& camera, double aspect = 1.25);
 
-  /// Whether the scene is drawn in full detail and nothing is being loaded or improved.
+  /// Whether the image is in full detail and antialiased, and nothing is being loaded.
   bool is_complete() const;
-  /// Whether full detail of the scene as it is now is on the screen, perhaps with edges that are still being
-  /// smoothed.
+  /// Whether the image of the current scene is in full detail, perhaps not antialiased yet.
   bool is_full() const;
-  /// Whether a box or a lasso was made, and what it selects is not known yet.
+  /// Whether a box or lasso selection is being evaluated.
   bool is_selecting() const { return region_order_.has_value(); }
-  /// What a click at this place of the widget would select.
+  /// The face that a click at this position of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
-  /// The lights, observers and the camera as they stand now.
+  /// The handles of lights, observers and the camera.
   const std::vector<SceneHandle>& handles() const { return handles_.handles(); }
 
  signals:
   void selection_made(const editor::FaceSelection& selection);
   void camera_moved();
-  /// A thing that was dragged is let go, with its new SceneHandle::position. An AreaLight's new corner is
-  /// `position * to_world.inverse()`.
+  /// Emitted once a dragged object is released, with its new SceneHandle::position. An AreaLight's new corner
+  /// is `position * to_world.inverse()`.
   void object_moved(const editor::HandleId& object, const grf::Vec3d& position);
-  /// What is under the pointer, in words; empty: nothing.
+  /// Emitted with a description of what is under the pointer; empty for nothing.
   void hovered(const QString& text);
-  /// Something cannot be shown as it is, such as a texture.
+  /// Emitted when something cannot be shown, such as a texture.
   void message(const QString& text);
   /// See ViewRenderer.
   void warned(const QString& text);
@@ -111,14 +110,14 @@ class SceneView : public QWidget {
 
  private:
   enum class Gesture { None, Navigation, Region, Handle };
-  /// A box or lasso that was made.
+  /// A box or lasso to be evaluated.
   struct RegionOrder {
-    std::int64_t state = 0;  ///< what was to be seen
+    std::int64_t state = 0;  ///< number of the view state
     std::shared_ptr<const SceneObjects> objects;
     Qt::KeyboardModifiers modifiers;
   };
 
-  // What is to be seen
+  // Display
   void draw();
   ViewState state() const;
   PictureRequest request() const;
@@ -130,7 +129,7 @@ class SceneView : public QWidget {
   void frame(const grf::Box3d& box);
   void paint_gesture(QPainter& painter) const;
 
-  // What is pointed at
+  // Picking
   grf::Vec2d place_at(const QPointF& pixel) const;
   std::optional<SceneHit> hit_at(const QPointF& pixel) const;
   QString text_of(const std::optional<SceneHit>& hit) const;

@@ -27,7 +27,7 @@ void copy_vertex(const TriangleArrays& from, std::uint32_t vertex, TriangleArray
   if (!from.uvs.empty()) to.uvs.push_back(from.uvs[vertex]);
 }
 
-/// The cells of a grid that vertices fall into, numbered as they are met.
+/// The grid cells of vertices, numbered in order of first use.
 class Clusters {
  public:
   Clusters(const TriangleArrays& arrays, const Vec3f& origin, float cell) : origin_(origin), cell_(cell) {
@@ -60,7 +60,7 @@ class Clusters {
   std::vector<std::uint32_t> first_;
 };
 
-/// Vertices in the middle of those that they stand for.
+/// Places vertices at the mean of those that they represent.
 void place_vertices(const TriangleArrays& arrays, const Clusters& clusters, TriangleArrays& result) {
   for (const std::uint32_t vertex : clusters.first()) copy_vertex(arrays, vertex, result);
   std::vector<Vec3d> sums(result.positions.size(), Vec3d(0));
@@ -74,7 +74,7 @@ void place_vertices(const TriangleArrays& arrays, const Clusters& clusters, Tria
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
     result.positions[i] = Vec3f(sums[i] / counts[i]);
-    // Sides of a thin sheet in one cell cancel each other: then the first one's normal stays.
+    // Both sides of a thin sheet in one cell cancel each other: then the first normal is used.
     const Vec3f mean(normals[i].x, normals[i].y, normals[i].z);
     const bool all_have_one = normals[i].w == static_cast<float>(counts[i]);
     if (!all_have_one || mean.length() < 0.1F * normals[i].w) continue;
@@ -103,7 +103,7 @@ TriangleArrays stand_in(const TriangleArrays& arrays, std::size_t triangles) {
   if (arrays.triangles.size() <= triangles) return arrays;
   grf::Box3f box;
   for (const Vec3f& position : arrays.positions) box.extendBy(position);
-  // A surface passes about 1.5 cells for each cell's worth of area, and leaves two triangles in each.
+  // A surface intersects about 1.5 cells per cell area, and leaves two triangles in each.
   double cell = std::sqrt(3 * area_of(arrays) / static_cast<double>(triangles));
   cell = std::max(cell, 1e-6 * (box.max - box.min).length());
   TriangleArrays result = clustered(arrays, box, cell);

@@ -1,4 +1,4 @@
-// What is drawn in place of a large mesh while the camera moves.
+// Builds proxy meshes, which are drawn in place of large meshes while the camera moves.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace editor {
 
-/// About so many triangles that look like the mesh from afar: its vertices brought together in the cells of a
-/// grid (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes"). Each
-/// triangle has the face of one that it stands for.
+/// Simplifies a mesh to about so many triangles by vertex clustering on a grid (Rossignac and Borrel 1993,
+/// "Multi-resolution 3D approximations for rendering complex scenes"). Each triangle has the face of one that
+/// it represents.
 TriangleArrays stand_in(const TriangleArrays& arrays, std::size_t triangles);
 
-/// At most so many triangles of the mesh, evenly chosen from its list: for the time until a stand-in is made.
+/// Subsamples at most so many triangles evenly from the list: a placeholder until the proxy is built.
 TriangleArrays thinned(const TriangleArrays& arrays, std::size_t triangles);
 
 }  // namespace editor

@@ -77,7 +77,7 @@ class Builder {
     for (const Rgb& value : values) tables_.terms.push_back(row(value, 0));
   }
 
-  /// Returns where the values begin, or -1.
+  /// Returns the row of the first value, or -1.
   float add_mirror(const std::vector<WeightedBrdf>& brdfs) {
     const bool has_one = std::ranges::any_of(
         brdfs, [](const WeightedBrdf& term) { return reflectance::has_mirror(term.brdf); });
@@ -93,7 +93,7 @@ class Builder {
     return static_cast<float>(first);
   }
 
-  /// Of the widest lobe: 1 where there is none.
+  /// The exponent of the widest lobe; 1 if there is none.
   static float lobe_exponent(const std::vector<WeightedBrdf>& brdfs) {
     std::optional<float> widest;
     for (const WeightedBrdf& term : brdfs) {
@@ -109,7 +109,7 @@ class Builder {
   std::map<std::string, std::size_t> texture_numbers_;
 };
 
-/// Maps a value that few vertices surpass to white.
+/// An exposure that maps a value which few vertices exceed to white.
 float irradiance_scale(const SceneObjects& objects) {
   std::vector<float> values;
   for (const MeshObject& mesh : objects.meshes) {

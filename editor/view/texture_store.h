@@ -11,7 +11,7 @@
 
 namespace editor {
 
-/// An image that faces name; null if it cannot be read.
+/// A texture image; null if it cannot be read.
 struct ReadTexture {
   std::string path;
   std::shared_ptr<const transport::Image> image;
@@ -19,7 +19,7 @@ struct ReadTexture {
   bool operator==(const ReadTexture&) const = default;
 };
 
-/// The images that faces name, read in processes of their own, each once.
+/// Loads the textures of faces in child processes, each once.
 class TextureStore : public QObject {
   Q_OBJECT
 
@@ -27,24 +27,24 @@ class TextureStore : public QObject {
   explicit TextureStore(ImageProcess images = ImageProcess()) : images_(std::move(images)) {}
   ~TextureStore() override { stop_.request_stop(); }
 
-  /// Starts to read those that are new, and forgets the others.
+  /// Starts to load new ones, and drops unused ones.
   void set_paths(const std::vector<std::string>& paths);
-  /// Whether nothing more will come.
+  /// Whether everything is loaded.
   bool is_complete() const;
 
-  /// Those that were read.
+  /// The loaded textures.
   std::vector<ReadTexture> textures() const;
 
  signals:
-  /// An image has come.
+  /// Emitted when a texture was loaded.
   void changed(const std::string& path);
-  /// An image cannot be read; why, in words.
+  /// Emitted with the reason when a texture cannot be read.
   void failed(const QString& message);
 
  private:
   struct Entry {
     std::shared_ptr<const transport::Image> image;
-    std::string problem;  ///< empty: there is none
+    std::string problem;  ///< error message; empty if there is none
     bool is_read = false;
   };
 

@@ -29,7 +29,7 @@ ViewCamera::ViewCamera(const transport::View& view) : target_(view.target) {
   distance_ = (view.target - view.eye).length();
   field_of_view_ = view.field_of_view;
   pitch_ = pitch_of(forward);
-  // Straight up or down, the way up says where the top of the image is.
+  // Looking straight up or down, the up vector defines the heading.
   const Vec3d level = std::abs(forward.y) < 1 - 1e-9 ? forward : Vec3d(view.up) * (forward.y > 0 ? -1 : 1);
   yaw_ = std::atan2(-level.x, -level.z);
 }
@@ -66,7 +66,7 @@ void ViewCamera::pan(double to_the_right, double upwards) {
 void ViewCamera::zoom(double factor, const grf::Vec2d& place, double aspect) {
   const double half_height = distance_ * tangent();
   const Vec3d fixed = target_ + right() * (place.x * half_height * aspect) + up() * (place.y * half_height);
-  // Nearer than this, the digits of a float mesh are at an end.
+  // At smaller distances the precision of a float mesh is exhausted.
   const double least = 1e-7 * std::max(1.0, target_.length()) / distance_;
   const double used = std::max(factor, least);
   target_ = fixed + (target_ - fixed) * used;
@@ -85,7 +85,7 @@ void ViewCamera::look(double to_the_right, double upwards) {
 }
 
 void ViewCamera::set_target(const Vec3d& target) {
-  // The distance stays what it is along the view, so that the eye only moves aside.
+  // The distance along the view direction is unchanged, so that the eye only moves sideways.
   const double along = (target - eye()).dot(forward());
   if (along > 0) distance_ = along;
   target_ = target;
@@ -97,7 +97,7 @@ void ViewCamera::look_from(StandardView side) {
 }
 
 void ViewCamera::look_from_opposite() {
-  // Above and below are each other's opposite with the same side to the right.
+  // Top and bottom views are opposite with the same right vector.
   if (std::abs(pitch_) < Pole - 1e-9) yaw_ = std::remainder(yaw_ + pi, 2 * pi);
   pitch_ = -pitch_;
 }

@@ -1,4 +1,4 @@
-// From where the 3D view is seen.
+// The camera of the 3D view.
 #pragma once
 
 #include <limits>
@@ -9,28 +9,27 @@
 
 namespace editor {
 
-/// A half line, or with `nearest` below 0 a line, in the world or in a mesh's coordinates.
+/// A ray in world or local coordinates; with `nearest` below 0 a line.
 struct ViewRay {
   grf::Vec3d origin = grf::Vec3d(0);
   grf::Vec3d direction = grf::Vec3d(0, 0, -1);
-  double nearest = 0;  ///< what is nearer, in lengths of the direction, is not seen
+  double nearest = 0;  ///< near clipping, in lengths of the direction
 
   grf::Vec3d at(double distance) const { return origin + direction * distance; }
 };
 
-/// The same ray in coordinates that the matrix leads to; distances along it stay the same.
+/// Transforms the ray; distances along it are unchanged.
 ViewRay transformed(const ViewRay& ray, const grf::Matrix44d& matrix);
 
 enum class StandardView { Front, Right, Top };
 
-/// An eye that looks at the centre of its orbit and is never tilted sideways: up is +y. Places in the image
-/// are -1..1 from left to right and from the bottom to the top; `aspect` is the image's width over its
-/// height.
+/// An orbit camera that looks at its target without roll: up is +y. Positions in the image are -1..1 from
+/// left to right and from the bottom to the top; `aspect` is width over height.
 class ViewCamera {
  public:
-  /// In front of the origin and slightly above.
+  /// Constructs a camera in front of the origin and slightly above.
   ViewCamera() = default;
-  /// The eye and the point looked at, which must differ; what the view has besides is left out.
+  /// Uses eye and target of a view, which must differ; its other parameters are ignored.
   explicit ViewCamera(const transport::View& view);
 
   const grf::Vec3d& target() const { return target_; }
@@ -43,31 +42,31 @@ class ViewCamera {
   bool is_orthographic() const { return is_orthographic_; }
   transport::View view() const;
 
-  /// Turns about the target by so many radians, upwards no further than to the pole.
+  /// Orbits about the target by so many radians, upwards no further than to the pole.
   void orbit(double to_the_right, double upwards);
-  /// Moves eye and target by parts of the image's height at the target.
+  /// Pans by fractions of the image's height at the target.
   void pan(double to_the_right, double upwards);
-  /// Brings the eye nearer (factor < 1) or takes it away; what is under this place of the image stays there.
+  /// Dollies in (factor < 1) or out; what is under this position of the image stays there.
   void zoom(double factor, const grf::Vec2d& place, double aspect);
-  /// Moves by so many world units along the view's own axes.
+  /// Moves by world units along the camera's own axes.
   void fly(double to_the_right, double upwards, double forwards);
-  /// Turns the head: the eye stays where it is.
+  /// Turns the view direction: the eye stays where it is.
   void look(double to_the_right, double upwards);
-  /// Turns about this point from now on. Eye and target move aside by as much.
+  /// Sets the orbit centre. Eye and target are translated by the same vector.
   void set_target(const grf::Vec3d& target);
   void set_orthographic(bool is_orthographic) { is_orthographic_ = is_orthographic; }
   void look_from(StandardView side);
   void look_from_opposite();
-  /// Sees the whole box from the same side; an empty box changes nothing.
+  /// Frames a box from the current direction; an empty box changes nothing.
   void frame(const grf::Box3d& box, double aspect);
 
   grf::Matrix44d world_to_camera() const;
-  /// From the camera's coordinates to OpenGL's clip coordinates, with near and far planes about the box.
+  /// The matrix from camera space to OpenGL clip space, with near and far planes about the box.
   grf::Matrix44d camera_to_clip(double aspect, const grf::Box3d& box) const;
   ViewRay ray(const grf::Vec2d& place, double aspect) const;
-  /// Where in the image a point is, or nothing for one that is not in front of the eye.
+  /// Projects a point into the image; nothing for one that is not in front of the eye.
   std::optional<grf::Vec2d> place_of(const grf::Vec3d& point, double aspect) const;
-  /// Half the height of what is seen at a point.
+  /// Half the height of the view frustum at a point.
   double half_height_at(const grf::Vec3d& point) const;
 
   bool operator==(const ViewCamera&) const = default;

@@ -8,13 +8,13 @@
 namespace editor {
 namespace {
 
-/// A full picture that takes longer waits for the view to rest.
+/// Seconds; a slower full image waits for the view to rest.
 constexpr double QuickEnough = 0.03;
-/// Of a quick picture: above and below, the next one has fewer or more pixels.
+/// Seconds of a draft: above and below, the next one has fewer or more pixels.
 constexpr double TooLong = 0.02;
 constexpr double Short = 0.007;
 constexpr int LargestScale = 4;
-/// How much of the accent selected faces take.
+/// Opacity of the accent on selected faces.
 constexpr float AccentFill = 0.45F;
 
 bool is_same(const PictureRequest& a, const PictureRequest& b) {
@@ -25,7 +25,7 @@ double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.ns
 
 QVector3D rgb(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
-/// The same in fewer pixels, if neither side may have more than so many.
+/// Reduces the resolution if a side exceeds the limit.
 ViewState with_sides_up_to(ViewState state, int most) {
   const int side = std::max(state.size.width(), state.size.height());
   if (side <= most) return state;
@@ -83,22 +83,22 @@ QStringList ViewDrawing::shortcomings() const {
   const auto tr = [](const char* text) { return QCoreApplication::translate("ViewDrawing", text); };
   const bool has_brdfs = state_.request.style.mode == DisplayMode::Brdf;
   for (const auto& [keyword, why] : has_brdfs ? painter_.refused() : std::map<std::string, QString>()) {
-    texts += tr("The graphics driver refuses the shader of the BRDF %1, which the 3D view therefore shows by "
-                "C++, more slowly: %2")
+    texts += tr("The graphics driver cannot compile the shader of the BRDF %1: the 3D view shades it on the "
+                "CPU, more slowly: %2")
                  .arg(QString::fromStdString(keyword), why);
   }
   for (const std::string& keyword : has_brdfs ? scene_.surfaces().not_shown : std::set<std::string>()) {
-    texts += tr("The 3D view shows the BRDF %1 as diffuse").arg(QString::fromStdString(keyword));
+    texts += tr("The BRDF %1 is previewed as diffuse in the 3D view").arg(QString::fromStdString(keyword));
   }
   for (const std::string& path : scene_.reduced_textures()) {
-    texts +=
-        tr("The 3D view shows %1 with fewer pixels, since the graphics driver takes no more than %2 in a row")
-            .arg(QString::fromStdString(path))
-            .arg(limits_.texture_side);
+    texts += tr("The 3D view shows %1 at a lower resolution: the graphics driver's textures have at most %2 "
+                "pixels per row")
+                 .arg(QString::fromStdString(path))
+                 .arg(limits_.texture_side);
   }
   if (scene_.left_out() > 0) {
-    texts += tr("The 3D view leaves %1 of %2 meshes out, since the graphics driver takes tables of no more "
-                "than %3 entries: split the scene into files, and open one at a time")
+    texts += tr("The 3D view leaves out %1 of %2 meshes: the graphics driver's buffers have at most %3 "
+                "entries. Split the scene into files, and open one at a time")
                  .arg(scene_.left_out())
                  .arg(state_.objects->meshes.size())
                  .arg(limits_.buffer_texels);
@@ -106,14 +106,14 @@ QStringList ViewDrawing::shortcomings() const {
   return texts;
 }
 
-/// What was drawn is out of date.
+/// Discards the image.
 void ViewDrawing::restart() {
   passes_ = 0;
   steps_.clear();
   has_quick_ = false;
 }
 
-/// Makes that there is a picture: the full one, if that is a matter of milliseconds.
+/// Ensures that there is an image: the full one if it takes only milliseconds.
 void ViewDrawing::prepare() {
   if (!is_slow_) {
     QElapsedTimer clock;
@@ -147,7 +147,7 @@ void ViewDrawing::begin_pass() {
   if (!buffer) buffer = std::make_unique<GBuffer>(gl_, state_.size);
   PictureRequest request = state_.request;
   request.pass = passes_;
-  // Points that fill the pixel evenly, the first in its centre.
+  // R2 points fill the pixel evenly, the first at its centre.
   request.shift = {std::fmod(0.5 + 0.7548776662 * passes_, 1) - 0.5,
                    std::fmod(0.5 + 0.5698402910 * passes_, 1) - 0.5};
   steps_ = painter_.steps(scene_, *buffer, request);
@@ -193,9 +193,9 @@ bool ViewDrawing::work(const std::function<bool()>& is_enough) {
   if (next_step_ < steps_.size()) return false;
   steps_.clear();
   ++passes_;
-  // The next one, of an edited scene say, will take about as long: it is not tried before the quick one.
+  // The next full image, such as of an edited scene, will take about as long: it is not tried before a draft.
   if (passes_ == 1) is_slow_ = first_pass_seconds_ > QuickEnough;
-  // The more there are, the less one of them changes.
+  // Further passes change the image less and less.
   return std::has_single_bit(static_cast<unsigned>(passes_));
 }
 
@@ -223,12 +223,12 @@ QImage ViewDrawing::image() {
   QImage image(state_.size, QImage::Format_RGB32);
   gl_.glPixelStorei(GL_PACK_ALIGNMENT, 4);
   gl_.glReadPixels(0, 0, image.width(), image.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, image.bits());
-  image = std::move(image).mirrored();  // OpenGL has rows from the bottom
+  image = std::move(image).mirrored();  // OpenGL's rows start at the bottom
   image.setDevicePixelRatio(state_.screen.pixel_ratio);
   return image;
 }
 
-/// Puts what there is onto the screen.
+/// Composes the current image for the screen.
 void ViewDrawing::compose() {
   const GBuffer& buffer = is_full() ? *full_ : *quick_;
   const QSizeF size = buffer.size();
@@ -245,7 +245,7 @@ void ViewDrawing::compose() {
   set_shader_units(*compose_);
   compose_->setUniformValue("sum", static_cast<GLint>(ImageUnit));
   compose_->setUniformValue("has_selection", scene_.has_selection());
-  compose_->setUniformValue("has_borders", is_full());  // they cost more than all else
+  compose_->setUniformValue("has_borders", is_full());  // expensive
   compose_->setUniformValue("sum_weight", is_full() ? 1 / static_cast<float>(passes_) : 0.0F);
   compose_->setUniformValue(
       "to_picture", QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));

@@ -14,41 +14,40 @@
 
 namespace editor {
 
-/// A face in a pixel: an index of a scene's instances and the face's number among those of all meshes.
+/// The face in a pixel: an index of a scene's instances and the face's number among those of all meshes.
 struct FacePixel {
-  std::uint32_t instance = 0;  ///< plus 1; 0: nothing
+  std::uint32_t instance = 0;  ///< plus 1; 0: background
   std::uint32_t face = 0;
 };
 
-/// Draws what is to be seen in a view, and keeps on the graphics card what it draws from. While the view
-/// changes there is a quick picture at once, and when it rests the full one follows, in slices of time; then
-/// more of it, each moved by parts of a pixel, that smooth its edges. It is made, used and destroyed while
-/// its context is current.
+/// Renders a view progressively, and owns its GPU data. While the view changes there is a draft at once; when
+/// it rests the full image follows, in time slices, then further subpixel-shifted passes that antialias it.
+/// It is created, used and destroyed while its context is current.
 class ViewDrawing {
  public:
   /// Throws ShaderRefused.
   ViewDrawing(Gl& gl, const GraphicsDriver& driver);
 
-  /// From now on this is to be seen, in no larger an image than the driver can draw; there is a picture of it
-  /// at once, perhaps a quick one.
+  /// Sets what to show, at a resolution within the driver's limits; an image is available at once, perhaps a
+  /// draft.
   void show(ViewState state);
   const ViewState& state() const { return state_; }
-  /// Works on the full picture, until there is more to show or it is enough, which is asked after each step
-  /// of some milliseconds. Returns whether there is more.
+  /// Works on the full image until it is done or `is_enough`, which is asked after each step of some
+  /// milliseconds. Returns whether there is more to do.
   bool work(const std::function<bool()>& is_enough);
 
-  /// Whether the full picture is there, and whether nothing is left to improve.
+  /// Whether the full image is done, and whether it is fully antialiased.
   bool is_full() const { return passes_ > 0; }
   bool is_done() const { return passes_ == Passes; }
-  /// Whether the full picture takes so long that it has to wait for the view to rest.
+  /// Whether the full image is so slow that it has to wait for the view to rest.
   bool is_slow() const { return is_slow_; }
-  /// What is drawn otherwise than it should be, and why, in words.
+  /// Messages about what is not drawn as it should be, and why.
   QStringList shortcomings() const;
 
-  /// What there is, with the selection and what is drawn over it.
+  /// The current image with selection and overlay.
   QImage image();
-  /// What is in the pixels of a rectangle of the full picture, from its lower left corner, row by row. That
-  /// picture is made first, however long it takes.
+  /// The faces in a rectangle of pixels of the full image, from its lower left corner, row by row. That image
+  /// is completed first, however long it takes.
   std::vector<FacePixel> faces_in(const QRect& rectangle);
 
  private:

@@ -11,7 +11,7 @@
 namespace editor {
 namespace {
 
-/// So long the view has to rest before a picture that takes long is begun.
+/// The time for which the view has to rest before a slow image is started.
 constexpr std::chrono::milliseconds RestTime{50};
 
 }  // namespace
@@ -34,7 +34,7 @@ void ViewRenderer::show(const ViewState& state) {
 void ViewRenderer::select(const ViewRegion& region) {
   order([&region](Orders& orders) {
     orders.region = region;
-    orders.state.reset();  // that of the region is later
+    orders.state.reset();  // the region's state is newer
   });
 }
 
@@ -50,12 +50,12 @@ void ViewRenderer::order(const std::function<void(Orders&)>& change) {
 
 void ViewRenderer::make_drawing(QOpenGLContext* context) {
   auto* gl = context != nullptr ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
-  if (gl == nullptr) return warn(tr("The 3D view needs OpenGL 3.3, which this screen has not."));
+  if (gl == nullptr) return warn(tr("The 3D view needs OpenGL 3.3, which this display does not support."));
   gl->initializeOpenGLFunctions();
   try {
     drawing_ = std::make_unique<ViewDrawing>(*gl, driver_);
   } catch (const ShaderRefused& refused) {
-    warn(tr("The 3D view cannot draw, since the graphics driver refuses a shader: %1").arg(refused.what()));
+    warn(tr("The 3D view cannot draw: the graphics driver cannot compile a shader: %1").arg(refused.what()));
   }
 }
 
@@ -71,7 +71,7 @@ void ViewRenderer::run(QOpenGLContext* context) {
   }
 }
 
-/// Waits for orders, unless there is something to improve.
+/// Waits for requests, unless the image can be refined.
 ViewRenderer::Orders ViewRenderer::next_orders() {
   std::unique_lock lock(mutex_);
   const auto are_there = [this] { return !orders_.empty(); };
@@ -79,7 +79,7 @@ ViewRenderer::Orders ViewRenderer::next_orders() {
   if (!has_picture || drawing_->is_done()) {
     ordered_.wait(lock, are_there);
   } else if (drawing_->is_slow() && !drawing_->is_full()) {
-    // While the pointer turns a heavy scene, all time is for quick pictures.
+    // While a heavy scene is orbited, all time is spent on drafts.
     ordered_.wait_for(lock, RestTime, are_there);
   }
   return std::exchange(orders_, {});
@@ -112,7 +112,7 @@ void ViewRenderer::warn(const QString& text) {
 }
 
 void ViewRenderer::select_in_thread(const ViewRegion& region) {
-  // What nobody sees is hidden to nobody.
+  // Without an image nothing is occluded.
   const bool selects_through = region.selects_through || drawing_ == nullptr;
   if (drawing_ != nullptr) show_in_thread(region.state);
   const ViewState& state = drawing_ != nullptr ? drawing_->state() : region.state;

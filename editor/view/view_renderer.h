@@ -16,24 +16,23 @@ namespace editor {
 
 class ViewDrawing;
 
-/// What a view shows of a state.
+/// The rendered image of a view state.
 struct ViewImage {
   QImage image;
-  QSize size;              ///< that was asked for; an image that the driver cannot draw is smaller
-  std::int64_t state = 0;  ///< its number
-  bool is_full = false;    ///< in full detail, perhaps with edges that are still being smoothed
-  bool is_done = false;    ///< nothing is left to improve
+  QSize size;              ///< requested size; an image that exceeds the driver's limits is smaller
+  std::int64_t state = 0;  ///< number of the state
+  bool is_full = false;    ///< in full detail, perhaps not antialiased yet
+  bool is_done = false;    ///< fully antialiased
 };
 
-/// A box or a lasso, what was to be seen where it was made, and how it selects.
+/// A box or a lasso, the view state in which it was drawn, and how it selects.
 struct ViewRegion {
   ViewState state;
-  QPolygonF polygon;             ///< pixels of the window from the upper left
-  bool selects_through = false;  ///< hidden faces too, and not only those that are seen
+  QPolygonF polygon;             ///< logical pixels from the upper left
+  bool selects_through = false;  ///< whether to select occluded faces, too
 };
 
-/// Draws a view in a thread of its own. Of several states only the latest counts; while nothing new is asked
-/// for, its picture becomes better.
+/// Renders a view in a thread. Only the latest state counts; while it is unchanged, its image is refined.
 class ViewRenderer : public QObject {
   Q_OBJECT
 
@@ -42,18 +41,17 @@ class ViewRenderer : public QObject {
   ~ViewRenderer() override;
 
   void show(const ViewState& state);
-  /// Shows the region's state, finds what is in it, and says that by `selected`. Of several regions only the
-  /// latest counts.
+  /// Finds the faces in a region of its view state, and emits `selected`. Only the latest region counts.
   void select(const ViewRegion& region);
 
  signals:
   void drawn(const editor::ViewImage& image);
   void selected(const editor::FaceSelection& selection, std::int64_t state);
-  /// The scene is drawn otherwise than it should be, which holds as long as it is shown.
+  /// Emitted when the scene is not drawn as it should be, once per shown scene.
   void warned(const QString& text);
 
  private:
-  /// What the thread is to do next.
+  /// The pending requests of the thread.
   struct Orders {
     std::optional<ViewState> state;
     std::optional<ViewRegion> region;
@@ -64,7 +62,7 @@ class ViewRenderer : public QObject {
 
   void order(const std::function<void(Orders&)>& change);
 
-  // In the thread.
+  // Run in the thread.
   void run(QOpenGLContext* context);
   void make_drawing(QOpenGLContext* context);
   Orders next_orders();
@@ -80,7 +78,7 @@ class ViewRenderer : public QObject {
   std::condition_variable ordered_;
   Orders orders_;  // by the mutex
   bool is_running_ = false;
-  // Of the thread:
+  // Used in the thread:
   std::unique_ptr<ViewDrawing> drawing_;  // null: nothing can be drawn
   QSize asked_size_;
   QStringList told_;  // of what is shown

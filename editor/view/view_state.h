@@ -17,18 +17,18 @@ namespace editor {
 struct ViewColours {
   QColor background_top;
   QColor background_bottom;
-  QColor accent;  ///< of selected faces
+  QColor accent;  ///< selected faces
 };
 
-/// All that is to be seen in a view. What is shared is the same as before while its pointer is.
+/// The complete state of a view. Shared members are unchanged while their pointer is.
 struct ViewState {
-  std::int64_t number = 0;  ///< a later state has a greater one
+  std::int64_t number = 0;  ///< increases from state to state
   std::shared_ptr<const SceneObjects> objects;
   std::shared_ptr<const FaceSelection> selection;
   std::vector<MeshShape> shapes;
   std::vector<ReadTexture> textures;
   PictureRequest request;
-  QSize size;  ///< pixels of the screen
+  QSize size;  ///< device pixels
   OverlayPainter::Screen screen;
   ViewColours colours;
   std::vector<OverlayLayer> overlay;

@@ -9,18 +9,18 @@ class QWidget;
 
 namespace editor {
 
-/// What an action of a menu is called, and how it is reached.
+/// Title, icon, shortcut and tool tip of an action.
 struct ActionText {
   QString text;  ///< with its mnemonic
   QString icon;  ///< name; may be empty
   QKeySequence shortcut;
-  QString tip;  ///< what it does, in a sentence without its stop
+  QString tip;  ///< imperative sentence without a full stop
 };
 
-/// An action of a window, whose shortcut works wherever the focus is in it.
+/// Creates an action of a window, whose shortcut works wherever the focus is in the window.
 QAction* new_action(QWidget& window, const ActionText& text, const std::function<void()>& triggered);
 
-/// One that is on or off.
+/// Creates a checkable action.
 QAction* new_switch(QWidget& window, const ActionText& text, bool is_on,
                     const std::function<void(bool)>& toggled);
 

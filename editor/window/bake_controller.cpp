@@ -26,14 +26,14 @@ BakeController::BakeController(Document& document, JobList& jobs, QObject* paren
 void BakeController::bake() {
   if (jobs_.is_busy(BakeQueue)) return;
   jobs_.add({tr("Bake irradiance"), BakeQueue, [this](Job& job) { begin(job); }, [this] { bake_.stop(); },
-             tr("Stop, and take the irradiance that there is so far")});
+             tr("Stop and keep the irradiance computed so far")});
 }
 
 void BakeController::begin(Job& job) {
   job_ = &job;
   imports_ = document_.imports();
   options::RenderOptions bake_options = document_.options().valid_options();
-  bake_options.samples.reset();  // those of a pixel say nothing of a vertex
+  bake_options.samples.reset();  // samples per pixel are not samples per vertex
   bake_.start(document_.scene(), document_.path(), bake_options);
 }
 
@@ -42,17 +42,17 @@ void BakeController::take(const BakedIrradiance& irradiance, const IrradianceBak
   IrradiatedScene irradiated =
       irradiance.applied_to(document_.scene(), naming_path(document_.path()).toStdString());
   if (irradiated.meshes == 0)
-    return emit failed(tr("The irradiance that was baked is left out: no mesh of its scene is as it was"));
+    return emit failed(tr("The baked irradiance was discarded: all its meshes were edited meanwhile"));
   document_.replace(tr("Bake irradiance"), std::move(irradiated.scene));
-  QStringList messages = {tr("Irradiance baked. IGRF files keep it.")};
+  QStringList messages = {tr("Irradiance baked. Save the scene as IGRF to keep it.")};
   if (!result.messages.isEmpty()) messages << result.messages.trimmed();
   if (irradiated.left_alone > 0) {
-    messages << tr("%n mesh(es) were edited meanwhile, and keep what they had.", nullptr,
+    messages << tr("%n mesh(es) were edited meanwhile and keep their old irradiance.", nullptr,
                    static_cast<int>(irradiated.left_alone));
   }
   if (irradiated.dissolved > 0) {
     messages << tr(
-        "Files that are included several times get other light at each place, and are part of the "
+        "Files that are included several times receive different light at each place, and are part of the "
         "scene now.");
   }
   emit told(messages.join('\n'));

@@ -13,7 +13,7 @@ class Document;
 class Job;
 class JobList;
 
-/// Bakes irradiance as a job, and gives it to the scene as that is by then.
+/// Bakes irradiance as a job, and applies it to the current scene.
 class BakeController : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class BakeController : public QObject {
   /// Document and jobs outlive the controller.
   BakeController(Document& document, JobList& jobs, QObject* parent);
 
-  /// Begins a bake of the scene as it is now, unless one runs.
+  /// Starts a bake of the current scene, unless one is running.
   void bake();
   bool is_running() const { return bake_.is_running(); }
 
@@ -36,7 +36,7 @@ class BakeController : public QObject {
   Document& document_;
   JobList& jobs_;
   QPointer<Job> job_;
-  ImportFolders imports_;  ///< with images of the scene that is baked
+  ImportFolders imports_;  ///< folders with images of the baked scene
   IrradianceBake bake_;
 };
 

@@ -13,10 +13,10 @@
 namespace editor {
 namespace {
 
-/// The steps of one drag of a control are one step of undo.
+/// Merges the steps of one drag of a control into one undo step.
 const QString GestureKey = QStringLiteral("brdf of the selection");
 
-/// What a name means among definitions, the innermost of which come last; null if that is nothing.
+/// The definition that a name refers to, the innermost of which come last; null if there is none.
 template <class Body>
 const PlacedDefinition* named(const std::vector<PlacedDefinition>& definitions, const std::string& name) {
   const auto found =
@@ -26,7 +26,7 @@ const PlacedDefinition* named(const std::vector<PlacedDefinition>& definitions, 
   return found == definitions.rend() ? nullptr : &*found;
 }
 
-/// The sampling scheme that all selected faces have, or none.
+/// The sampling scheme that all selected faces share, if any.
 std::optional<grf::PdfModel> common_scheme(const Document& document,
                                            const std::vector<PlacedDefinition>& definitions) {
   const auto pdf = common_surface(document.objects(), document.selection()).pdf;
@@ -114,7 +114,7 @@ void BrdfLink::change(const std::vector<grf::BrdfModel>& models) {
   }
 }
 
-/// Definitions and what faces have for themselves, in one step of undo.
+/// Edits definitions and inline BRDFs in one undo step.
 void BrdfLink::change_definitions(const SurfaceEdits& edits, const std::vector<grf::BrdfModel>& models) {
   grf::Diagnostics diagnostics;
   std::optional<grf::Scene> scene = document_.scene();

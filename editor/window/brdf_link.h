@@ -10,8 +10,8 @@ namespace editor {
 
 class BrdfEditor;
 
-/// Lets an editor of BRDFs edit those of the selected faces. Of faces that share a definition by its name,
-/// the definition is edited, and with it all faces that have it.
+/// Connects a BRDF editor to the BRDFs of the selected faces. If faces share a named definition, the
+/// definition is edited, and with it all faces that use it.
 class BrdfLink : public QObject {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class BrdfLink : public QObject {
   void failed(const QString& message);
 
  private:
-  /// A BRDF that is edited: a definition, or one that faces have for themselves.
+  /// The edited BRDF: a definition, or an inline one.
   struct Subject {
     grf::BrdfModel model;
     std::optional<grf::ScenePath> definition;
-    bool is_default = false;  ///< the faces have none
+    bool is_default = false;  ///< whether the faces have no BRDF
 
     bool operator==(const Subject&) const = default;
   };

@@ -19,7 +19,7 @@ bool has_focus(const QDockWidget* dock) {
   return focused != nullptr && dock->isAncestorOf(focused);
 }
 
-/// The first widget of a dock that the keyboard reaches.
+/// The first widget of a dock in the tab order.
 QWidget* first_field(QDockWidget* dock) {
   for (QWidget* each = dock->widget(); each != nullptr && dock->isAncestorOf(each);
        each = each->nextInFocusChain()) {

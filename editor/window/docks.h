@@ -13,28 +13,28 @@ class QWidget;
 
 namespace editor {
 
-/// What a dock is, and where it stands at first.
+/// Title, icon, shortcut, tool tip and default area of a dock.
 struct DockText {
-  QString name;  ///< by which settings know it
+  QString name;  ///< key in the settings
   QString title;
   QString icon;
   QKeySequence shortcut;
   QString tip;
 };
 
-/// The docks of a window: each has an action that shows it and gives it the focus, or hides it if it has
-/// that. Where they stand is remembered from session to session.
+/// The docks of a window: each has an action that shows and focuses it, or hides it if it has the focus. The
+/// layout is restored in the next session.
 class Docks {
  public:
   explicit Docks(QMainWindow& window) : window_(window) {}
 
   QDockWidget* add(const DockText& text, Qt::DockWidgetArea area, QWidget* contents);
-  /// Shows a dock, over others at its place.
+  /// Shows a dock, in front of others that are tabbed with it.
   static void show(QDockWidget* dock);
   void fill(QMenu& menu) const;
   QAction* action_of(const QDockWidget* dock) const;
 
-  /// Takes the places that docks have now as those of `reset`.
+  /// Makes the current layout the one that `reset` restores.
   void keep_as_default();
   void reset();
   void save(QSettings& settings) const;

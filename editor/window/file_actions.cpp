@@ -29,7 +29,7 @@ constexpr int MostRecentFiles = 10;
 const QString Reading = QStringLiteral("reading");
 const QString Writing = QStringLiteral("writing");
 
-/// "Title (*.a *.b)" of each format that is written, GRF left out.
+/// File dialog filters "Title (*.a *.b)" of the writable formats except GRF.
 QString export_filter() {
   QStringList filters;
   for (const convert::Format& format : convert::formats()) {
@@ -45,7 +45,7 @@ QString name_for_export(const Document& document) {
   return QFileInfo(document.path().isEmpty() ? "scene" : document.path()).completeBaseName();
 }
 
-/// The same name with the extension of files that may have irradiance.
+/// Replaces the extension by that of files that may have irradiance.
 QString igrf_name(const QString& file) {
   const QFileInfo info(file);
   return info.dir().filePath(info.completeBaseName() + ".igrf");
@@ -93,23 +93,24 @@ void FileActions::make_actions() {
                           const QString& tip, const std::function<void()>& action) {
     actions_.append(new_action(window_, {text, icon_name, keys, tip}, action));
   };
-  add(tr("&New"), "new", QKeySequence::New, tr("Begin an empty scene"),
+  add(tr("&New"), "new", QKeySequence::New, tr("Start an empty scene"),
       [this] { leave([this] { document_.clear(); }); });
   add(tr("&Open..."), "open", QKeySequence::Open, tr("Open a scene, or import a model of another format"),
       [this] {
         const QString file = ask_for_scene_or_model(window_, tr("Open"));
         if (!file.isEmpty()) open(file);
       });
-  add(tr("&Merge in..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Add a scene or a model to this one"), [this] {
-    const QString file = ask_for_scene_or_model(window_, tr("Merge in"));
-    if (!file.isEmpty()) merge(file);
-  });
+  add(tr("A&ppend..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Append a scene or a model to this one"),
+      [this] {
+        const QString file = ask_for_scene_or_model(window_, tr("Append"));
+        if (!file.isEmpty()) merge(file);
+      });
   add(tr("&Save"), "save", QKeySequence::Save, tr("Save the scene"), [this] { save(); });
   add(tr("Save &as..."), {}, QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"),
       [this] { ask_where_to_save({}); });
-  add(tr("Re&vert"), {}, QKeySequence("Ctrl+Shift+R"),
-      tr("Read the scene's file again, as it was saved last"), [this] { revert(); });
-  add(tr("&Export..."), {}, QKeySequence("Ctrl+E"), tr("Write the scene in another format"), [this] {
+  add(tr("Re&vert"), {}, QKeySequence("Ctrl+Shift+R"), tr("Revert to the saved file of the scene"),
+      [this] { revert(); });
+  add(tr("&Export..."), {}, QKeySequence("Ctrl+E"), tr("Export the scene to another format"), [this] {
     const QString file =
         QFileDialog::getSaveFileName(&window_, tr("Export"), name_for_export(document_), export_filter());
     if (!file.isEmpty()) export_to(file);
@@ -132,7 +133,7 @@ void FileActions::fill(QMenu& menu) {
                             {tr("Import &memory limit..."),
                              {},
                              QKeySequence("Ctrl+Alt+M"),
-                             tr("Sets how much memory the import of a model may take")},
+                             tr("Set how much memory the import of a model may use")},
                             [this] { ask_memory_limit(); }));
 }
 
@@ -140,7 +141,7 @@ void FileActions::ask_memory_limit() {
   bool is_chosen = false;
   const double limit =
       QInputDialog::getDouble(&window_, tr("Import memory limit"),
-                              tr("The import of a model is ended where it needs more memory than this (GB):"),
+                              tr("Cancel the import of a model if it needs more memory than this (GB):"),
                               ModelImport::memory_limit(), 0.1, 4096, 1, &is_chosen);
   if (is_chosen) ModelImport::set_memory_limit(limit);
 }
@@ -152,7 +153,7 @@ void FileActions::update_recent() {
     entry->setToolTip(QDir::toNativeSeparators(file));
     entry->setEnabled(QFile::exists(file));
   }
-  if (recent_->isEmpty()) recent_->addAction(tr("No file was opened yet"))->setEnabled(false);
+  if (recent_->isEmpty()) recent_->addAction(tr("No recent files"))->setEnabled(false);
 }
 
 void FileActions::ask_where_to_save(const std::function<void()>& then) {
@@ -164,7 +165,7 @@ void FileActions::ask_where_to_save(const std::function<void()>& then) {
                                          igrf_name(proposal), tr("IGRF scenes (*.igrf)"))
           : QFileDialog::getSaveFileName(&window_, tr("Save as"), proposal, tr("GRF scenes (*.grf *.igrf)"));
   if (file.isEmpty()) return;
-  if (!is_grf(file)) {  // the dialog has asked about the name without it
+  if (!is_grf(file)) {  // the dialog has asked about the name without the extension
     file += is_igrf ? ".igrf" : ".grf";
     if (QFileInfo::exists(file) && !may_replace({file})) return;
   }
@@ -186,7 +187,7 @@ bool FileActions::is_saving() const { return jobs_.is_busy(Writing); }
 void FileActions::begin(const QString& file, bool merges) {
   const Import import = {file, merges, document_.revision()};
   const QString name = QFileInfo(file).fileName();
-  const QString title = merges ? tr("Merge in %1") : is_grf(file) ? tr("Open %1") : tr("Import %1");
+  const QString title = merges ? tr("Append %1") : is_grf(file) ? tr("Open %1") : tr("Import %1");
   jobs_.add({title.arg(name), Reading, [this, import](Job& job) { read(job, import); },
              [this] { cancel_reading(); }, tr("Cancel: the scene stays as it is")});
 }
@@ -208,10 +209,10 @@ void FileActions::take(const std::shared_ptr<const LoadedScene>& loaded) {
   const ImportedModel& model = loaded->model;
   const QString name = QFileInfo(import_.file).fileName();
   const bool is_scene = is_grf(import_.file);
-  const QString did = import_.merges ? tr("Merged in %1") : is_scene ? tr("Opened %1") : tr("Imported %1");
+  const QString did = import_.merges ? tr("Appended %1") : is_scene ? tr("Opened %1") : tr("Imported %1");
   add_recent_file(import_.file);
   if (import_.merges) {
-    document_.merge_import(tr("Merge in %1").arg(name), model);
+    document_.merge_import(tr("Append %1").arg(name), model);
     emit reported(model.diagnostics);
   } else {
     const auto take_it = [this, loaded, is_scene] {
@@ -221,8 +222,8 @@ void FileActions::take(const std::shared_ptr<const LoadedScene>& loaded) {
     import_.revision == document_.revision() ? take_it() : leave(take_it);
   }
   emit done(model.losses.isEmpty() ? did.arg(name)
-                                   : tr("%1, not all of it: %2").arg(did.arg(name), model.losses.join("; ")));
-  if (job) job->end();  // a question may have taken so long that it was cancelled
+                                   : tr("%1, with losses: %2").arg(did.arg(name), model.losses.join("; ")));
+  if (job) job->end();  // a question may have taken so long that the job was cancelled
 }
 
 void FileActions::fail(const LoadFailure& failure) {
@@ -233,7 +234,7 @@ void FileActions::fail(const LoadFailure& failure) {
 
 void FileActions::save(const std::function<void()>& then) {
   if (is_saving()) return after_saving([this, then] { save(then); });
-  // A file that had no irradiance is kept: scenes with it go beside.
+  // A file without irradiance is not overwritten: scenes with irradiance get a file beside it.
   const bool needs_igrf =
       grf::has_irradiance(document_.scene().contents) && !grf::is_igrf_name(document_.path().toStdString());
   if (document_.path().isEmpty() || needs_igrf) return ask_where_to_save(then);
@@ -249,7 +250,7 @@ void FileActions::save_as(const QString& file, const std::function<void()>& then
   });
 }
 
-/// The document is saved as it is when those before are written.
+/// Saves the document as it is when the preceding jobs of the queue have ended.
 void FileActions::write(Job& job, const QString& file) {
   is_saved_ = false;
   const SaveRequest request = document_.save_request(file);
@@ -272,7 +273,7 @@ void FileActions::after_saving(const std::function<void()>& then) {
   after_saving_.push_back(then);
 }
 
-/// What other programs have written is replaced only where the author says so.
+/// Overwrites changes by other programs only if the user agrees.
 bool FileActions::may_write(const SaveRequest& request) {
   QStringList replaced = outside_.files();
   if (request.path != document_.path()) replaced.removeAll(document_.path());
@@ -287,7 +288,7 @@ bool FileActions::may_replace(const QStringList& files) {
       QMessageBox::Warning, tr("Replace files"),
       tr("%1 was changed by another program, or belongs to another scene.").arg(files.join(", ")),
       QMessageBox::Save | QMessageBox::Cancel, &window_);
-  question.setInformativeText(tr("Saving replaces what is there."));
+  question.setInformativeText(tr("Saving overwrites them."));
   question.button(QMessageBox::Save)->setText(tr("Replace"));
   question.setDefaultButton(QMessageBox::Cancel);
   return question.exec() == QMessageBox::Save;
@@ -295,12 +296,12 @@ bool FileActions::may_replace(const QStringList& files) {
 
 void FileActions::revert() {
   const QString file = document_.path();
-  if (file.isEmpty()) return emit done(tr("The scene was never saved"));
+  if (file.isEmpty()) return emit done(tr("Cannot revert: the scene was never saved"));
   if (document_.is_modified()) {
     QMessageBox question(QMessageBox::Warning, tr("Revert"),
-                         tr("%1 has changes that are not saved.").arg(document_.name()),
+                         tr("%1 has unsaved changes.").arg(document_.name()),
                          QMessageBox::Discard | QMessageBox::Cancel, &window_);
-    question.setInformativeText(tr("They cannot be brought back once the file is read again."));
+    question.setInformativeText(tr("Reverting discards them. This cannot be undone."));
     question.button(QMessageBox::Discard)->setText(tr("Revert"));
     question.setDefaultButton(QMessageBox::Cancel);
     if (question.exec() != QMessageBox::Discard) return;
@@ -311,7 +312,7 @@ void FileActions::revert() {
 void FileActions::export_to(const QString& file) {
   const convert::Format* format = convert::format_of_name(file.toStdString());
   if (format == nullptr || format->write == nullptr) {
-    return emit failed(tr("%1: no format with this extension can be written").arg(file));
+    return emit failed(tr("Cannot export %1: no format with this extension can be written").arg(file));
   }
   const QString name = QFileInfo(file).fileName();
   const auto work = [file, format, scene = document_.scene(), path = document_.path(),
@@ -332,9 +333,9 @@ void FileActions::leave(const std::function<void()>& then) {
   if (is_saving()) return after_saving([this, then] { leave(then); });
   if (!document_.is_modified()) return then();
   QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                       tr("%1 has changes that are not saved.").arg(document_.name()),
+                       tr("%1 has unsaved changes.").arg(document_.name()),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
-  question.setInformativeText(tr("Discarded changes cannot be brought back."));
+  question.setInformativeText(tr("Discarding them cannot be undone."));
   question.setDefaultButton(QMessageBox::Save);
   question.button(QMessageBox::Cancel)->setText(tr("Keep editing"));
   switch (question.exec()) {

@@ -25,8 +25,8 @@ class JobList;
 struct SaveRequest;
 struct SaveResult;
 
-/// All that one does with files: new, open, recent, import, merge, save, revert, export. What takes time are
-/// jobs: files are read one after another, and written one after another.
+/// The file commands: new, open, recent, import, append, save, revert, export. Slow ones are jobs: reading
+/// has one queue, writing another.
 class FileActions : public QObject {
   Q_OBJECT
 
@@ -35,49 +35,49 @@ class FileActions : public QObject {
   FileActions(Document& document, JobList& jobs, QWidget& window);
   ~FileActions() override;
 
-  /// The entries of the File menu, in order.
+  /// Adds the entries of the File menu, in order.
   void fill(QMenu& menu);
 
-  /// Opens or imports a file; asks first if there is unsaved work.
+  /// Opens or imports a file; asks first if there are unsaved changes.
   void open(const QString& file);
   void merge(const QString& file);
-  /// Saves where the scene is, or asks where. `then` is called once it is saved, after a question if it was
-  /// edited meanwhile.
+  /// Saves to the scene's file, or asks for one. `then` is called once it is saved, after a question if it
+  /// was edited meanwhile.
   void save(const std::function<void()>& then = {});
-  /// Asks first if that replaces what the document has not read, such as what another program has written.
+  /// Asks before it overwrites what the document has not read, such as changes by another program.
   void save_as(const QString& file, const std::function<void()>& then = {});
-  /// Reads the scene's file again; asks first if there is unsaved work, which goes then.
+  /// Reloads the scene's file; asks first if that discards unsaved changes.
   void revert();
   void export_to(const QString& file);
-  /// Calls `then` at once if nothing is unsaved or being written; else asks whether to save, discard or go on
-  /// editing, once it is written.
+  /// Calls `then` at once if nothing is unsaved or being written; else, when writing is done, asks whether to
+  /// save, discard or keep editing.
   void leave(const std::function<void()>& then);
 
-  /// Knows which of the scene's files other programs have changed.
+  /// Detects which of the scene's files other programs have changed.
   OutsideChanges& outside_changes() { return outside_; }
 
-  /// Whether something is being opened or imported, or waits for that.
+  /// Whether an open or import is running or queued.
   bool is_importing() const;
-  /// Whether something is being written, or waits for that.
+  /// Whether a save or export is running or queued.
   bool is_saving() const;
 
  signals:
-  /// What came of it, for the status line.
+  /// Emitted with the outcome, for the status line.
   void done(const QString& message);
   void failed(const QString& message);
-  /// What is to be said of a file that was not opened, or of one that was merged in or written.
+  /// Emitted with the diagnostics of a file that could not be opened, or that was appended or written.
   void reported(const grf::Diagnostics& diagnostics);
-  /// Nothing is being opened or imported any more.
+  /// Emitted when no open or import is running any more.
   void idle();
 
  private:
   void make_actions();
   void ask_where_to_save(const std::function<void()>& then);
-  /// A file that is to be opened or imported.
+  /// A file to open or import.
   struct Import {
     QString file;
-    bool merges = false;         ///< into the scene that is there
-    std::uint64_t revision = 0;  ///< of the scene when it was asked for
+    bool merges = false;         ///< whether to append it to the current scene
+    std::uint64_t revision = 0;  ///< of the scene at the time of the request
   };
 
   void begin(const QString& file, bool merges);
@@ -90,7 +90,7 @@ class FileActions : public QObject {
   void take_saved(const SaveResult& result);
   bool may_write(const SaveRequest& request);
   bool may_replace(const QStringList& files);
-  /// Calls `then` once nothing is being written: at once, or in the order of the calls.
+  /// Calls `then` when no file is being written: at once, or in the order of the calls.
   void after_saving(const std::function<void()>& then);
   void update_recent();
 
@@ -99,18 +99,18 @@ class FileActions : public QObject {
   QWidget& window_;
   OutsideChanges outside_;
   SceneLoader loader_;
-  QPointer<Job> reading_;  ///< what it reads
+  QPointer<Job> reading_;  ///< the job that reads
   Import import_;
   std::vector<std::function<void()>> after_saving_;
-  bool is_saved_ = false;  ///< by the last attempt
+  bool is_saved_ = false;  ///< whether the last attempt succeeded
   QList<QAction*> actions_;
   QMenu* recent_ = nullptr;
 };
 
-/// Asks for a scene or a model, in the folder where one was chosen last. Empty: none was chosen.
+/// Asks for a scene or model file, in the last used folder. Empty if cancelled.
 QString ask_for_scene_or_model(QWidget& window, const QString& title);
 
-/// The files that were opened last, the latest first, at most ten; kept in the settings.
+/// The recent files, the latest first, at most ten; stored in the settings.
 QStringList recent_files();
 void add_recent_file(const QString& file);
 

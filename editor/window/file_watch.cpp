@@ -37,7 +37,7 @@ void FileWatch::follow(const QStringList& files) {
   quiet_.start();
 }
 
-/// A file that takes the place of another is seen in their folder, and has to be watched anew.
+/// A file that replaces another is detected in its folder, and must be watched again.
 void FileWatch::watch() {
   QStringList paths;
   for (const auto& [file, stamp] : files_) paths << file << QFileInfo(file).absolutePath();

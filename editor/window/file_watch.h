@@ -10,29 +10,28 @@
 
 namespace editor {
 
-/// Which contents a file has, as far as can be told without reading it.
+/// Identifies the contents of a file by its metadata.
 struct FileStamp {
-  qint64 bytes = -1;  ///< -1: it does not exist
+  qint64 bytes = -1;  ///< -1 if it does not exist
   QDateTime modified;
 
   static FileStamp of(const QString& file);
   bool operator==(const FileStamp&) const = default;
 };
 
-/// Tells that files are others than they were, once they are left alone for a moment: editors write a file in
-/// parts, or put another one in its place.
+/// Detects changed files after a short delay, since editors write a file in parts or replace it.
 class FileWatch : public QObject {
   Q_OBJECT
 
  public:
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// These, whether they exist or not, in place of those before. What has become of a file since it was first
-  /// given is told even if it is given again.
+  /// Watches these files, existing or not, instead of the former ones. A change since a file was first
+  /// watched is reported even if it is passed again.
   void follow(const QStringList& files);
 
  signals:
-  /// A file has other contents, came to be, or is gone.
+  /// Emitted when a file is modified, created or deleted.
   void changed();
 
  private:

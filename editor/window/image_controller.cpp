@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-/// Names the preview in the list of images.
+/// The name of the preview in the list of images.
 const char PreviewName[] = "preview";
 
 }  // namespace
@@ -20,7 +20,7 @@ const char PreviewName[] = "preview";
 ImageController::ImageController(RenderPanel& render, Pages& pages, QMenu& menu, QObject* parent)
     : QObject(parent), render_(render), pages_(pages), menu_(menu), server_(new ImageServer(this)) {
   menu_.menuAction()->setVisible(false);
-  if (!server_->listen()) server_->listen(0);  // another viewer has the usual port
+  if (!server_->listen()) server_->listen(0);  // another viewer uses the default port
   render_.final_render().set_display(QString("127.0.0.1:%1").arg(server_->port()));
   connect(server_, &ImageServer::received, this,
           [this](const QString& name, const std::shared_ptr<const transport::Image>& image) {
@@ -56,7 +56,7 @@ ImageBrowser& ImageController::browser() {
     menu_.addActions({tools.flip, tools.swap});
     menu_.menuAction()->setVisible(true);
   }
-  pages_.show_page(*browser_, tr("Images"), tr("Images of renders and files, to look at and to compare"));
+  pages_.show_page(*browser_, tr("Images"), tr("View and compare images of renders and files"));
   return *browser_;
 }
 

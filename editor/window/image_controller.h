@@ -11,8 +11,7 @@ class ImageServer;
 class Pages;
 class RenderPanel;
 
-/// Brings images of renders, of other programs and of files to the image view, which is made when it is first
-/// wanted.
+/// Shows images of renders, of other programs and of files in the image view, which is created on first use.
 class ImageController : public QObject {
   Q_OBJECT
 

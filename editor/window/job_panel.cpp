@@ -27,7 +27,7 @@ QString state_text(const Job& job) {
 
 }  // namespace
 
-/// The line of one job.
+/// The row of one job.
 class JobRow : public QWidget {
  public:
   JobRow(Job* job, QWidget* parent) : QWidget(parent), job_(job) {
@@ -55,7 +55,7 @@ class JobRow : public QWidget {
 
   void show_job() {
     const bool is_known = job_->state() == Job::State::Waiting || job_->done() >= 0;
-    progress_->setRange(0, is_known ? 1000 : 0);  // without a range it moves to and fro
+    progress_->setRange(0, is_known ? 1000 : 0);  // without a range it is indeterminate
     if (is_known) progress_->setValue(static_cast<int>(1000 * std::max(0.0, job_->done())));
     state_->setText(state_text(*job_));
     cancel_->setToolTip(job_->cancel_tip());
@@ -76,7 +76,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
   column_ = new QVBoxLayout(list);
   column_->setContentsMargins(0, Grid, 0, Grid);
   column_->setSpacing(Grid / 2);
-  hint_->setText(tr("Nothing is running. Imports, saving, renders and other long work appear here"));
+  hint_->setText(tr("No jobs are running. Imports, saves, renders and other long tasks appear here"));
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setWordWrap(true);
   column_->addWidget(hint_, 1);
@@ -85,7 +85,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
   area->setMinimumHeight(13 * Grid);
   area->setFrameStyle(QFrame::NoFrame);
   area->setAccessibleName(tr("Jobs"));
-  area->setToolTip(tr("Long work that runs or waits"));
+  area->setToolTip(tr("Running and queued jobs"));
   area->setWidgetResizable(true);
   area->setWidget(list);
   tight_layout<QVBoxLayout>(this)->addWidget(area);

@@ -12,7 +12,7 @@ class Job;
 class JobList;
 class JobRow;
 
-/// The panel lists the jobs that run or wait, each with its progress and a button that cancels it.
+/// Lists the running and queued jobs, each with its progress and a cancel button.
 class JobPanel : public QWidget {
   Q_OBJECT
 

@@ -56,7 +56,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
       recovery_(new RecoveryController(document_, jobs_, sessions, *files_, *notice_, this)) {
   setAcceptDrops(true);
   resize(200 * Grid, 125 * Grid);
-  // What was said of the scene before; whoever has to say something of this one hears of it later.
+  // Notices about the former scene are hidden; those about the new one follow.
   connect(&document_, &Document::taken, notice_, &QWidget::hide);
   make_docks();
   render_link_ = new RenderLink(document_, *view_, *render_, *this);
@@ -79,7 +79,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // Widgets hear of the document until they are gone, which is before it is.
+  // Widgets listen to the document until they are destroyed, which must be before it is.
   delete takeCentralWidget();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) delete dock;
 }
@@ -118,26 +118,28 @@ void MainWindow::make_docks() {
   brdf_editor_ = new BrdfEditor;
   render_ = new RenderPanel(document_, jobs_);
   messages_ = new MessagePanel(document_, catalogue_);
-  QDockWidget* tree =
-      docks_.add({"scene", tr("Scene"), "objects", QKeySequence("Ctrl+1"), tr("All that the scene holds")},
-                 Qt::LeftDockWidgetArea, tree_);
-  QDockWidget* lights =
-      docks_.add({"lights", tr("Lights"), "light", QKeySequence("Ctrl+2"), tr("All that emits in the scene")},
-                 Qt::LeftDockWidgetArea, lights_);
-  QDockWidget* surface = docks_.add(
-      {"surface", tr("Surface"), "texture", QKeySequence("Ctrl+3"), tr("What the selected faces have")},
-      Qt::RightDockWidgetArea, surface_);
-  brdf_dock_ = docks_.add({"brdf", tr("BRDF"), "brdf", QKeySequence("Ctrl+4"),
-                           tr("The BRDF of the selected faces: its parameters, shape and looks")},
-                          Qt::RightDockWidgetArea, brdf_editor_);
+  QDockWidget* tree = docks_.add({"scene", tr("Scene"), "objects", QKeySequence("Ctrl+1"),
+                                  tr("Scene outliner: objects, lights and definitions")},
+                                 Qt::LeftDockWidgetArea, tree_);
+  QDockWidget* lights = docks_.add({"lights", tr("Lights"), "light", QKeySequence("Ctrl+2"),
+                                    tr("Area lights, mesh lights and emissive faces of the scene")},
+                                   Qt::LeftDockWidgetArea, lights_);
+  QDockWidget* surface =
+      docks_.add({"surface", tr("Surface"), "texture", QKeySequence("Ctrl+3"),
+                  tr("Surface of the selected faces: BRDF, colour, texture, emission, normals")},
+                 Qt::RightDockWidgetArea, surface_);
+  brdf_dock_ =
+      docks_.add({"brdf", tr("BRDF"), "brdf", QKeySequence("Ctrl+4"),
+                  tr("BRDF of the selected faces: parameters such as roughness, lobe, plots and sphere")},
+                 Qt::RightDockWidgetArea, brdf_editor_);
   render_dock_ = docks_.add(
-      {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and images of the scene")},
+      {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and renders of the scene")},
       Qt::BottomDockWidgetArea, render_);
   message_dock_ = docks_.add({"messages", tr("Messages"), "note", QKeySequence("Ctrl+6"),
-                              tr("What is wrong with the scene and its file")},
+                              tr("Errors and warnings about the scene and its file")},
                              Qt::BottomDockWidgetArea, messages_);
   job_dock_ = docks_.add({"jobs", tr("Jobs"), "jobs", QKeySequence("Ctrl+8"),
-                          tr("Long work that runs or waits, such as imports and renders")},
+                          tr("Running and queued jobs, such as imports and renders")},
                          Qt::BottomDockWidgetArea, new JobPanel(jobs_));
   splitDockWidget(tree, lights, Qt::Vertical);
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
@@ -182,8 +184,8 @@ void MainWindow::connect_panels() {
   connect(&document_, &Document::lit_by_a_plain_sky, this, [this] {
     notice_->show_notice(
         NoticeBar::Kind::Information,
-        tr("Nothing in this scene emits light. Until something does, renders have a grey sky."),
-        {{tr("Add a light"), tr("Puts a lamp over the scene"), [this] { lights_->add(); }}});
+        tr("The scene has no lights. Until it has one, renders use a grey sky."),
+        {{tr("Add a light"), tr("Add an area light above the scene"), [this] { lights_->add(); }}});
   });
   connect(tree_, &SceneTree::chosen, this, [this](const grf::ScenePath& path) { lights_->choose(path); });
   connect(lights_, &LightPanel::chosen, this, [this](const grf::ScenePath& path) { tree_->choose(path); });
@@ -209,16 +211,17 @@ void MainWindow::connect_panels() {
 }
 
 void MainWindow::connect_renders() {
-  // Whoever begins a render wants to see it.
+  // Starting a render shows its dock.
   const auto show_render = [this] { Docks::show(render_dock_); };
   connect(render_->preview_action(), &QAction::triggered, this, show_render);
   connect(render_->render_action(), &QAction::triggered, this, show_render);
   connect(render_, &RenderPanel::op_file_differs, this, [this](const QString& path) {
     notice_->show_notice(
         NoticeBar::Kind::Information,
-        tr("%1 says other things than are rendered. Saving the scene writes it, too.")
+        tr("%1 differs from the current render settings. Saving the scene writes it, too.")
             .arg(QFileInfo(path).fileName()),
-        {{tr("Write it now"), tr("Puts the present options into the file; its comments stay"), [this] {
+        {{tr("Write now"), tr("Write the current render settings to the file; its comments are kept"),
+          [this] {
             grf::Diagnostics diagnostics;
             if (!document_.options().save_beside(document_.path(), diagnostics)) {
               fail(QString::fromStdString(diagnostics.to_text()));
@@ -235,14 +238,14 @@ void MainWindow::show_scene() {
 ImageBrowser& MainWindow::image_browser() { return images_->browser(); }
 
 void MainWindow::tell_of_outside_changes(const QStringList& files) {
-  notice_->show_notice(
-      NoticeBar::Kind::Information, tr("Another program has changed %1.").arg(files.join(", ")),
-      {{tr("Reload"), tr("Reads the scene again; asks first if there are changes that are not saved"),
-        [this] { files_->revert(); }},
-       {tr("Compare"), tr("Shows how the scene differs from its file"),
-        [this] { pages_->show_differences(document_.scene(), document_.path()); }},
-       {tr("Keep mine"), tr("Keeps the scene as it is here; saving replaces the file"),
-        [this] { files_->outside_changes().ignore(); }}});
+  notice_->show_notice(NoticeBar::Kind::Information,
+                       tr("Another program has changed %1.").arg(files.join(", ")),
+                       {{tr("Reload"), tr("Reload the scene; asks first if there are unsaved changes"),
+                         [this] { files_->revert(); }},
+                        {tr("Compare"), tr("Compare the scene with its file, line by line"),
+                         [this] { pages_->show_differences(document_.scene(), document_.path()); }},
+                        {tr("Keep mine"), tr("Keep the scene as it is here; saving overwrites the file"),
+                         [this] { files_->outside_changes().ignore(); }}});
 }
 
 void MainWindow::show_title() {
@@ -260,7 +263,7 @@ void MainWindow::fail(const QString& message) {
 void MainWindow::fail_file(const QString& message) {
   std::vector<NoticeBar::Choice> choices;
   if (messages_->error_count() > 0) {
-    choices.push_back({tr("Messages"), tr("Lists all that is wrong, each with its line"),
+    choices.push_back({tr("Messages"), tr("List all errors and warnings, each with its line"),
                        [this] { Docks::show(message_dock_); }});
   }
   notice_->show_notice(NoticeBar::Kind::Error, message.trimmed(), choices);
@@ -274,21 +277,21 @@ void MainWindow::open(const QStringList& files) {
 
 void MainWindow::offer_lost_work() { recovery_->offer_lost_work(); }
 
-// Qt makes the bars of docks that share a place when it needs them. Each dock has its key, so they take no
-// focus, out of which Tab would not lead.
+// Qt creates the tab bars of docks on demand. Each dock has its shortcut, so the bars take no focus, which
+// Tab could not leave.
 void MainWindow::childEvent(QChildEvent* event) {
   QMainWindow::childEvent(event);
   auto* bar = event->added() || event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
   if (bar == nullptr) return;
   bar->setFocusPolicy(Qt::NoFocus);
-  bar->setAccessibleName(tr("Docks at one place"));
+  bar->setAccessibleName(tr("Tabbed docks"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   const auto at_once = std::make_shared<QCloseEvent*>(event);
   files_->leave([this, at_once] {
-    if (*at_once == nullptr) {  // something had to be written first
+    if (*at_once == nullptr) {  // a file had to be written first
       close();
       return;
     }
@@ -300,14 +303,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   *at_once = nullptr;
 }
 
-/// A render that is ended keeps the image so far, a bake keeps nothing, and what waits is not begun.
+/// A cancelled render keeps its image so far, a bake keeps nothing, and queued jobs are not started.
 bool MainWindow::may_end_work() {
   const bool renders = render_->final_render().is_running();
   if (!renders && !bake_->is_running()) return true;
   QMessageBox question(QMessageBox::Warning, tr("Close"),
                        renders ? tr("A render is running.") : tr("Irradiance is being baked."),
                        QMessageBox::Close | QMessageBox::Cancel, this);
-  QString what = renders ? tr("Closing stops it, and keeps the image so far.") : tr("Closing cancels it.");
+  QString what = renders ? tr("Closing stops it and keeps the image so far.") : tr("Closing cancels it.");
   if (const int more = static_cast<int>(jobs_.jobs().size()) - 1; more > 0) {
     what += ' ' + tr("%n other job(s) are cancelled.", nullptr, more);
   }
@@ -321,7 +324,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-/// The first file is opened and the others are merged in; with Shift all are.
+/// Opens the first file and appends the others; with Shift appends all.
 void MainWindow::dropEvent(QDropEvent* event) {
   const QStringList dropped = local_files(*event->mimeData());
   event->acceptProposedAction();

@@ -1,4 +1,4 @@
-// The window in which scenes are edited.
+// The main window of the editor.
 #pragma once
 
 #include <QMainWindow>
@@ -36,19 +36,19 @@ class SurfacePanel;
 class ViewActions;
 class ViewLink;
 
-/// The 3D view of a document, its docks, and what joins them. Nothing in it is modal but questions about
-/// files.
+/// The 3D view of a document, its docks, and the controllers that connect them. The only modal dialogs are
+/// those about files.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// Unsaved work is kept in a folder of `sessions`; see Recovery.
+  /// Unsaved work is autosaved in a folder of `sessions`; see Recovery.
   explicit MainWindow(const QString& sessions = Recovery::default_folder(), QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens the first file, and merges in the others.
+  /// Opens the first file, and appends the others.
   void open(const QStringList& files);
-  /// Says so if an earlier session was not closed as it should be, and offers its work.
+  /// Offers to recover the work of an earlier session that was not closed properly.
   void offer_lost_work();
 
   Document& document() { return document_; }
@@ -66,7 +66,7 @@ class MainWindow : public QMainWindow {
   Docks& docks() { return docks_; }
   /// Goes to the 3D view.
   void show_scene();
-  /// The image view, which is made when it is first wanted.
+  /// The image view, which is created on first use.
   ImageBrowser& image_browser();
 
  protected:

@@ -1,4 +1,4 @@
-// The menus of the window, in which every action has a place.
+// The menus of the main window, which contain every action.
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
@@ -36,7 +36,7 @@ QMenu* add_menu(QMenuBar& bar, const QString& title) {
   return menu;
 }
 
-/// The menu's entry of the command that is next, with its name.
+/// Shows the name of the next command in the menu entry.
 QAction* name_command(QAction* action, const QString& tip) {
   action->setToolTip(tip);
   action->setStatusTip(tip);
@@ -67,7 +67,7 @@ void MainWindow::make_file_menu() {
   QMenu* menu = add_menu(*menuBar(), tr("&File"));
   files_->fill(*menu);
   menu->addSeparator();
-  QAction* quit = new_action(*this, {tr("&Quit"), {}, QKeySequence("Ctrl+Q"), tr("Closes the window")},
+  QAction* quit = new_action(*this, {tr("&Quit"), {}, QKeySequence("Ctrl+Q"), tr("Close the window")},
                              [this] { close(); });
   quit->setMenuRole(QAction::QuitRole);
   menu->addAction(quit);
@@ -76,10 +76,10 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_edit_menu() {
   QMenu* menu = add_menu(*menuBar(), tr("&Edit"));
   QUndoStack& stack = document_.undo_stack();
-  QAction* undo = name_command(stack.createUndoAction(this, tr("&Undo")), tr("Takes the last change back"));
+  QAction* undo = name_command(stack.createUndoAction(this, tr("&Undo")), tr("Undo the last change"));
   undo->setShortcut(QKeySequence::Undo);
   undo->setIcon(icon("undo"));
-  QAction* redo = name_command(stack.createRedoAction(this, tr("&Redo")), tr("Makes a change again"));
+  QAction* redo = name_command(stack.createRedoAction(this, tr("&Redo")), tr("Redo the last undone change"));
   redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   redo->setIcon(icon("redo"));
   addActions({undo, redo});
@@ -92,31 +92,32 @@ void MainWindow::make_scene_menu() {
   QMenu* menu = add_menu(*menuBar(), tr("S&cene"));
   menu->addAction(new_action(*this,
                              {tr("Add a &light"), "light", QKeySequence("Ctrl+Alt+A"),
-                              tr("Puts a square lamp over the scene, which shines downwards")},
+                              tr("Add a square area light above the scene, facing down")},
                              [this] { lights_->add(); }));
   menu->addAction(new_action(
-      *this, {tr("Add an &observer"), "observer", {}, tr("Puts an observer where the 3D view is seen from")},
+      *this, {tr("Add an &observer"), "observer", {}, tr("Add an observer at the viewpoint of the 3D view")},
       [this] { view_link_->add_observer(); }));
   menu->addSeparator();
   menu->addActions(mesh_actions_->of_meshes());
   menu->addSeparator();
   menu->addAction(new_action(*this,
                              {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
-                              tr("Computes the irradiance at all vertices, and keeps it in the scene")},
+                              tr("Bake the irradiance at all vertices and store it in the scene")},
                              [this] { bake_->bake(); }));
 }
 
 void MainWindow::make_window_menu() {
   QMenu* menu = add_menu(*menuBar(), tr("&Window"));
   docks_.fill(*menu);
-  menu->addAction(new_action(*this, {tr("&Images"), {}, QKeySequence("Ctrl+7"), tr("The image view")},
+  menu->addAction(new_action(*this, {tr("&Images"), {}, QKeySequence("Ctrl+7"), tr("Show the image view")},
                              [this] { image_browser(); }));
-  menu->addAction(new_action(*this, {tr("3D &view"), {}, QKeySequence("Ctrl+`"), tr("Goes to the 3D view")},
+  menu->addAction(new_action(*this, {tr("3D &view"), {}, QKeySequence("Ctrl+`"), tr("Go to the 3D view")},
                              [this] { show_scene(); }));
   menu->addSeparator();
   auto* themes = new QActionGroup(this);
-  for (const auto& [theme, text, tip] : {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
-                                         std::tuple(Theme::Light, tr("&Light"), tr("Dark text on light"))}) {
+  for (const auto& [theme, text, tip] :
+       {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
+        std::tuple(Theme::Light, tr("&Emission"), tr("Dark text on light"))}) {
     QAction* action =
         new_switch(*this, {text, {}, {}, tip}, theme_of(palette()) == theme, [theme = theme](bool is_on) {
           if (!is_on) return;
@@ -127,9 +128,9 @@ void MainWindow::make_window_menu() {
   }
   menu->addSeparator();
   menu->addAction(new_action(*this,
-                             {tr("&Reset the layout"), {}, {}, tr("Puts the docks where they were at first")},
+                             {tr("&Reset layout"), {}, {}, tr("Restore the default layout of the docks")},
                              [this] { docks_.reset(); }));
-  // Docks that are folded away are one click away.
+  // Hidden docks have a button each.
   for (QDockWidget* dock : {render_dock_, message_dock_, job_dock_}) {
     auto* button = new QToolButton(statusBar());
     button->setDefaultAction(docks_.action_of(dock));
@@ -150,9 +151,9 @@ void MainWindow::make_help_menu() {
     }));
   }
   QMenu* help = add_menu(*menuBar(), tr("&Help"));
-  help->addAction(new_action(*this,
-                             {tr("&Keyboard shortcuts"), {}, QKeySequence("F1"), tr("All keys, in one list")},
-                             [this] { show_shortcuts(*this); }));
+  help->addAction(new_action(
+      *this, {tr("&Keyboard shortcuts"), {}, QKeySequence("F1"), tr("List and search all shortcuts")},
+      [this] { show_shortcuts(*this); }));
   help->addAction(new_action(*this, {tr("&About wannabe"), {}, {}, tr("Version and licence")}, [this] {
     notice_->show_notice(
         NoticeBar::Kind::Information,

@@ -14,17 +14,17 @@
 namespace editor {
 namespace {
 
-/// Faces that a window still shows at ease: more are a matter for `grfconvert --subdivide`.
+/// The maximum number of faces that the editor handles well: more need `grfconvert --subdivide`.
 constexpr double MostFaces = 2e7;
-/// Enough that noise of a scan goes, and few enough that a nose stays.
+/// Enough to remove the noise of a scan, and few enough to keep features such as a nose.
 constexpr int SmoothingSteps = 10;
-/// So few faces are edited before anyone notices.
+/// Meshes with fewer faces are edited synchronously, without a noticeable delay.
 constexpr std::size_t FewFaces = 20'000;
 
 const QString MeshQueue = QStringLiteral("meshes");
 
-/// Gives a mesh the geometry that was made from it, if it is still as it was then but for the values of its
-/// surfaces, which stay. False: it is not.
+/// Sets the edited geometry of a mesh if it is unchanged except for its surfaces, which are kept. Returns
+/// false if it is not.
 bool take_geometry(grf::Shared<grf::Mesh>& now, const grf::Mesh& before, const grf::Mesh& edited) {
   const bool is_same = now->geometry.shares(before.geometry) && now->irradiance.shares(before.irradiance) &&
                        now->surface_of_face.shares(before.surface_of_face);
@@ -49,7 +49,7 @@ struct MeshActions::Edited {
   std::shared_ptr<const SceneObjects> objects;
   FaceSelection selection;
   grf::Scene after;
-  bool keeps_places = false;  ///< no mesh is gone
+  bool keeps_places = false;  ///< no mesh was removed
 };
 
 MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
@@ -58,19 +58,17 @@ MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
       tr("of the selected faces, or of all if none is selected. Faces keep their BRDFs and colours");
   delete_faces_ = new_action(window,
                              {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
-                              tr("Takes the selected faces away; meshes without faces go, too")},
+                              tr("Delete the selected faces, and meshes that have no faces left")},
                              [this] { remove(); });
   const auto add = [&](const QString& text, const QString& tip, const std::function<void()>& action) {
     of_meshes_.append(new_action(window, {text, {}, {}, tip.arg(whole)}, action));
   };
-  add(tr("Subdivide (&Catmull-Clark)"),
-      tr("Subdivides the meshes %1; each face becomes as many as it has corners"),
+  add(tr("Subdivide (&Catmull-Clark)"), tr("Subdivide the meshes %1; a face with n corners becomes n quads"),
       [this] { subdivide(convert::SubdivisionScheme::CatmullClark); });
   add(tr("Subdivide (L&oop)"),
-      tr("Subdivides the meshes %1; they are triangulated, and each triangle becomes four"),
+      tr("Subdivide the meshes %1; they are triangulated, and each triangle becomes four"),
       [this] { subdivide(convert::SubdivisionScheme::Loop); });
-  add(tr("&Smooth vertices"), tr("Smooths noise and small features away in the meshes %1"),
-      [this] { smooth(); });
+  add(tr("&Smooth vertices"), tr("Smooth noise and small features of the meshes %1"), [this] { smooth(); });
   connect(&jobs_, &JobList::changed, this, [this] {
     for (QAction* action : all()) action->setEnabled(!jobs_.is_busy(MeshQueue));
   });
@@ -90,15 +88,15 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   if (after == 0) return emit told(tr("The scene has no mesh"));
   if (after > MostFaces) {
     return emit failed(
-        tr("The meshes would have %1 faces, which is too much for the window: subdivide the file "
-           "with grfconvert --subdivide")
+        tr("Cannot subdivide: the meshes would have %1 faces, too many for the editor. Subdivide the "
+           "file with grfconvert --subdivide")
             .arg(QLocale().toString(after, 'f', 0)));
   }
   const CommonVertices common = common_vertices(document_.objects(), selection);
   const bool had_irradiance = common.irradiance.value || common.irradiance.is_mixed;
   start(tr("Subdivide"), selection,
         [once](const SelectedFaces& selected) { return with_subdivided_meshes(selected, once); });
-  if (had_irradiance) emit told(tr("Subdivided meshes have no irradiance: bake it again"));
+  if (had_irradiance) emit told(tr("Subdivided meshes lost their irradiance: bake it again"));
 }
 
 void MeshActions::smooth() {
@@ -122,7 +120,7 @@ void MeshActions::start(const QString& title, const FaceSelection& selection, co
   const auto work = [snapshot, edit] {
     Edited edited = snapshot;
     edited.after = edit({edited.before, *edited.objects, edited.selection});
-    // What is found once is kept with the meshes: found here, the window need not do it.
+    // Derived data is cached with the meshes: computed here, it does not delay the window.
     edited.keeps_places = have_same_places(*edited.objects, objects_of(edited.after, {}));
     return edited;
   };
@@ -151,7 +149,7 @@ void MeshActions::take(const QString& title, const Edited& edited) {
         now != nullptr && old != nullptr && made != nullptr && take_geometry(*now, **old, **made) && is_whole;
   }
   document_.replace(title, std::move(scene));
-  if (!is_whole) emit failed(tr("%1: meshes that were edited meanwhile are left as they are").arg(title));
+  if (!is_whole) emit failed(tr("%1: meshes that were edited meanwhile were left unchanged").arg(title));
 }
 
 }  // namespace editor

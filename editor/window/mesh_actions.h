@@ -16,9 +16,8 @@ namespace editor {
 class Document;
 class JobList;
 
-/// The actions that change vertices and faces. Those about whole meshes are about the meshes of the selected
-/// faces, or about all meshes if no face is selected. They are jobs: what was edited before one is done keeps
-/// its edit.
+/// Actions that edit vertices and faces, as jobs. Those for whole meshes apply to the meshes with selected
+/// faces, or to all meshes if no face is selected. Meshes that are edited meanwhile keep that edit.
 class MeshActions : public QObject {
   Q_OBJECT
 
@@ -30,9 +29,9 @@ class MeshActions : public QObject {
   QList<QAction*> of_meshes() const { return of_meshes_; }
 
  signals:
-  /// Something is to be known.
+  /// Emitted with a message for the status line.
   void told(const QString& message);
-  /// Something could not be done, and why.
+  /// Emitted with the reason why something could not be done.
   void failed(const QString& why);
 
  private:

@@ -11,25 +11,25 @@ namespace editor {
 
 class Document;
 
-/// Knows which files of the document another program has changed since they were read or saved: the scene's
-/// own, those that it includes, and its options.
+/// Detects which files of the document other programs have changed since they were read or saved: the scene's
+/// own file, its includes, and its options.
 class OutsideChanges : public QObject {
   Q_OBJECT
 
  public:
   OutsideChanges(const Document& document, QObject* parent);
 
-  /// The files that hold now what the document has not read. Those that are gone are none of them.
+  /// The files whose contents differ from what the document has read, without deleted ones.
   QStringList files() const;
   /// Whether the document has read or written the file.
   bool knows(const QString& file) const { return known_.contains(file); }
-  /// While the document itself is written nothing is said.
+  /// Pauses reports while the document itself is written.
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
-  /// Counts what these files hold as known: the author keeps what the document has.
+  /// Accepts the current contents of these files: the document keeps its own.
   void ignore();
 
  signals:
-  /// Another file has changed, or a file has changed again.
+  /// Emitted when a file has changed.
   void found(const QStringList& files);
 
  private:

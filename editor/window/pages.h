@@ -11,20 +11,20 @@ namespace editor {
 class SceneComparison;
 class SourceView;
 
-/// The pages in the middle of the window: the scene, and beside it others, which are made when they are first
-/// wanted and can be closed.
+/// The pages in the middle of the window: the scene, and others that are created on first use and can be
+/// closed.
 class Pages : public QTabWidget {
   Q_OBJECT
 
  public:
   explicit Pages(QWidget* parent = nullptr);
 
-  /// Adds the first page, which stays.
+  /// Adds the first page, which cannot be closed.
   void add_scene(QWidget* page);
-  /// Goes to a page, which is added if it is not there.
+  /// Goes to a page, which is added if necessary.
   void show_page(QWidget& page, const QString& title, const QString& tip);
   void show_source(const grf::SourceLocation& location);
-  /// Shows how a scene differs from its file.
+  /// Shows the differences between a scene and its file.
   void show_differences(const grf::Scene& scene, const QString& path);
 
  private:

@@ -18,7 +18,7 @@ namespace editor {
 
 namespace {
 
-/// Removes what sessions that crashed imported, unless their work can be recovered.
+/// Removes the import folders of crashed sessions, unless their work can be recovered.
 void remove_imports_without(const std::vector<LostWork>& all) {
   QStringList kept;
   for (const LostWork& work : all) kept += work.imports;
@@ -41,13 +41,12 @@ RecoveryController::RecoveryController(Document& document, JobList& jobs, const 
       files_(files),
       notice_(notice),
       recovery_(document, sessions) {
-  connect(&recovery_, &Recovery::failed, this, [this](const QString& message) {
-    emit failed(tr("Unsaved work is not kept against a crash: %1").arg(message));
-  });
+  connect(&recovery_, &Recovery::failed, this,
+          [this](const QString& message) { emit failed(tr("Autosave failed: %1").arg(message)); });
 }
 
 void RecoveryController::offer_lost_work() {
-  if (files_.is_importing()) {  // a scene that comes takes away what is said before
+  if (files_.is_importing()) {  // an opened scene would hide the notice
     connect(&files_, &FileActions::idle, this, &RecoveryController::offer_lost_work,
             Qt::SingleShotConnection);
     return;
@@ -61,9 +60,9 @@ void RecoveryController::offer_lost_work() {
   const QString when = QLocale().toString(work.saved, QLocale::ShortFormat);
   notice_.show_notice(
       NoticeBar::Kind::Information,
-      tr("The last session ended unexpectedly. Unsaved work on %1 was kept at %2.").arg(name, when),
-      {{tr("Recover"), tr("Opens it as it was"), [this, work] { recover(work); }},
-       {tr("Discard"), tr("Deletes what was kept; this cannot be undone"), [this, work] {
+      tr("The last session ended unexpectedly. Unsaved work on %1 was autosaved at %2.").arg(name, when),
+      {{tr("Recover"), tr("Open the autosaved scene"), [this, work] { recover(work); }},
+       {tr("Discard"), tr("Delete the autosaved scene; this cannot be undone"), [this, work] {
           Recovery::discard(work);
           offer_lost_work();
         }}});
@@ -91,11 +90,11 @@ void RecoveryController::recover(const LostWork& work) {
 void RecoveryController::take(const LostWork& work, ReadWork read) {
   document_.take(std::move(*read.scene), work.path, read.diagnostics, true);
   for (const QString& folder : work.imports) document_.add_import(ImportFolder::adopt(folder));
-  // The other is gone only once this session has it.
+  // The old autosave is removed only once this session has its own.
   connect(
       &recovery_, &Recovery::kept, this, [work] { Recovery::discard(work); }, Qt::SingleShotConnection);
   recovery_.keep();
-  emit told(tr("Recovered: save it to keep it"));
+  emit told(tr("Recovered: save the scene to keep it"));
 }
 
 }  // namespace editor

@@ -11,16 +11,16 @@ class FileActions;
 class JobList;
 class NoticeBar;
 
-/// Keeps unsaved work, and offers what an earlier session left.
+/// Autosaves unsaved work, and offers to recover that of an earlier session.
 class RecoveryController : public QObject {
   Q_OBJECT
 
  public:
-  /// All of them outlive the controller. Unsaved work is kept in a folder of `sessions`; see Recovery.
+  /// All of them outlive the controller. Unsaved work is stored in a folder of `sessions`; see Recovery.
   RecoveryController(Document& document, JobList& jobs, const QString& sessions, FileActions& files,
                      NoticeBar& notice, QObject* parent);
 
-  /// Says so if an earlier session was not closed as it should be, and offers its work.
+  /// Offers to recover the work of an earlier session that was not closed properly.
   void offer_lost_work();
 
  signals:

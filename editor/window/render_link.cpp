@@ -46,22 +46,24 @@ OptionsWindow* RenderLink::options_window() const { return options_window_; }
 void RenderLink::make_actions(QWidget& window) {
   follow_ = new_switch(window,
                        {tr("Camera &follows the view"), "follow", QKeySequence("Ctrl+Alt+F"),
-                        tr("Previews and renders see what the 3D view sees")},
+                        tr("Lock the render camera to the 3D view")},
                        true, [this](bool) {
                          follow_view();
                          show_camera();
                        });
   from_view_ = new_action(window,
-                          {tr("&Camera from the view"), "camera", QKeySequence("Ctrl+Alt+0"),
-                           tr("Places the camera of renders where the 3D view is seen from")},
+                          {tr("Align &camera to view"), "camera", QKeySequence("Ctrl+Alt+0"),
+                           tr("Move the render camera to the viewpoint of the 3D view")},
                           [this] {
                             follow_->setChecked(false);
                             move_camera(view_.camera().view());
                           });
-  look_through_ = new_action(
-      window,
-      {tr("&Look through the camera"), {}, QKeySequence("Ctrl+0"), tr("Sees the scene as renders do")},
-      [this] { view_.set_camera(ViewCamera(camera())); });
+  look_through_ = new_action(window,
+                             {tr("&Look through the camera"),
+                              {},
+                              QKeySequence("Ctrl+0"),
+                              tr("View the scene through the render camera")},
+                             [this] { view_.set_camera(ViewCamera(camera())); });
 }
 
 void RenderLink::fill(QMenu& menu) { menu.addActions({follow_, from_view_, look_through_}); }
@@ -84,7 +86,8 @@ void RenderLink::move_camera(const transport::View& camera) {
   document_.finish_gesture();
 }
 
-/// The 3D view of a scene that was opened begins where its camera is; of others the camera is the view's.
+/// The 3D view of an opened scene starts at its render camera; for other scenes the camera is that of the
+/// view.
 void RenderLink::take_scene() {
   const bool has_camera = document_.options().valid_options().viewer.has_value();
   follow_->setChecked(!has_camera);

@@ -17,8 +17,8 @@ class OptionsWindow;
 class RenderPanel;
 class SceneView;
 
-/// Keeps what is rendered the same as what is edited: the scene, and the camera of renders, which is that of
-/// the 3D view or placed in it.
+/// Keeps the rendered scene and the render camera in sync with the document: the camera is locked to the 3D
+/// view, or placed in it.
 class RenderLink : public QObject {
   Q_OBJECT
 
@@ -27,15 +27,15 @@ class RenderLink : public QObject {
   RenderLink(Document& document, SceneView& view, RenderPanel& panel, QWidget& window);
   ~RenderLink() override;
 
-  /// The actions of the render's camera.
+  /// Adds the actions of the render camera.
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
 
-  /// Places the camera of renders.
+  /// Moves the render camera.
   void move_camera(const transport::View& camera);
-  /// The camera that renders have now.
+  /// The current render camera.
   transport::View camera() const;
-  /// All options in a window of their own.
+  /// Opens all options in a separate window.
   void show_options();
   /// Null if it is not open.
   OptionsWindow* options_window() const;

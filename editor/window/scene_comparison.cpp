@@ -33,8 +33,9 @@ void SceneComparison::compare(const grf::Scene& scene, const QString& file) {
 }
 
 void SceneComparison::end(const ChildEnd& end) {
-  if (end.cause == ChildEnd::Cause::NotStarted) setPlainText(tr("diff cannot be started: %1").arg(end.why));
-  if (end.cause == ChildEnd::Cause::Returned && end.code == 0) setPlainText(tr("There is no difference."));
+  if (end.cause == ChildEnd::Cause::NotStarted) setPlainText(tr("Cannot start diff: %1").arg(end.why));
+  if (end.cause == ChildEnd::Cause::Returned && end.code == 0)
+    setPlainText(tr("The scene and its file do not differ."));
   moveCursor(QTextCursor::Start);
 }
 

@@ -8,8 +8,8 @@
 
 namespace editor {
 
-/// Shows how a scene differs from its file, line by line, as `diff -u` does. Both are written anew first, so
-/// that layout makes no difference.
+/// Shows the differences between a scene and its file, line by line, as `diff -u` does. Both are rewritten
+/// first, so that formatting does not matter.
 class SceneComparison : public QPlainTextEdit {
   Q_OBJECT
 

@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-/// Without the excerpt, which wants a fixed font.
+/// Formats a message without the excerpt, which needs a fixed-width font.
 QString line_of(const grf::Diagnostic& diagnostic) {
   return QString::fromStdString(grf::to_text(diagnostic)).section('\n', 0, 0);
 }

@@ -13,29 +13,29 @@
 
 namespace editor {
 
-/// What was made of a file.
+/// A scene that was read or imported.
 struct LoadedScene {
-  QString path;         ///< of that file
-  ImportedModel model;  ///< of a GRF file: its scene, and what was said of it
+  QString path;         ///< of the file
+  ImportedModel model;  ///< of a GRF file: its scene and diagnostics
   std::shared_ptr<const SceneObjects> objects;
 };
 
-/// What is wrong with a file.
+/// Why a file could not be loaded.
 struct LoadFailure {
-  QString path;     ///< of that file
-  QString message;  ///< the first error, and how many more there are
+  QString path;     ///< of the file
+  QString message;  ///< the first error, and the number of further ones
   grf::SourceLocation
-      location;  ///< of that error, in this file or one that it includes; without a file: none
+      location;  ///< of that error, in this file or an included one; without a file if there is none
   grf::Diagnostics diagnostics;  ///< all errors
 };
 
-/// What is to be known of a scene that was read, a line each.
+/// The warnings of a loaded scene, one per line.
 QStringList warnings_of(const LoadedScene& scene);
 
-/// Whether a file is GRF by its name, and not a model that has to be imported.
+/// Whether a file is GRF by its name, and not a model to import.
 bool is_grf(const QString& file);
 
-/// Reads scenes in a thread, and models of other formats in a process of their own. The file asked for last
+/// Reads scenes in a thread, and imports models of other formats in a child process. Only the last request
 /// counts.
 class SceneLoader : public QObject {
   Q_OBJECT
@@ -44,18 +44,18 @@ class SceneLoader : public QObject {
   explicit SceneLoader(QObject* parent = nullptr);
 
   void start(const QString& file);
-  /// No signal comes any more.
+  /// Cancels loading; no signal follows.
   void cancel();
 
  signals:
   void loaded(std::shared_ptr<const editor::LoadedScene> scene);
   void failed(const editor::LoadFailure& failure);
-  /// Whether it came to a scene or not: these were read, or would have been.
+  /// Emitted with the files that were read, or would have been, on success and on failure.
   void files_known(const QStringList& files);
 
  private:
   struct Outcome {
-    std::shared_ptr<const LoadedScene> scene;  ///< null: there is none
+    std::shared_ptr<const LoadedScene> scene;  ///< null after an error
     LoadFailure failure;
     QStringList files;
   };

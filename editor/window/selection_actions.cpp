@@ -30,23 +30,23 @@ FaceSelection whole_meshes(const FaceSelection& selection) {
 
 SelectionActions::SelectionActions(Document& document, SceneView& view, QWidget& window)
     : QObject(&window), document_(document), window_(window) {
-  whole_ = {add(tr("&All"), QKeySequence::SelectAll, tr("Selects all faces"),
+  whole_ = {add(tr("&All"), QKeySequence::SelectAll, tr("Select all faces"),
                 changed_by(&FaceSelection::select_all)),
-            add(tr("&None"), QKeySequence("Ctrl+Shift+A"), tr("Selects no face"),
+            add(tr("&None"), QKeySequence("Ctrl+Shift+A"), tr("Deselect all faces"),
                 changed_by(&FaceSelection::clear)),
-            add(tr("&Inverse"), QKeySequence("Ctrl+I"), tr("Selects the faces that are not selected"),
+            add(tr("&Invert"), QKeySequence("Ctrl+I"), tr("Invert the selection"),
                 changed_by(&FaceSelection::invert))};
   const auto of_objects = [this](FaceSelection (*change)(const FaceSelection&, const SceneObjects&)) {
     return [this, change](const FaceSelection& selection) { return change(selection, document_.objects()); };
   };
   neighbours_ = {add(tr("&Grow"), QKeySequence("Ctrl++"),
-                     tr("Adds the faces that share an edge with a selected one"), of_objects(grown)),
+                     tr("Grow the selection by faces that share an edge with it"), of_objects(grown)),
                  add(tr("&Shrink"), QKeySequence("Ctrl+-"),
-                     tr("Takes away the faces at the selection's border"), of_objects(shrunk)),
+                     tr("Shrink the selection by the faces at its border"), of_objects(shrunk)),
                  add(tr("&Connected"), QKeySequence("Ctrl+L"),
-                     tr("Adds all that hangs together with the selected faces"), of_objects(connected)),
-                 add(tr("Whole &meshes"), QKeySequence("Ctrl+M"),
-                     tr("Adds all faces of the meshes of selected faces"), whole_meshes)};
+                     tr("Select all faces that are connected to the selected ones"), of_objects(connected)),
+                 add(tr("Expand to whole &mesh"), QKeySequence("Ctrl+M"),
+                     tr("Expand the selection to all faces of its meshes"), whole_meshes)};
   make_angles();
   make_likenesses();
   make_gestures(view);
@@ -64,7 +64,7 @@ void SelectionActions::make_angles() {
     const QKeySequence keys = degrees == 5 ? QKeySequence("Ctrl+Shift+L") : QKeySequence();
     const double radians = degrees * std::numbers::pi / 180;
     angles_.append(add(tr("Within %1°").arg(degrees), keys,
-                       tr("Adds connected faces that are turned by no more than %1°").arg(degrees),
+                       tr("Select connected faces that are coplanar within %1°").arg(degrees),
                        [this, radians](const FaceSelection& selection) {
                          return coplanar(selection, document_.objects(), radians);
                        }));
@@ -78,23 +78,27 @@ void SelectionActions::make_likenesses() {
       return alike(selection, document_.objects(), likeness);
     }));
   };
-  add_likeness(tr("&BRDF"), Likeness::Brdf, tr("Selects all faces with the BRDF of a selected one"),
+  add_likeness(tr("&BRDF"), Likeness::Brdf, tr("Select all faces with the same BRDF as a selected one"),
                QKeySequence("Ctrl+Shift+B"));
-  add_likeness(tr("&Sampling"), Likeness::Pdf, tr("Selects all faces with the sampling of a selected one"));
-  add_likeness(tr("&Colour"), Likeness::Colour, tr("Selects all faces with the colour of a selected one"));
-  add_likeness(tr("&Texture"), Likeness::Texture, tr("Selects all faces with the texture of a selected one"));
-  add_likeness(tr("&Light"), Likeness::Emission, tr("Selects all faces that emit what a selected one does"));
-  add_likeness(tr("&All"), Likeness::All, tr("Selects all faces that are in all like a selected one"));
+  add_likeness(tr("&Sampling"), Likeness::Pdf,
+               tr("Select all faces with the same sampling scheme as a selected one"));
+  add_likeness(tr("&Colour"), Likeness::Colour,
+               tr("Select all faces with the same colour as a selected one"));
+  add_likeness(tr("&Texture"), Likeness::Texture,
+               tr("Select all faces with the same texture as a selected one"));
+  add_likeness(tr("&Emission"), Likeness::Emission,
+               tr("Select all faces with the same emission as a selected one"));
+  add_likeness(tr("&All"), Likeness::All, tr("Select all faces with the same surface as a selected one"));
 }
 
 void SelectionActions::make_gestures(SceneView& view) {
   gestures_ = {new_switch(window_,
                           {tr("&Lasso"), "lasso", QKeySequence("Ctrl+Alt+L"),
-                           tr("A drag draws a line around faces instead of a box")},
+                           tr("Drag a lasso around faces instead of a box")},
                           false, [&view](bool is_on) { view.set_lasso(is_on); }),
                new_switch(window_,
                           {tr("Select &through"), "through", QKeySequence("Ctrl+Alt+T"),
-                           tr("Boxes and lassos select hidden faces, too")},
+                           tr("Select hidden faces, too, with boxes and lassos")},
                           false, [&view](bool is_on) { view.set_select_through(is_on); })};
 }
 
@@ -105,7 +109,7 @@ void SelectionActions::fill(QMenu& menu) {
   QMenu* angles = menu.addMenu(tr("C&oplanar"));
   angles->setToolTipsVisible(true);
   angles->addActions(angles_);
-  QMenu* alike_menu = menu.addMenu(tr("Of the sam&e"));
+  QMenu* alike_menu = menu.addMenu(tr("Select simila&r"));
   alike_menu->setToolTipsVisible(true);
   alike_menu->addActions(likenesses_);
   menu.addSeparator();

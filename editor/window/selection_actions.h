@@ -15,7 +15,7 @@ namespace editor {
 class Document;
 class SceneView;
 
-/// The ways to select faces, and what a drag in the 3D view does.
+/// Actions that select faces, and the modes of a drag in the 3D view.
 class SelectionActions : public QObject {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class SelectionActions : public QObject {
 
   Document& document_;
   QWidget& window_;
-  QList<QAction*> whole_;  ///< all, none, inverse
+  QList<QAction*> whole_;  ///< all, none, invert
   QList<QAction*> neighbours_;
   QList<QAction*> likenesses_;
   QList<QAction*> angles_;

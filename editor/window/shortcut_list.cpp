@@ -12,24 +12,25 @@
 #include <utility>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/search_terms.h"
 
 namespace editor {
 namespace {
 
 const char ListName[] = "shortcuts";
 
-/// What the 3D view does by itself: see SceneView.
+/// Mouse and keyboard gestures of the 3D view: see SceneView.
 constexpr std::pair<const char*, const char*> Gestures[] = {
-    {"Click", "Selects a face; with Shift adds it, with Ctrl takes it away"},
-    {"Drag from a face", "Selects the faces in a box, with Alt in a lasso"},
-    {"Drag from empty ground, or middle button", "Turns about the centre"},
-    {"Shift + middle button", "Moves sideways"},
-    {"Wheel, + and -", "Comes nearer or goes away"},
-    {"Right button, with W A S D Q E", "Looks around, and flies"},
-    {"Double click", "Turns about that place from now on"},
-    {"Arrows", "Turn; with Shift they move sideways"},
-    {"Space", "Selects the face in the middle, or takes it away"},
-    {"Escape", "Gives up a gesture"},
+    {"Click", "Select a face; with Shift add it, with Ctrl remove it"},
+    {"Drag from a face", "Select the faces in a box, with Alt in a lasso"},
+    {"Drag from the background, or middle button", "Orbit"},
+    {"Shift + middle button", "Pan"},
+    {"Wheel, + and -", "Zoom"},
+    {"Right button, with W A S D Q E", "Look around and fly"},
+    {"Double click", "Set the orbit centre"},
+    {"Arrows", "Orbit; with Shift pan"},
+    {"Space", "Select or deselect the face in the middle"},
+    {"Escape", "Cancel a gesture"},
 };
 
 void add_row(QTreeWidgetItem& group, const QAction& action, const QString& before = {}) {
@@ -39,7 +40,7 @@ void add_row(QTreeWidgetItem& group, const QAction& action, const QString& befor
   row->setToolTip(1, action.statusTip().isEmpty() ? action.toolTip() : action.statusTip());
 }
 
-/// Those of menus in it have the menu's name before their own, which alone says little.
+/// Adds the actions of a menu; those of submenus are prefixed by the submenu's name.
 void add_actions(QTreeWidgetItem& group, const QMenu& menu, const QString& before = {}) {
   for (const QAction* action : menu.actions()) {
     if (action->menu() != nullptr) add_actions(group, *action->menu(), action->text().remove('&') + ": ");
@@ -56,7 +57,7 @@ QTreeWidgetItem* new_group(QTreeWidget& list, const QString& name) {
   return group;
 }
 
-/// Whether its key holds in one control alone, and no menu says it.
+/// Whether the shortcut works only in one control, and the action is in no menu.
 bool is_of_control(const QAction& action) {
   const QObjectList places = action.associatedObjects();
   const bool has_menu = std::ranges::any_of(
@@ -95,8 +96,7 @@ void filter(const QTreeWidget& list, const QString& words) {
     bool has_any = false;
     for (int k = 0; k < group->childCount(); ++k) {
       QTreeWidgetItem* row = group->child(k);
-      const bool fits = row->text(0).contains(words, Qt::CaseInsensitive) ||
-                        row->text(1).contains(words, Qt::CaseInsensitive);
+      const bool fits = matches_search(row->text(0) + ' ' + row->text(1) + ' ' + row->toolTip(1), words);
       row->setHidden(!fits);
       has_any = has_any || fits;
     }
@@ -111,12 +111,13 @@ QDialog* make_dialog(QMainWindow& window) {
   auto* search = new QLineEdit(dialog);
   search->setPlaceholderText(QDialog::tr("Search"));
   search->setAccessibleName(QDialog::tr("Search the shortcuts"));
-  search->setToolTip(QDialog::tr("Shows the lines alone that have these letters"));
+  search->setToolTip(
+      QDialog::tr("Show only actions whose key, name or description has these words or a synonym"));
   search->setClearButtonEnabled(true);
   auto* list = new QTreeWidget(dialog);
   list->setAccessibleName(QDialog::tr("Shortcuts"));
-  list->setToolTip(QDialog::tr("Keys, and what they do"));
-  list->setHeaderLabels({QDialog::tr("Keys"), QDialog::tr("What they do")});
+  list->setToolTip(QDialog::tr("Keys and their actions"));
+  list->setHeaderLabels({QDialog::tr("Keys"), QDialog::tr("Action")});
   list->setRootIsDecorated(false);
   list->setIndentation(2 * Grid);
   auto* column = new QVBoxLayout(dialog);
@@ -134,7 +135,7 @@ void show_shortcuts(QMainWindow& window) {
   auto* dialog = window.findChild<QDialog*>(ListName);
   if (dialog == nullptr) dialog = make_dialog(window);
   auto* list = dialog->findChild<QTreeWidget*>();
-  fill(*list, window);  // pages that came since have keys, too
+  fill(*list, window);  // new pages may have shortcuts, too
   list->resizeColumnToContents(0);
   filter(*list, dialog->findChild<QLineEdit*>()->text());
   dialog->show();

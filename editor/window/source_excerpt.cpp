@@ -16,7 +16,7 @@ constexpr qint64 PartBytes = 1 << 20;
 
 QString text(const char* words) { return QCoreApplication::translate("SourceView", words); }
 
-/// Calls visit(bytes) with one part of the file after another until it returns false.
+/// Calls visit(bytes) for consecutive blocks of the file until it returns false.
 template <class Visit>
 void for_each_part(QFile& file, const std::function<bool()>& is_stopped, const Visit& visit) {
   QByteArray part(PartBytes, Qt::Uninitialized);
@@ -27,7 +27,7 @@ void for_each_part(QFile& file, const std::function<bool()>& is_stopped, const V
   }
 }
 
-/// A text that ends with a line end has no line after it; an empty one has none.
+/// Counts lines: a final line end does not start another line; an empty file has none.
 qint64 count_lines(QFile& file, const std::function<bool()>& is_stopped) {
   qint64 lines = 0;
   char last = '\n';
@@ -41,7 +41,7 @@ qint64 count_lines(QFile& file, const std::function<bool()>& is_stopped) {
 
 bool is_character_start(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
 
-/// What would break a line once more, or cannot be shown, as a sign that it was there.
+/// Replaces unprintable characters, and those that would break the line, by a placeholder.
 QString shown(const QByteArray& bytes) {
   QString line = QString::fromUtf8(bytes);
   for (QChar& character : line) {
@@ -53,12 +53,12 @@ QString shown(const QByteArray& bytes) {
   return line;
 }
 
-/// Takes the lines of an excerpt out of the parts of its file.
+/// Collects the lines of an excerpt from the blocks of its file.
 class LineCollector {
  public:
   explicit LineCollector(SourceExcerpt& excerpt) : excerpt_(excerpt) { begin_line(); }
 
-  /// False: it needs no more.
+  /// Returns false when it is complete.
   bool add(std::string_view part) {
     while (!part.empty() && !has_all()) {
       const std::size_t end = part.find('\n');
@@ -69,7 +69,7 @@ class LineCollector {
     }
     return !has_all();
   }
-  /// The last line may lack its end.
+  /// The last line may have no line end.
   void finish() {
     if (number_ <= excerpt_.line_count && !has_all()) end_line();
   }
@@ -114,7 +114,7 @@ class LineCollector {
     excerpt_.lines.append(line);
   }
 
-  /// Of the place's column, which counts pairs of surrogates as one.
+  /// The index of the location's column, which counts surrogate pairs as one.
   qint64 position_in(const QString& line, bool is_cut_before) const {
     qint64 characters = excerpt_.place.column - 1 - first_ + (is_cut_before ? 1 : 0);
     qint64 position = 0;
@@ -127,8 +127,8 @@ class LineCollector {
   SourceExcerpt& excerpt_;
   qint64 number_ = 1;
   QByteArray line_;
-  qint64 character_ = 0;  // of the line, so far
-  qint64 first_ = 0;      // so many characters of the line are left out before what is shown
+  qint64 character_ = 0;  // number in the line, so far
+  qint64 first_ = 0;      // characters of the line that are omitted before the excerpt
 };
 
 }  // namespace
@@ -138,11 +138,11 @@ SourceExcerpt read_excerpt(const SourcePlace& place, const std::function<bool()>
   excerpt.place = place;
   const QFileInfo info(place.path);
   QFile file(place.path);
-  // A pipe would never end.
+  // Reading a pipe would never end.
   if (info.exists() && !info.isFile()) {
     excerpt.problem = text("%1 is not a file").arg(place.path);
   } else if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
-    excerpt.problem = text("%1 cannot be read: %2").arg(place.path, file.errorString());
+    excerpt.problem = text("Cannot read %1: %2").arg(place.path, file.errorString());
   }
   if (!excerpt.problem.isEmpty()) return excerpt;
   excerpt.line_count = count_lines(file, is_stopped);

@@ -1,4 +1,4 @@
-// The part of a text file that is about a place.
+// Reads the part of a text file around a location.
 #pragma once
 
 #include <QString>
@@ -7,11 +7,11 @@
 
 namespace editor {
 
-/// At most so many lines, and characters of each, are shown: a file may have millions.
+/// The maximum number of lines, and of characters per line, since a file may have millions.
 inline constexpr qint64 ExcerptLines = 5000;
 inline constexpr qint64 ExcerptColumns = 2000;
 
-/// A place in a file; lines and columns count from 1, columns in characters. 0: it is not known.
+/// A location in a file; lines and columns count from 1, columns in characters. 0 if unknown.
 struct SourcePlace {
   QString path;
   qint64 line = 0;
@@ -20,17 +20,17 @@ struct SourcePlace {
 
 struct SourceExcerpt {
   SourcePlace place;
-  QString problem;        ///< why it cannot be read; empty: it was
-  qint64 first_line = 1;  ///< number of the first of the lines that are here
+  QString problem;        ///< error message; empty if the file was read
+  qint64 first_line = 1;  ///< number of the first line of the excerpt
   qint64 line_count = 0;  ///< of the whole file
-  QStringList lines;      ///< without line ends; a part that was left out is an ellipsis
-  qint64 shortened = 0;   ///< how many of them have one
-  qint64 position = 0;    ///< of the place's column in its line here, in UTF-16 from 0
+  QStringList lines;      ///< without line ends; an ellipsis replaces the omitted part of a long line
+  qint64 shortened = 0;   ///< number of shortened lines
+  qint64 position = 0;    ///< of the location's column in its line of the excerpt, in UTF-16 units from 0
   bool is_whole() const { return lines.size() == line_count && shortened == 0; }
 };
 
-/// Reads a file once through, with no more in memory than is shown. It gives up, with whatever it has, as
-/// soon as `is_stopped` says so.
+/// Reads an excerpt in one pass, with no more in memory than is shown. It stops early, with an incomplete
+/// result, as soon as `is_stopped` returns true.
 SourceExcerpt read_excerpt(const SourcePlace& place, const std::function<bool()>& is_stopped = {});
 
 }  // namespace editor

@@ -16,7 +16,7 @@
 namespace editor {
 namespace {
 
-/// What is never the name of a model, nor of a parameter. Sorted.
+/// GRF keywords that are never names of models or parameters. Sorted.
 constexpr std::array Keywords = std::to_array<std::string_view>(
     {"begin",       "brdf",    "color", "colour", "def",      "dependent", "end",     "faces",
      "false",       "include", "irad",  "light",  "list",     "mesh",      "none",    "normal",
@@ -29,12 +29,12 @@ bool is_keyword(const std::string& word) {
 
 }  // namespace
 
-/// GRF's keywords stand out, and comments recede; those of OP files too.
+/// Highlights keywords of GRF and OP files, and dims comments.
 class SourceText::Highlighter : public QSyntaxHighlighter {
  public:
   explicit Highlighter(SourceText& widget) : QSyntaxHighlighter(widget.document()), widget_(widget) {}
 
-  /// Of the text that will be shown.
+  /// Selects the language of the text.
   void set_is_op(bool is_op) { is_op_ = is_op; }
 
  protected:
@@ -72,7 +72,7 @@ class SourceText::Highlighter : public QSyntaxHighlighter {
   static bool is_word_start(QChar c) { return c.unicode() < 128 && grf::is_word_start(c.toLatin1()); }
   static bool is_in_word(QChar c) { return c.unicode() < 128 && grf::is_word_character(c.toLatin1()); }
 
-  /// Returns where it ends.
+  /// Returns the end of the word.
   qsizetype highlight_word(const QString& text, qsizetype begin) {
     qsizetype end = begin;
     while (end < text.size() && is_in_word(text[end])) ++end;
@@ -98,7 +98,7 @@ SourceText::SourceText(QWidget* parent)
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setFrameShape(QFrame::NoFrame);
   setAccessibleName(tr("Text of the file"));
-  setToolTip(tr("The file as it is on disk. It is edited in the text editor."));
+  setToolTip(tr("The file as it is on disk, read-only. Edit it in the text editor."));
   numbers_->installEventFilter(this);
   connect(this, &QPlainTextEdit::updateRequest, this, [this](const QRect& area, int scrolled) {
     if (scrolled != 0) {
@@ -125,7 +125,7 @@ void SourceText::show_excerpt(const SourceExcerpt& excerpt) {
     cursor.setPosition(line.position() + int(std::min<qint64>(excerpt.position, line.length() - 1)));
     const int place = cursor.position();
     cursor.movePosition(QTextCursor::EndOfWord, QTextCursor::KeepAnchor);
-    // Punctuation is no word.
+    // Punctuation is not selected as a word.
     if (cursor.position() == place && place < line.position() + line.length() - 1) {
       cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor);
     }
@@ -192,7 +192,7 @@ void SourceText::resizeEvent(QResizeEvent* event) {
   place_numbers();
 }
 
-// Before, it was not known how many lines there is room for.
+// The number of visible lines is known only now.
 void SourceText::showEvent(QShowEvent* event) {
   QPlainTextEdit::showEvent(event);
   centre();

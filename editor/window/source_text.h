@@ -6,8 +6,8 @@
 
 namespace editor {
 
-/// The lines of an excerpt with their numbers at the left. The line of the excerpt's place is marked, and the
-/// word at its column is selected.
+/// Shows the lines of an excerpt with line numbers. The line of the location is highlighted, and the word at
+/// its column is selected.
 class SourceText : public QPlainTextEdit {
   Q_OBJECT
 

@@ -19,7 +19,7 @@
 namespace editor {
 namespace {
 
-/// What is left out, in words; empty: nothing.
+/// A note about omitted text; empty if the file is shown in full.
 QString note_of(const SourceExcerpt& excerpt) {
   if (excerpt.is_whole()) return {};
   const auto number = [](qint64 value) { return QLocale().toString(value); };
@@ -31,12 +31,12 @@ QString note_of(const SourceExcerpt& excerpt) {
   }
   if (excerpt.shortened > 0) {
     parts.append(
-        SourceView::tr("Of lines with more than %1 characters a part is shown.").arg(number(ExcerptColumns)));
+        SourceView::tr("Lines with more than %1 characters are shown in part.").arg(number(ExcerptColumns)));
   }
   return parts.join(' ');
 }
 
-/// With the user's folder as `~`, as people know it.
+/// Abbreviates the user's home folder as `~`.
 QString path_text(const QString& path) {
   const QString home = QDir::homePath() + '/';
   return QDir::toNativeSeparators(path.startsWith(home) ? "~/" + path.mid(home.size()) : path);
@@ -49,7 +49,7 @@ QLabel* make_hint() {
   hint->setMargin(2 * Grid);
   hint->setTextFormat(Qt::PlainText);
   hint->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  hint->setText(SourceView::tr("No file is shown.\n\nChoose a message to see the line that it is about."));
+  hint->setText(SourceView::tr("No file is shown.\n\nSelect a message to see the line that it refers to."));
   return hint;
 }
 
@@ -61,7 +61,7 @@ SourceView::SourceView(QWidget* parent)
       open_(tool_button(
           "edit", tr("Open in text editor"), {}, [this] { open_in_text_editor(); }, this)),
       again_(tool_button(
-          "reset", tr("Read again"), {}, [this] { read_again(); }, this)),
+          "reset", tr("Reload"), {}, [this] { read_again(); }, this)),
       note_(new QLabel),
       pages_(new QStackedWidget),
       hint_(make_hint()),
@@ -87,7 +87,7 @@ SourceView::SourceView(QWidget* parent)
   layout->addWidget(note_);
   layout->addWidget(pages_, 1);
   for (QToolButton* button : {open_, again_}) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  auto* refresh = new QAction(tr("Read again"), this);
+  auto* refresh = new QAction(tr("Reload"), this);
   refresh->setShortcut(QKeySequence::Refresh);
   refresh->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   connect(refresh, &QAction::triggered, this, &SourceView::read_again);
@@ -143,14 +143,14 @@ void SourceView::show_path() {
   const QString path = is_there ? path_text(place_.path) : tr("No file");
   title_->setText(title_->fontMetrics().elidedText(path, Qt::ElideMiddle, title_->width()));
   title_->setToolTip(is_there ? QDir::toNativeSeparators(place_.path) : QString());
-  const QString why_not = is_there ? QString() : tr("There is no file yet: choose a message first");
-  enable(open_, tr("Open the file in the program that the desktop has for it"), why_not);
-  enable(again_, tr("Read the file from disk again (F5)"), why_not);
+  const QString why_not = is_there ? QString() : tr("No file is shown yet: select a message first");
+  enable(open_, tr("Open the file in the default program of the desktop"), why_not);
+  enable(again_, tr("Reload the file from disk (F5)"), why_not);
 }
 
 void SourceView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  layout()->activate();  // the label has its new width
+  layout()->activate();  // updates the width of the label
   show_path();
 }
 

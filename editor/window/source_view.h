@@ -15,8 +15,8 @@ namespace editor {
 
 class SourceText;
 
-/// Shows the text of a scene's file, or of an OP file, at a place of which a message speaks. It is read in a
-/// thread; of a long file some thousands of lines around the place are shown, with their true numbers.
+/// Shows the text of a scene's file, or of an OP file, at the location of a message. The file is read in a
+/// thread; of a long file some thousands of lines around the location are shown, with their line numbers.
 class SourceView : public QWidget {
   Q_OBJECT
 
@@ -24,22 +24,22 @@ class SourceView : public QWidget {
   explicit SourceView(QWidget* parent = nullptr);
 
   using QWidget::show;
-  /// A location without a file shows nothing else than before.
+  /// Shows a location; one without a file changes nothing.
   void show(const grf::SourceLocation& location);
-  /// Line and column count from 1, columns in characters; 0: there is none.
+  /// Line and column count from 1, columns in characters; 0 for none.
   void show_file(const QString& path, int line = 0, int column = 0);
-  /// Reads the file once more, and shows the same place.
+  /// Reloads the file at the same location.
   void read_again();
-  /// Opens the file in the program that the desktop has for it.
+  /// Opens the file in the default program of the desktop.
   void open_in_text_editor();
 
-  /// Of the file that is shown, absolute; empty: none is.
+  /// Absolute path of the shown file; empty for none.
   const QString& path() const { return place_.path; }
   QPlainTextEdit* text() const;
   QSize sizeHint() const override;
 
  signals:
-  /// What was asked for is there, or why it is not.
+  /// Emitted when the requested file is shown, or the reason why it cannot be.
   void shown();
 
  protected:

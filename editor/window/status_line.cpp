@@ -25,12 +25,12 @@ StatusLine::StatusLine(const Document& document, const JobList& jobs, QStatusBar
       counts_(new QLabel(&bar)) {
   message_->setAccessibleName(tr("Message"));
   message_->setContentsMargins(Grid, 0, 0, 0);
-  // A long message is cut off, and does not widen the window.
+  // A long message is cut off instead of widening the window.
   message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   progress_->setFixedSize(12 * Grid, Grid);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress"));
-  progress_->setToolTip(tr("How much of the work is done"));
+  progress_->setToolTip(tr("Progress of the job"));
   cancel_->setIcon(icon("stop"));
   cancel_->setText(tr("Cancel"));
   cancel_->setAccessibleName(tr("Cancel"));
@@ -78,7 +78,7 @@ void StatusLine::show_hovered(const QString& text) { message_->setText(text.isEm
 
 QString StatusLine::message() const { return told_; }
 
-/// The first job that runs, and how many there are besides.
+/// Shows the first running job, and the number of others.
 void StatusLine::show_job() {
   const std::vector<Job*>& jobs = jobs_.jobs();
   const auto first =
@@ -89,7 +89,7 @@ void StatusLine::show_job() {
   if (!job_) return;
   work_->setText(jobs.size() == 1 ? job_->title() : tr("%1 (+%2)").arg(job_->title()).arg(jobs.size() - 1));
   cancel_->setToolTip(job_->cancel_tip());
-  progress_->setRange(0, job_->done() < 0 ? 0 : 1000);  // without a range it moves to and fro
+  progress_->setRange(0, job_->done() < 0 ? 0 : 1000);  // without a range it is indeterminate
   if (job_->done() >= 0) progress_->setValue(static_cast<int>(1000 * job_->done()));
 }
 

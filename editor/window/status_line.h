@@ -16,8 +16,8 @@ class Document;
 class Job;
 class JobList;
 
-/// The line under the window: what is under the pointer, what the last action did, the job that runs, and how
-/// much is selected.
+/// The status line: what is under the pointer, the outcome of the last action, the running job, and the size
+/// of the selection.
 class StatusLine : public QObject {
   Q_OBJECT
 
@@ -40,8 +40,8 @@ class StatusLine : public QObject {
   QToolButton* cancel_;
   QLabel* counts_;
   QString told_;
-  QPointer<Job> job_;  ///< is shown
-  QTimer patience_;    ///< what is done at once is not shown
+  QPointer<Job> job_;  ///< the displayed one
+  QTimer patience_;    ///< delays the display of a job, so that short ones are not shown
 };
 
 }  // namespace editor

@@ -34,10 +34,10 @@ QWidget* open_images(const QStringList& files) {
 
 std::vector<Tool> tools() {
   return {
-      {"grfviewer", tool_text("GRF &viewer"), tool_text("Looks at a scene without editing it"), open_viewer},
-      {"op", tool_text("&OP generator"), tool_text("Writes and checks the options of a render"),
+      {"grfviewer", tool_text("GRF &viewer"), tool_text("View a scene without editing it"), open_viewer},
+      {"op", tool_text("Render &options"), tool_text("Edit and check the render options of an OP file"),
        open_options},
-      {"image", tool_text("&Image view"), tool_text("Looks at images, and at renders while they form"),
+      {"image", tool_text("&Image view"), tool_text("View and compare images, and renders in progress"),
        open_images},
   };
 }

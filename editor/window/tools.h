@@ -1,4 +1,4 @@
-// Windows that stand alone, each for one task: `wannabe --tool NAME`.
+// Windows of single tools: `wannabe --tool NAME`.
 #pragma once
 
 #include <QString>
@@ -11,14 +11,14 @@ class QWidget;
 namespace editor {
 
 struct Tool {
-  QString name;   ///< on the command line
-  QString title;  ///< in menus
+  QString name;   ///< name on the command line
+  QString title;  ///< title in menus
   QString about;  ///< a sentence
-  /// Makes its window with these files opened; the caller shows and deletes it.
+  /// Creates the tool's window with these files open; the caller shows and deletes it.
   std::function<QWidget*(const QStringList& files)> open;
 };
 
-/// All of them. A new tool is a new row here.
+/// The table of all tools. A new tool is a new row here.
 std::vector<Tool> tools();
 
 }  // namespace editor

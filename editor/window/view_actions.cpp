@@ -19,14 +19,14 @@ struct Mode {
 };
 
 constexpr Mode Modes[] = {
-    {DisplayMode::Points, "&Points", "Vertices alone"},
-    {DisplayMode::Wireframe, "&Wireframe", "Edges alone"},
-    {DisplayMode::Solid, "&Solid", "Faces in their colours, lit from the eye"},
+    {DisplayMode::Points, "&Points", "Only vertices"},
+    {DisplayMode::Wireframe, "&Wireframe", "Only edges"},
+    {DisplayMode::Solid, "&Solid", "Faces in their colours, lit by a headlight"},
     {DisplayMode::SolidEdges, "Solid with &edges", "Faces in their colours, with their edges"},
     {DisplayMode::Textured, "&Textured", "Faces with their textures"},
-    {DisplayMode::VertexColours, "&Vertex colours", "The colours of vertices"},
-    {DisplayMode::Irradiance, "&Irradiance", "The irradiance that is kept at vertices"},
-    {DisplayMode::Brdf, "&BRDF", "Faces with their BRDFs, lit by the scene's lights and a sky"},
+    {DisplayMode::VertexColours, "&Vertex colours", "The vertex colours"},
+    {DisplayMode::Irradiance, "&Irradiance", "The irradiance baked at the vertices"},
+    {DisplayMode::Brdf, "&BRDF", "Faces shaded with their BRDFs, lit by a headlight and a sky"},
 };
 
 }  // namespace
@@ -54,16 +54,15 @@ void ViewActions::make_overlays() {
   const auto add = [this](const ActionText& text, bool is_on, void (SceneView::*set)(bool)) {
     overlays_.append(new_switch(window_, text, is_on, [this, set](bool shown) { (view_.*set)(shown); }));
   };
-  add({tr("&Grid and axes"), "grid", {}, tr("The ground in steps of whole units, and the axes")}, true,
+  add({tr("&Grid and axes"), "grid", {}, tr("Show the ground grid in whole units, and the axes")}, true,
       &SceneView::set_grid);
-  add({tr("&Normals of faces"), {}, {}, tr("A line from the middle of each face")}, false,
-      &SceneView::set_face_normals);
-  add({tr("Normals of &vertices"), {}, {}, tr("A line from each vertex that has a normal")}, false,
+  add({tr("Face &normals"), {}, {}, tr("Show face normals as lines")}, false, &SceneView::set_face_normals);
+  add({tr("&Vertex normals"), {}, {}, tr("Show vertex normals as lines")}, false,
       &SceneView::set_vertex_normals);
 }
 
 void ViewActions::make_places() {
-  // Letters and digits are the view's: in fields and lists they are typed.
+  // Letters and digits are shortcuts only in the view, since fields and lists need them for typing.
   const auto add = [this](const QString& text, Qt::Key key, const QString& tip, const QString& icon = {}) {
     QAction* made = new_action(window_, {text, icon, key, tip}, [this, key] { view_.press(key); });
     window_.removeAction(made);
@@ -71,13 +70,14 @@ void ViewActions::make_places() {
     view_.addAction(made);
     return made;
   };
-  frame_all_ = add(tr("Frame &all"), Qt::Key_Home, tr("Shows the whole scene"), "fit");
-  frame_selection_ = add(tr("&Frame the selection"), Qt::Key_F, tr("Shows the selected faces"), "frame");
-  places_ = {add(tr("Fr&ont"), Qt::Key_1, tr("Looks along -z")),
-             add(tr("&Right"), Qt::Key_3, tr("Looks along -x")),
-             add(tr("&Top"), Qt::Key_7, tr("Looks along -y")),
-             add(tr("Oppos&ite"), Qt::Key_9, tr("Looks from the other side")),
-             add(tr("&Perspective or parallel"), Qt::Key_5, tr("Changes between perspective and parallel"))};
+  frame_all_ = add(tr("Frame &all"), Qt::Key_Home, tr("Frame the whole scene"), "fit");
+  frame_selection_ = add(tr("&Frame selection"), Qt::Key_F, tr("Frame the selected faces"), "frame");
+  places_ = {add(tr("Fr&ont"), Qt::Key_1, tr("Look along -z")),
+             add(tr("&Right"), Qt::Key_3, tr("Look along -x")),
+             add(tr("&Top"), Qt::Key_7, tr("Look along -y")),
+             add(tr("Oppos&ite"), Qt::Key_9, tr("Look from the opposite side")),
+             add(tr("&Perspective or orthographic"), Qt::Key_5,
+                 tr("Toggle perspective and orthographic projection"))};
 }
 
 void ViewActions::fill(QMenu& menu) {
@@ -98,7 +98,7 @@ void ViewActions::fill(QToolBar& bar) {
   button->setMenu(menu);
   button->setPopupMode(QToolButton::InstantPopup);
   button->setFocusPolicy(Qt::TabFocus);
-  button->setToolTip(tr("How the scene is drawn (Alt and a digit)"));
+  button->setToolTip(tr("Display mode of the scene (Alt and a digit)"));
   button->setAccessibleName(tr("Display mode"));
   const auto name = [button](const QAction* mode) { button->setText(mode->text().remove('&')); };
   name(modes_->checkedAction());

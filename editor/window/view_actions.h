@@ -12,8 +12,8 @@ namespace editor {
 
 class SceneView;
 
-/// How the 3D view shows a scene, and from where. The keys of the view are the shortcuts, where they work
-/// while it has the focus.
+/// Actions for display mode and camera of the 3D view. Its keys are their shortcuts, which work while it has
+/// the focus.
 class ViewActions : public QObject {
   Q_OBJECT
 

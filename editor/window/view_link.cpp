@@ -67,7 +67,7 @@ void ViewLink::pick_face(const std::function<void(FaceId)>& picked) {
   picked_ = picked;
   view_.setCursor(Qt::CrossCursor);
   view_.setFocus();
-  emit told(tr("Click the face whose surface is to be copied, or press Escape"));
+  emit told(tr("Click the face to copy the surface from, or press Escape to cancel"));
 }
 
 void ViewLink::end_picking() {
@@ -83,7 +83,7 @@ bool ViewLink::eventFilter(QObject* watched, QEvent* event) {
       auto& drag = static_cast<QDragMoveEvent&>(*event);
       if (!drag.mimeData()->hasFormat(BrdfMimeType)) return false;
       const bool is_over_face = view_.face_at(drag.position()).has_value();
-      // A drag that was refused when it came in would never be heard of again.
+      // Qt ignores a drag whose enter event was rejected.
       drag.setAccepted(is_over_face || event->type() == QEvent::DragEnter);
       return true;
     }
@@ -107,7 +107,7 @@ bool ViewLink::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-/// Faces that are selected get it together; another face gets it alone.
+/// Assigns to all selected faces if one of them is hit, else only to the face.
 bool ViewLink::drop(QDropEvent& event) {
   if (!event.mimeData()->hasFormat(BrdfMimeType)) return false;
   const std::optional<FaceId> face = view_.face_at(event.position());

@@ -14,8 +14,8 @@ class RenderLink;
 class SceneView;
 struct HandleId;
 
-/// Lets the 3D view show a document and edit it: selecting, moving lights, observers and the camera, BRDFs
-/// that are dropped on faces, and faces that others are to be like.
+/// Connects the 3D view to a document: selection, moving lights, observers and the camera, BRDFs dropped on
+/// faces, and copying the surface of a picked face.
 class ViewLink : public QObject {
   Q_OBJECT
 
@@ -24,10 +24,10 @@ class ViewLink : public QObject {
   ViewLink(Document& document, const grf::Catalogue& catalogue, SceneView& view, RenderLink& render,
            QObject* parent);
 
-  /// The next click in the view is not to select a face but to be given to this; Escape gives it up.
+  /// Passes the next clicked face to `picked` instead of selecting it; Escape cancels.
   void pick_face(const std::function<void(FaceId)>& picked);
 
-  /// Adds an observer where the view is seen from.
+  /// Adds an observer at the viewpoint of the 3D view.
   void add_observer();
 
  signals:

@@ -61,10 +61,10 @@ ViewerWindow::ViewerWindow(QWidget* parent)
   connect(view_, &SceneView::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text); });
   connect(view_, &SceneView::selection_made, this, &ViewerWindow::show_selection);
-  // What was dragged goes back to where the scene has it.
+  // A dragged object returns to its position in the scene.
   connect(view_, &SceneView::object_moved, this, [this] {
     view_->show(view_->shared_objects());
-    statusBar()->showMessage(tr("Nothing is moved here: open the scene in the editor for that"));
+    statusBar()->showMessage(tr("The viewer moves nothing: open the scene in the editor for that"));
   });
   resize(1024, 768);
   restoreGeometry(QSettings().value("viewer/geometry").toByteArray());
@@ -97,7 +97,8 @@ void ViewerWindow::make_status_line() {
   selected_->setAccessibleName(tr("Selected faces"));
   warnings_->setAccessibleName(tr("Warnings"));
   counts_->setAccessibleName(tr("Size of the scene"));
-  counts_->setToolTip(tr("Faces of all meshes, each mesh once; and triangles, each place of a mesh counted"));
+  counts_->setToolTip(
+      tr("Faces of all meshes, each mesh counted once, and triangles, each instance counted"));
   for (QLabel* label : {selected_, warnings_, counts_}) {
     label->setContentsMargins(Grid, 0, Grid, 0);
     statusBar()->addPermanentWidget(label);
@@ -119,7 +120,7 @@ void ViewerWindow::add_file_actions() {
   add(tr("&Open..."), "open", {QKeySequence::Open}, tr("Open a scene, or a model of another format"),
       &ViewerWindow::ask_for_file);
   reload_ = add(tr("&Reload"), "reset", {QKeySequence(Qt::Key_F5), QKeySequence("Ctrl+R")},
-                tr("There is nothing to read again: open a file first"), &ViewerWindow::reload);
+                tr("Nothing to reload: open a file first"), &ViewerWindow::reload);
   reload_->setEnabled(false);
   menu->addSeparator();
   add(tr("&Close"), "close", {QKeySequence("Ctrl+W"), QKeySequence("Ctrl+Q")}, tr("Close the window"),
@@ -142,10 +143,10 @@ void ViewerWindow::ask_for_file() { open(ask_for_scene_or_model(*this, tr("Open"
 void ViewerWindow::open(const QString& file) {
   if (file.isEmpty()) return;
   path_ = QFileInfo(file).absoluteFilePath();
-  // From now on: what comes while it is read is a change.
+  // Watches from now on, so that a change while reading is noticed.
   watch_.follow({path_});
   reload_->setEnabled(true);
-  reload_->setToolTip(tr("Read the file again; it is also done whenever the file changes"));
+  reload_->setToolTip(tr("Reload the file; this also happens when the file changes"));
   reload_->setStatusTip(reload_->toolTip());
   reload();
 }
@@ -178,12 +179,12 @@ void ViewerWindow::show_failure(const LoadFailure& failure) {
   statusBar()->clearMessage();
   std::vector<NoticeBar::Choice> choices;
   if (failure.location.file) {
-    choices.push_back({tr("Show the line"), tr("Show the text of the file where it is wrong"),
+    choices.push_back({tr("Show the line"), tr("Show the line of the file with the error"),
                        [this, location = failure.location] { show_line(location); }});
   }
   QString text = failure.message;
   if (shown_) {
-    text += shown_->path == failure.path ? tr("\nThe scene is shown as it was before.")
+    text += shown_->path == failure.path ? tr("\nThe previous version is still shown.")
                                          : tr("\n%1 is still shown.").arg(QFileInfo(shown_->path).fileName());
   }
   notice_->show_notice(NoticeBar::Kind::Error, text, choices);

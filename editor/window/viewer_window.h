@@ -16,8 +16,8 @@ class NoticeBar;
 class SceneView;
 class SourceView;
 
-/// A window that shows scenes and changes nothing. A file that changes on disk, or one that it includes, is
-/// shown anew from where it was looked at.
+/// A read-only scene viewer. A scene is reloaded when its file or an included one changes on disk, and the
+/// camera stays.
 class ViewerWindow : public QMainWindow {
   Q_OBJECT
 
@@ -25,19 +25,19 @@ class ViewerWindow : public QMainWindow {
   explicit ViewerWindow(QWidget* parent = nullptr);
   ~ViewerWindow() override;
 
-  /// A GRF scene, or a model of another format. What was shown before stays until the file was read, and if
-  /// it cannot be.
+  /// Opens a GRF scene, or a model of another format. The former scene is shown until the file is read, and
+  /// if it cannot be.
   void open(const QString& file);
-  /// Reads the file that was opened last once more.
+  /// Reloads the file that was opened last.
   void reload();
-  /// Absolute, of the file that was opened last; empty: none was.
+  /// Absolute path of the file that was opened last; empty for none.
   const QString& path() const { return path_; }
 
   SceneView& view() { return *view_; }
   NoticeBar& notice() { return *notice_; }
 
  signals:
-  /// The file is in the view.
+  /// Emitted when the file is in the view.
   void opened(const QString& file);
   void failed(const QString& message);
 
@@ -59,7 +59,7 @@ class ViewerWindow : public QMainWindow {
   void show_warnings(const QStringList& warnings);
 
   QString path_;
-  std::shared_ptr<const LoadedScene> shown_;  ///< null: there is no scene
+  std::shared_ptr<const LoadedScene> shown_;  ///< null if there is no scene
   SceneLoader loader_;
   FileWatch watch_;
   NoticeBar* notice_;
@@ -71,7 +71,7 @@ class ViewerWindow : public QMainWindow {
   QLabel* warnings_;
   QLabel* counts_;
   QAction* reload_ = nullptr;
-  std::unique_ptr<SourceView> source_;  ///< a window of its own
+  std::unique_ptr<SourceView> source_;  ///< a separate window
 };
 
 }  // namespace editor

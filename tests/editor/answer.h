@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// Answers the question that will be asked.
+/// Answers the next message box.
 inline void answer(QMessageBox::StandardButton button) {
   QTimer::singleShot(0, [button] {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());

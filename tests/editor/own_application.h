@@ -1,4 +1,4 @@
-// The application of programs that show windows on a screen which nobody sees.
+// The application of programs that show windows on a virtual screen.
 #pragma once
 
 #include <QApplication>
@@ -10,8 +10,8 @@
 
 namespace test {
 
-/// Makes the editor's application, dark, on a screen that is started for it and outlives it; null, with a
-/// message, if the screen cannot be started. The application keeps `argc`.
+/// Creates the editor's application, dark, on a virtual screen that is started for it and outlives it; null,
+/// with a message, if the screen cannot be started. The application keeps `argc`.
 inline std::unique_ptr<QApplication> application_on(OwnScreen& screen, QSize size, int& argc, char** argv) {
   if (!screen.start(size)) {
     std::cerr << "Xvfb cannot be started\n";

@@ -8,7 +8,7 @@ OwnScreen::~OwnScreen() {
 }
 
 bool OwnScreen::start(QSize size) {
-  // The server writes the number of the display that it found free.
+  // The server prints the number of a free display.
   server_.setProcessChannelMode(QProcess::SeparateChannels);
   const QString screen = QString("%1x%2x24").arg(size.width()).arg(size.height());
   server_.start("Xvfb", {"-displayfd", "1", "-screen", "0", screen, "-nolisten", "tcp", "-dpi", "96"});

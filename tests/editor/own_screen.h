@@ -1,4 +1,4 @@
-// A screen that nobody sees, for programs that show windows.
+// A virtual screen for programs that show windows.
 #pragma once
 
 #include <QProcess>
@@ -7,9 +7,9 @@
 
 namespace test {
 
-/// An X server without a display (Xvfb) that lives as long as this, with OpenGL in software, and settings in
-/// a folder that is removed. To be made before the QApplication: nobody's desktop is touched, and nothing is
-/// seen of what another program left.
+/// A virtual X server (Xvfb) for the lifetime of this object, with software OpenGL, and settings in a
+/// temporary folder. Created before the QApplication, it isolates the program from the user's desktop and
+/// settings.
 class OwnScreen {
  public:
   OwnScreen() = default;
@@ -17,7 +17,8 @@ class OwnScreen {
   OwnScreen(const OwnScreen&) = delete;
   OwnScreen& operator=(const OwnScreen&) = delete;
 
-  /// Pixels. False if there is no Xvfb that can be started; else the environment says where all is.
+  /// Starts the server; the size is in pixels. Returns false if Xvfb cannot be started; else sets the
+  /// environment.
   bool start(QSize size);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace editor {
 
-/// The scene of GRF text; throws the diagnostics if there is an error in it.
+/// Reads a scene from GRF text; throws the diagnostics after an error.
 inline grf::Scene scene_of(const std::string& text) {
   grf::Diagnostics diagnostics;
   auto scene = grf::read_text(text, "scene.grf", diagnostics);
@@ -16,7 +16,7 @@ inline grf::Scene scene_of(const std::string& text) {
   return std::move(*scene);
 }
 
-/// Reads a BRDF from GRF text; throws the diagnostics if there is an error in it.
+/// Reads a BRDF from GRF text; throws the diagnostics after an error.
 inline grf::BrdfModel brdf_model(const std::string& text) {
   grf::Diagnostics diagnostics;
   auto model = grf::read_brdf(text, "test", diagnostics);

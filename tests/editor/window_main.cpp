@@ -1,4 +1,4 @@
-// Runs tests of windows on a screen of their own, so that no test sees what another one left.
+// Runs tests of windows on a separate virtual screen, isolated from other tests.
 #include <cstdlib>
 
 #include <gmock/gmock.h>
@@ -6,7 +6,7 @@
 
 #include "tests/editor/own_application.h"
 
-// Of LeakSanitizer, where it is linked in.
+// From LeakSanitizer, if it is linked.
 extern "C" [[gnu::weak]] void __lsan_do_leak_check();  // NOLINT: the sanitizer's name
 
 int main(int argc, char** argv) {
@@ -16,8 +16,8 @@ int main(int argc, char** argv) {
   const auto application = test::application_on(screen, {1920, 1200}, argc, argv);
   if (application == nullptr) return EXIT_FAILURE;
   const int result = RUN_ALL_TESTS();
-  // While the drivers of OpenGL are there: what they keep looks lost once they are unloaded with the
-  // application.
+  // Checks before the OpenGL drivers are unloaded with the application, since their allocations would look
+  // leaked.
   if (__lsan_do_leak_check != nullptr) __lsan_do_leak_check();
   return result;
 }

@@ -1,10 +1,10 @@
-// What one BRDF model reflects. The model's formula, `model(u, v)` and reflected_light.glsl stand before this
-// text.
+// Shades the surfaces of one BRDF model. The model's formula, `model(u, v)` and reflected_light.glsl precede
+// this text.
 uniform int model_number;
 uniform mat3 camera_to_world;
 uniform bool is_orthographic;
 uniform vec2 screen_size;
-uniform vec2 half_size;  // of what is seen, at distance 1
+uniform vec2 half_size;  // of the image plane at distance 1
 uniform int sky_samples;
 uniform int pass;
 layout(location = 0) out vec4 colour;

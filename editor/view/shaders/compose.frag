@@ -1,12 +1,12 @@
-// Puts a picture onto the screen: over the background, with the selection in the accent colour.
+// Composes an image for the screen: over the background, with the selection in the accent colour.
 uniform sampler2D sum;
-uniform float sum_weight;  // 0: the picture's own colours are shown
-uniform vec2 to_picture;   // pixels of the picture in one of the screen
+uniform float sum_weight;  // 0 shows the image's own colours
+uniform vec2 to_picture;   // image pixels per screen pixel
 uniform vec3 background_top;
 uniform vec3 background_bottom;
 uniform float height;
 uniform vec3 accent;
-uniform float fill;  // how much of the accent selected faces take
+uniform float fill;  // opacity of the accent on selected faces
 uniform bool has_selection;
 uniform bool has_borders;
 layout(location = 0) out vec4 colour;

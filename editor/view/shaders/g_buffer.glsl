@@ -1,4 +1,4 @@
-// Reads what geometry.frag wrote, and what the scene says of its faces.
+// Reads the G-buffer that geometry.frag wrote, and the surface tables.
 #define real float
 uniform usampler2D faces;
 uniform sampler2D normals;
@@ -23,7 +23,7 @@ vec3 normal_at(ivec2 place) {
 }
 
 // The rows of a surface: 0 colour and texture, 1 emission and whether there is one, 2 first term, number of
-// terms, first value of the mirror part (or -1), exponent of the lobe.
+// terms, first value of the specular part (or -1), exponent of the lobe.
 vec4 surface_row(uvec2 face, int row) {
   return texelFetch(surfaces, 3 * int(texelFetch(surface_of_face, int(face.y)).r) + row);
 }

@@ -1,4 +1,4 @@
-// What is in a pixel: see picture.h.
+// Writes the G-buffer: see g_buffer.h.
 uniform usamplerBuffer face_of_triangle;
 uniform int first_triangle;
 uniform int instance;
@@ -6,7 +6,7 @@ uniform int first_face;
 uniform bool is_mirrored;
 uniform bool is_orthographic;
 uniform bool has_irradiance;
-uniform vec3 y_axis;  // the mesh's own, in the camera's coordinates
+uniform vec3 y_axis;  // the mesh's own y axis in camera space
 in vec3 camera_place;
 in vec4 camera_normal;
 in vec4 vertex_value;
@@ -23,7 +23,7 @@ vec2 octahedral(vec3 n) {
   return folded * 0.5 + 0.5;
 }
 
-// Towards the eye.
+// The geometric normal, towards the eye.
 vec3 flat_normal(vec3 eye) {
   vec3 n = cross(dFdx(camera_place), dFdy(camera_place));
   float size = length(n);
@@ -31,7 +31,8 @@ vec3 flat_normal(vec3 eye) {
   return dot(n, eye) < 0 ? -n / size : n / size;
 }
 
-// The angle from the frame's own x axis to where u grows, or without uv to what is level in the mesh.
+// The angle from the frame's own x axis to the direction of increasing u, or without uv to the horizontal in
+// local space.
 float tangent_angle(vec3 n) {
   vec2 along_x = dFdx(vertex_uv);
   vec2 along_y = dFdy(vertex_uv);

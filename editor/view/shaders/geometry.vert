@@ -1,4 +1,4 @@
-// Triangles of a mesh, as they stand in the scene.
+// Transforms the triangles of a mesh instance.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 value;

@@ -1,4 +1,4 @@
-// Edges and points of a mesh, a little towards the eye so that faces do not cut them.
+// Transforms edges and points of a mesh, slightly towards the eye so that faces do not hide them.
 layout(location = 0) in vec3 position;
 uniform mat4 to_clip;
 uniform float nearer;

@@ -1,4 +1,4 @@
-// A line along each normal, of one length in the world.
+// Draws a line along each normal, of constant length in world space.
 layout(points) in;
 layout(line_strip, max_vertices = 2) out;
 uniform mat4 camera_to_clip;

@@ -1,4 +1,4 @@
-// Lines become strips of one width on the screen, one pixel wider so that their edges can fade.
+// Expands lines to strips of constant screen width, one pixel wider for antialiased edges.
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 uniform vec2 screen;  // pixels
@@ -18,7 +18,7 @@ void put(vec4 clip, vec2 aside, float side, vec4 colour) {
 void main() {
   vec4 a = gl_in[0].gl_Position;
   vec4 b = gl_in[1].gl_Position;
-  // The part behind the eye has no place on the screen.
+  // The part behind the eye cannot be projected.
   float least = 1e-5;
   if (a.w < least && b.w < least) return;
   if (a.w < least) a = mix(a, b, (least - a.w) / (b.w - a.w));

@@ -1,4 +1,4 @@
-// Lines over the scene, in the camera's coordinates.
+// Transforms lines over the scene from camera space.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 uniform mat4 to_clip;

@@ -1,8 +1,7 @@
-// What a BRDF reflects of a light at the viewer's head and of a sky, in the common subset of GLSL and C++: see
-// light_by_cpp.cpp. `model(u, v)` is the BRDF, and `sky(d)` stands before this text.
+// Shades a BRDF under a headlight and a sky, in the common subset of GLSL and C++: see light_by_cpp.cpp.
+// `model(u, v)` is the BRDF, and `sky(d)` precedes this text.
 
-// The start of a pixel's numbers in [0,1), which fill the square evenly (Roberts 2018, "The unreasonable
-// effectiveness of quasirandom sequences").
+// The R2 offset of a pixel in [0,1)^2 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
 vec2 pixel_start(uint x, uint y) {
   uint h = x * 1973u + y * 9277u;
   h = (h ^ 61u) ^ (h >> 16);
@@ -30,7 +29,7 @@ real lobe_density(vec3 u, vec3 v, real exponent) {
   return (exponent + 1) / (2 * PI) * exp(-exponent / 2 * log1p(tan2_of_half(h))) / (4 * max(dot(u, h), 1e-4));
 }
 
-// Half of the directions are drawn by the cosine and half by the lobe, each weighed by both densities.
+// Half of the directions are sampled by the cosine and half by the lobe, weighted by the pdf of their mixture.
 vec3 sky_part(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int first_sample) {
   vec3 sum = vec3(0, 0, 0);
   for (int i = 0; i < samples; ++i) {
@@ -47,8 +46,8 @@ vec3 reflected_light(vec3 u, mat3 to_world, real exponent, vec2 start, int sampl
   return model(u, u) * (1.6 * u.z) + sky_part(u, to_world, exponent, start, samples, first_sample);
 }
 
-// The tangent, the other direction along the surface, and the normal, in the camera's coordinates. The angle is
-// that of the tangent about the normal, over 2 pi and from 0 to 1.
+// Tangent, bitangent and normal in camera space. The angle is that of the tangent about the normal, over 2 pi and
+// from 0 to 1.
 mat3 frame_about(vec3 n, real turned) {
   real side = n.z >= 0 ? 1 : -1;
   real a = -1 / (side + n.z);
@@ -60,13 +59,13 @@ mat3 frame_about(vec3 n, real turned) {
   return mat3(tangent, cross(n, tangent), n);
 }
 
-// Towards the eye in that frame, not below the horizon, where interpolated normals may see it.
+// Direction towards the eye in that frame, clamped to the horizon, below which interpolated normals may see it.
 vec3 local_eye(vec3 eye, mat3 frame) {
   vec3 u = eye * frame;
   return normalize(vec3(u.x, u.y, max(u.z, 1e-3)));
 }
 
-// Towards the eye in the camera's coordinates, from a place of the picture in pixels.
+// Direction towards the eye in camera space, from a position of the image in pixels.
 vec3 eye_direction(vec2 place, vec2 size, vec2 tangents, bool is_parallel) {
   vec2 aside = (place / size * 2 - vec2(1, 1)) * tangents;
   return is_parallel ? vec3(0, 0, 1) : normalize(vec3(-aside.x, -aside.y, 1));

@@ -1,4 +1,4 @@
-// From radiance to what the screen shows, with mirror parts and emission.
+// Tone maps the radiance for the screen, after specular reflection and emission are added.
 uniform samplerBuffer terms;
 uniform mat3 camera_to_world;
 uniform bool is_orthographic;
@@ -25,6 +25,6 @@ void main() {
   vec3 paint = surface_row(face, 0).rgb * texelFetch(values, place, 0).rgb;
   if (mirror >= 0) radiance += mirror_part(face, mirror, eye, normal_at(place), paint);
   if (!is_from_behind(face)) radiance += surface_row(face, 1).rgb;
-  // A shoulder that keeps bright colours apart.
+  // A shoulder keeps bright colours distinct.
   colour = vec4(encoded(vec3(1) - exp(-1.25 * radiance)), 1);
 }

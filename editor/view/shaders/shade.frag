@@ -1,4 +1,4 @@
-// Simple looks: one colour a surface, under a light that comes over the viewer's left shoulder.
+// Simple shading: one colour per surface, under a light over the viewer's left shoulder.
 uniform int look;  // 0 solid, 1 colours, 2 irradiance
 uniform float irradiance_scale;
 uniform vec3 clay;
@@ -19,11 +19,11 @@ void main() {
   vec3 shown = base_colour(face, value) * shine;
   vec4 emission = surface_row(face, 1);
   if (look == 2) {
-    // Where nothing was computed there are stripes, so that black means no light.
+    // Stripes mark missing irradiance, so that black means no light.
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12) < 6 ? 0.16 : 0.22;
     shown = value.a > 0.5 ? value.rgb * irradiance_scale : vec3(stripe) * shine;
   } else if (emission.a > 0) {
-    // From the front as bright as the screen allows, in the light's own colour.
+    // Emitters have the maximum brightness from the front, in the light's own colour.
     vec3 tint = emission.rgb / max(max(emission.r, emission.g), max(emission.b, 1e-6));
     shown = is_from_behind(face) ? mix(shown, tint * 0.3, 0.5) : mix(vec3(1, 0.93, 0.75), tint, 0.6) * (0.75 + 0.25 * shine);
   }

@@ -23,7 +23,7 @@ double luminance(const QColor& colour) {
   return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
 }
 
-/// As WCAG 2 defines it.
+/// The contrast ratio of WCAG 2.
 double contrast(const QColor& a, const QColor& b) {
   const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
   return (lighter + 0.05) / (darker + 0.05);
@@ -83,7 +83,7 @@ TEST(Theme, MarksTheListThatHasTheFocus) {
   EXPECT_EQ(edge(), colours_of(Theme::Dark).base);
   list->setFocus();
   EXPECT_EQ(edge(), colours_of(Theme::Dark).accent);
-  apply(Theme::Dark, *qApp);  // a new style, which marks from the next change on
+  apply(Theme::Dark, *qApp);  // a new style, which marks the focus from the next change on
   other->setFocus();
   EXPECT_EQ(edge(), colours_of(Theme::Dark).base);
   list->setFocus();
@@ -101,7 +101,7 @@ bool has_pixel(const QPixmap& pixmap, const QColor& colour) {
 }
 
 TEST(Icons, AreDrawnInTheColourOfText) {
-  icon("open");  // whoever asks first makes the resources known
+  icon("open");  // the first request registers the resources
   const QStringList names = QDir(":/icons").entryList();
   EXPECT_FALSE(names.isEmpty());
   for (const Theme theme : {Theme::Light, Theme::Dark}) {

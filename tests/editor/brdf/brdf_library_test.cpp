@@ -118,7 +118,7 @@ TEST(BrdfLibrary, KeepsRenamesAndRemoves) {
   library.set_folder(home.filePath("mine"));
   library.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
-  auto* add = button_of(library, "Keep the BRDF in the library");
+  auto* add = button_of(library, "Save the BRDF to the library");
   EXPECT_FALSE(add->isEnabled());
   EXPECT_FALSE(add->toolTip().isEmpty());
   library.set_current(brdf_model("oren s=0.4"));

@@ -8,7 +8,7 @@
 
 namespace editor {
 
-/// The BRDF of GRF text, made to be evaluated.
+/// Compiles the BRDF of GRF text.
 inline SharedBrdf made_brdf_of(const std::string& text) { return made_brdf(brdf_model(text), {}).brdf; }
 
 }  // namespace editor

@@ -16,7 +16,7 @@ namespace {
 
 using reflectance::Vec3f;
 
-/// Pixels that differ by more than a hundredth, of the two ways to shade.
+/// The number of pixels that differ by more than 1 % between GPU and CPU.
 int differing(SphereShader& shader, const std::string& text) {
   SphereScene scene;
   scene.brdf = made_brdf_of(text);
@@ -46,7 +46,7 @@ TEST(SphereShader, IsWhatCppIs) {
   const auto shader = SphereShader::create(*current);
   ASSERT_TRUE(shader);
   for (const reflectance::Preset& preset : reflectance::thesis_models().presets) {
-    // A narrow lobe's rim may fall between the two.
+    // The rim of a narrow lobe may differ.
     EXPECT_LE(differing(*shader, std::string(preset.brdf)), 20) << preset.brdf;
   }
   for (const char* text :

@@ -32,7 +32,7 @@ TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
 }
 
 TEST(LobeMesh, CoversTheHemisphere) {
-  // Of diffuse it is half a sphere: its volume says whether all of it is there, and the right way out.
+  // The lobe of a diffuse BRDF is a hemisphere: its volume shows that it is complete and oriented outwards.
   const LobeMesh mesh = lobe_mesh(*made_brdf_of("diffuse"), 60, false, false, {});
   double volume = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {

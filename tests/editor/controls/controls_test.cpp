@@ -14,6 +14,7 @@
 #include "editor/controls/counted.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
+#include "editor/controls/search_terms.h"
 
 namespace editor {
 namespace {
@@ -29,6 +30,20 @@ TEST(Expression, TakesArithmetic) {
   EXPECT_DOUBLE_EQ(read(" -1e-3 "), -1e-3);
   EXPECT_DOUBLE_EQ(read("sqrt(2)/pi"), std::sqrt(2) / std::numbers::pi);
   EXPECT_DOUBLE_EQ(read("2^10 - (3 + 4)"), 1017);
+}
+
+TEST(SearchTerms, HaveSynonymsFromOtherPrograms) {
+  for (const auto& [query, text] :
+       {std::pair("merge", "Append..."), std::pair("MERG", "Append..."),
+        std::pair("glossy", "sx: the roughness along x"), std::pair("bounces", "BPT_Depth: depth"),
+        std::pair("merge model", "Append a scene or a model"), std::pair("", "anything")}) {
+    EXPECT_TRUE(matches_search(text, query)) << query;
+  }
+  for (const auto& [query, text] :
+       {std::pair("merge", "Open..."), std::pair("me", "Append..."),
+        std::pair("merge image", "Append a scene or a model"), std::pair("move", "Expand")}) {
+    EXPECT_FALSE(matches_search(text, query)) << query;
+  }
 }
 
 TEST(Counted, SaysHowMany) {

@@ -55,7 +55,7 @@ TEST(Definitions, ThatMeanSomethingAtAPlace) {
   const auto inside = definitions_at(scene, grf::ScenePath{0, 4, 1});
   EXPECT_THAT(names(inside), ElementsAre("dull", "both", "gold"));
   EXPECT_EQ(inside.back().path, (grf::ScenePath{0, 4, 0}));
-  // A definition sees those before it.
+  // Definitions are in scope of later ones.
   EXPECT_THAT(names(definitions_at(scene, grf::ScenePath{0, 1})), ElementsAre("gold"));
   EXPECT_THAT(names(common_definitions(scene, {{0, 3}, {0, 4, 1}, {0, 4, 2}})), ElementsAre("dull", "both"));
 }
@@ -116,12 +116,12 @@ TEST(Definitions, AreNotRenamedToWhatMeansSomethingElse) {
     EXPECT_EQ(diagnostics.error_count(), is_renamed ? 0U : 1U);
     return !is_renamed;
   };
-  EXPECT_TRUE(is_refused({0, 0}, "dull"));     // is there already
+  EXPECT_TRUE(is_refused({0, 0}, "dull"));     // exists already
   EXPECT_TRUE(is_refused({0, 2}, "gold"));     // likewise
-  EXPECT_TRUE(is_refused({0, 4, 0}, "both"));  // would be what the last mesh names
+  EXPECT_TRUE(is_refused({0, 4, 0}, "both"));  // would be found by the last mesh
   EXPECT_TRUE(is_refused({0, 0}, "end"));
   EXPECT_TRUE(is_refused({0, 0}, "a b"));
-  EXPECT_FALSE(is_refused({0, 4, 0}, "dull"));  // which nothing there names
+  EXPECT_FALSE(is_refused({0, 4, 0}, "dull"));  // to which nothing refers there
 }
 
 TEST(Definitions, AreChangedIfTheirNamesMeanSomething) {
@@ -133,7 +133,7 @@ TEST(Definitions, AreChangedIfTheirNamesMeanSomething) {
   const auto changed = change_definition(scene, grf::ScenePath{0, 1}, sum, diagnostics);
   ASSERT_TRUE(changed);
   EXPECT_THAT(grf::to_text(*changed), HasSubstr("dull = brdf combine 1 gold"));
-  EXPECT_FALSE(change_definition(scene, grf::ScenePath{0, 0}, sum, diagnostics));  // of itself
+  EXPECT_FALSE(change_definition(scene, grf::ScenePath{0, 0}, sum, diagnostics));  // refers to itself
   EXPECT_FALSE(change_definition(scene, grf::ScenePath{0, 0}, grf::Colour(1), diagnostics));
   EXPECT_EQ(diagnostics.error_count(), 2U);
 }

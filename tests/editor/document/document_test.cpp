@@ -318,7 +318,7 @@ TEST_F(Documents, EndStepsOfOptionsWhereAGestureEnds) {
 }
 
 TEST(SurfaceEdits, EditInPlaceASurfaceOfWhichAllFacesAreSelected) {
-  // Face by face 0 0 1 1 2; the first surface is the mesh's own.
+  // The surfaces of the faces are 0 0 1 1 2; the first surface is the mesh's own.
   Document document;
   document.take(scene_of(R"(begin mesh
     rgb (1, 0, 0)

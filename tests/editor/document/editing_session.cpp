@@ -1,6 +1,6 @@
-// A session of the editor without its window: editing_session FILE SESSIONS IMPORTS NAME opens a scene, or
-// imports a model whose images go to the folder IMPORTS, gives its first mesh the name, says so once that
-// work is kept in the folder of sessions, and lives until it is killed.
+// An editor session without a window: editing_session FILE SESSIONS IMPORTS NAME opens a scene, or imports a
+// model whose images go to the folder IMPORTS, renames its first mesh, prints a line once that is autosaved
+// in the folder of sessions, and runs until it is killed.
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <cstdlib>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// False: it cannot be read.
+/// Returns false if it cannot be read.
 bool open(editor::Document& document, const QString& file, const QString& imports) {
   grf::Diagnostics diagnostics;
   if (file.endsWith(".grf")) {

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A strip of five squares along x, of which the last two are bent upwards by 45 and 90 degrees; the fourth
-/// and fifth are matte. Behind it stands a triangle alone.
+/// and fifth are diffuse. Behind it stands a separate triangle.
 const std::string Strip = R"(
   begin mesh "strip"
     brdf ward

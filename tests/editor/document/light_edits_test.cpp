@@ -89,7 +89,7 @@ TEST_F(LightEdits, EmittersAreListedWithTheirPower) {
   EXPECT_DOUBLE_EQ(emitters[0].power, 8 * std::numbers::pi);
   EXPECT_EQ(emitters[1].kind, Emitter::Kind::Faces);
   EXPECT_EQ(emitters[1].name, "tile");
-  EXPECT_DOUBLE_EQ(emitters[1].area, 5);  // at both places
+  EXPECT_DOUBLE_EQ(emitters[1].area, 5);  // of both instances
   EXPECT_NEAR(emitters[1].power, 60, 1e-4);
   EXPECT_EQ(emitters[2].kind, Emitter::Kind::MeshLight);
   EXPECT_DOUBLE_EQ(emitters[2].power, 2.5 * std::numbers::pi);
@@ -132,7 +132,7 @@ TEST_F(LightEdits, ObserversAreAddedMovedAndRemoved) {
   take(remove_objects(document_.scene(), {}, {objects().observers[0]}, diagnostics_));
   ASSERT_EQ(objects().observers.size(), 1U);
   EXPECT_EQ(objects().observers[0].position, grf::Vec3d(0, 0, 9));
-  // Two of four: the others of their block stay.
+  // Two of four: the others of their block are kept.
   for (const double z : {1.0, 2.0, 3.0}) take(add_observer(document_.scene(), grf::Vec3d(0, 0, z)));
   ASSERT_EQ(objects().observers.size(), 4U);
   take(remove_objects(document_.scene(), {}, {objects().observers[0], objects().observers[2]}, diagnostics_));
@@ -167,7 +167,7 @@ TEST_F(LightEdits, ObjectsAreDuplicatedAsInstances) {
   const std::string text = grf::to_text(document_.scene());
   EXPECT_THAT(text, HasSubstr("def floor = begin mesh \"floor\""));
   EXPECT_THAT(text, HasSubstr("use floor\n  transform translation (3, 0, 0) begin\n    use floor"));
-  // A copy of what has a transform of its own stands beside that.
+  // The copy of an object with its own transform stands beside that.
   const grf::ScenePath copy = {0, 5, 0};
   ASSERT_NE(block_at(document_.scene(), copy), nullptr);
   take(duplicate_object(document_.scene(), copy, grf::Vec3d(3, 0, 0), diagnostics_));
@@ -183,7 +183,7 @@ TEST_F(LightEdits, ObjectsAreRenamedAndRemoved) {
   EXPECT_FALSE(rename_object(document_.scene(), grf::ScenePath{0, 1}, "x", diagnostics_));
   EXPECT_FALSE(remove_objects(document_.scene(), {{0, 0}}, {}, diagnostics_));
   EXPECT_THAT(diagnostics_.to_text(), HasSubstr("'slab' is used 2 times"));
-  // With all that uses it, it may go.
+  // With all its uses, it can be deleted.
   take(remove_objects(document_.scene(), {{0, 0}, {0, 1, 2}, {0, 2}}, {}, diagnostics_));
   EXPECT_EQ(objects().instances->size(), 2U);
 }

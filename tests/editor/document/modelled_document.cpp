@@ -53,7 +53,7 @@ bool is_same(const SceneObjects& a, const SceneObjects& b) {
          a.triangles == b.triangles;
 }
 
-/// What a change that is not structural leaves unsaid, so that a view would not bring it up to date.
+/// Finds differences that a non-structural change does not announce, so that a view would be out of date.
 std::string unsaid(const Change& change, const SceneObjects& before, const SceneObjects& now) {
   if (change.is_structural) return {};
   if (!are_same(*before.instances, *now.instances)) return "instances";
@@ -149,7 +149,7 @@ void ModelledDocument::save(const std::string& path) {
   check_disk();
 }
 
-/// What was written is read again as it should be.
+/// Compares the written files with the model.
 void ModelledDocument::check_disk() {
   grf::Diagnostics diagnostics;
   const auto scene = grf::read(path_, diagnostics);

@@ -1,5 +1,4 @@
-// A document beside a model of plain values: what its scene, its options, its undo stack and its files should
-// be.
+// A document beside a reference model of plain values: the expected scene, options, undo stack and files.
 #pragma once
 
 #include <cstddef>
@@ -21,22 +20,22 @@ class ModelledDocument {
   Document& document() { return document_; }
   const grf::Scene& scene() const { return document_.scene(); }
   const FaceSelection& selection() const { return document_.selection(); }
-  /// What the project should be.
+  /// The expected project.
   const PlainProject& state() const { return state_; }
-  /// Where things stand in the scene, as it was checked last.
+  /// The paths of objects in the scene, as of the last check.
   const std::vector<PlainPlace>& places() const { return places_; }
   const std::string& path() const { return path_; }
-  /// How many scenes have been opened.
+  /// The number of scenes that were opened.
   int scenes() const { return scenes_; }
 
   /// Writes a file as another program does.
   void write(const std::string& path, const std::string& text);
-  /// What there is to be opened: files that were written, and whose names mean something.
+  /// The files that can be opened: those that were written, and whose names are valid.
   std::vector<std::string> paths() const;
   void open(const std::string& path);
   void save(const std::string& path);
 
-  // Each edits the document; `after` is what should come of it.
+  // Each edits the document; `after` is the expected result.
 
   void replace(const QString& text, grf::Scene scene, PlainProject after, const QString& key = {});
   void edit_surfaces(const QString& text, const SurfaceEdit& edit, PlainProject after, const QString& key);
@@ -46,9 +45,9 @@ class ModelledDocument {
   void undo();
   void redo();
 
-  /// Notes a problem that a caller has found.
+  /// Records a problem that a caller has found.
   void fail(const std::string& problem) { problem_ = problem; }
-  /// Compares the document with the model. Gives what is wrong, or nothing.
+  /// Compares the document with the model. Returns the first difference, or an empty text.
   std::string check();
 
  private:

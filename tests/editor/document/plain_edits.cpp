@@ -17,7 +17,7 @@ void for_each_mesh(PlainProject& project, const Action& action) {
   });
 }
 
-/// Calls an action with each text that may name definitions.
+/// Visits each text that may refer to definitions.
 template <class Action>
 void for_each_reference(PlainProject& project, const Action& action) {
   const auto of_surface = [&](PlainSurface& surface) {

@@ -1,4 +1,4 @@
-// What holds in a plain project, and edits of it, for models of what an editor does.
+// Queries and edits of a plain project, for reference models of the editor.
 #pragma once
 
 #include <set>
@@ -19,21 +19,21 @@ void for_each_file(PlainProject& project, const Action& action) {
   for (auto& [name, each] : project.files) action(each);
 }
 
-/// Whether a surface, a `use` or a sum of BRDFs names the definition.
+/// Whether a surface, a `use` or a sum of BRDFs refers to the definition.
 bool is_used(PlainProject project, const std::string& name);
-/// A name like that which is wanted, and no definition's or model's.
+/// An unused name like `wanted`, which is no keyword of a model.
 std::string fresh_plain_name(const PlainProject& project, const std::string& wanted);
-/// Whether a name means nothing, or several things.
+/// Whether a name is undefined or ambiguous.
 bool have_unclear_names(PlainProject project);
 bool emits(PlainProject project);
 bool has_irradiance(const PlainFile& file);
 
 void erase_object(PlainProject& project, const PlainPlace& place);
-/// With all that uses the mesh of that name.
+/// Removes the mesh definition and all uses of it.
 void erase_defined_mesh(PlainProject& project, const PlainPlace& place);
 void erase_unused_definitions(PlainProject& project);
 void rename_plain_definition(PlainProject& project, const PlainPlace& place, const std::string& name);
-/// Files that nothing includes any more are no part of a project.
+/// Removes files that nothing includes any more.
 void erase_lost_files(PlainProject& project);
 
 }  // namespace editor

@@ -33,7 +33,7 @@ std::string beside(const std::string& naming_file, const std::string& name) {
   return std::filesystem::weakly_canonical(std::filesystem::path(naming_file).parent_path() / name).string();
 }
 
-/// What a transform of scales and translations does to a point.
+/// A transform of scales and translations.
 struct Placing {
   float scale = 1;
   Plain3 offset = {};

@@ -1,5 +1,5 @@
-// A project as plain values, for tests that compare what edits do with a model of their own: what stands in
-// each file, with transforms multiplied out, names as they are written, and no sharing.
+// A project as plain values, for tests that compare edits with a reference model: the contents of each file,
+// with transforms multiplied out, names as written, and no sharing.
 #pragma once
 
 #include <array>
@@ -23,11 +23,11 @@ struct PlainCorner {
   bool operator==(const PlainCorner&) const = default;
 };
 
-/// Attributes as text; the name of a definition stands behind an `@`.
+/// Attributes as text; the name of a definition follows an `@`.
 struct PlainSurface {
   std::optional<std::string> colour;
   std::optional<std::string> brdf;
-  std::optional<std::string> texture;  ///< with an absolute path
+  std::optional<std::string> texture;  ///< absolute path
   std::optional<Plain3> emission;
   bool operator==(const PlainSurface&) const = default;
 };
@@ -39,7 +39,7 @@ struct PlainFace {
 };
 
 struct PlainMesh {
-  PlainSurface own;  ///< what the file says before the faces
+  PlainSurface own;  ///< the mesh's own surface
   std::vector<PlainFace> faces;
   bool operator==(const PlainMesh&) const = default;
 };
@@ -47,7 +47,7 @@ struct PlainMesh {
 struct PlainObject {
   enum class Kind { Mesh, MeshLight, Light, Observers, Use, Include };
   Kind kind = Kind::Mesh;
-  std::string name;  ///< of a mesh, or of what is used, or the absolute path of an included file
+  std::string name;  ///< of a mesh, or of the used one, or the absolute path of an included file
   float scale = 1;
   Plain3 offset = {};  ///< after the scale, in the coordinates of the file
   PlainMesh mesh;
@@ -55,7 +55,7 @@ struct PlainObject {
   bool operator==(const PlainObject&) const = default;
 };
 
-/// What a name means: a mesh, or a text.
+/// The body of a definition: a mesh, or a text.
 struct PlainDefinition {
   bool is_mesh = false;
   std::string text;
@@ -69,7 +69,7 @@ struct PlainFile {
   bool operator==(const PlainFile&) const = default;
 };
 
-/// The project's own file, those that it includes by their absolute paths, and options of its renders.
+/// The project's own file, included files by their absolute paths, and its render options.
 struct PlainProject {
   PlainFile main;
   std::map<std::string, PlainFile> files;
@@ -78,13 +78,13 @@ struct PlainProject {
   bool operator==(const PlainProject&) const = default;
 };
 
-/// Where something of a plain project stands in a scene.
+/// The location of an object of a plain project in a scene.
 struct PlainPlace {
-  std::string file;  ///< empty: the project's own
-  std::string name;  ///< of a definition; else it is an object
+  std::string file;  ///< empty for the project's own
+  std::string name;  ///< of a definition; empty for an object
   std::size_t object = 0;
   grf::ScenePath path;
-  float file_scale = 1;  ///< of the include that it stands in
+  float file_scale = 1;  ///< of the include that contains it
 
   bool is_definition() const { return !name.empty(); }
 };
@@ -93,13 +93,13 @@ struct PlainReading {
   PlainProject project;  ///< without options
   std::vector<PlainPlace> places;
   bool has_one_text_per_file = true;
-  bool has_one_meaning_per_name = true;  ///< in each file: else the project lacks definitions
+  bool has_one_meaning_per_name = true;  ///< in each file; otherwise definitions are missing in the project
 };
 
-/// The path is that of the scene's file.
+/// Converts a scene; the path is that of its file.
 PlainReading plain_reading(const grf::Scene& scene, const std::string& path);
 
-/// Differences of two projects in words; empty: they are equal.
+/// Lists the differences of two projects; empty if they are equal.
 std::string differences(const PlainProject& expected, const PlainProject& found);
 
 }  // namespace editor

@@ -1,5 +1,5 @@
-// A document that is driven by thousands of random edits, undos, redos, saves, reloads, results that come
-// late and files that other programs change, compared with a model of plain values after each.
+// Fuzzes a document with thousands of random edits, undos, redos, saves, reloads, late results and external
+// file changes, and compares it with a model of plain values after each.
 #include <iterator>
 #include <random>
 #include <string>
@@ -15,8 +15,7 @@
 namespace editor {
 namespace {
 
-/// An operation is a choice of what to do and the seed of all choices in it, so that a sequence of them still
-/// is one if some are left out.
+/// An operation and the seed of its choices, so that a sequence stays valid if some are left out.
 struct Operation {
   std::size_t kind = 0;
   std::uint32_t seed = 0;
@@ -44,7 +43,7 @@ std::string problem_of(const std::vector<Operation>& operations) {
   return {};
 }
 
-/// Leaves out what the problem does not need, and tells what remains.
+/// Removes operations that are not needed for the failure, and prints the rest.
 std::string story_of(std::vector<Operation> operations) {
   for (std::size_t i = operations.size(); i-- > 0;) {
     std::vector<Operation> fewer = operations;

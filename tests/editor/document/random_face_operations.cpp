@@ -30,8 +30,7 @@ void select(RandomSession& session) {
   session.modelled.document().select(std::move(selection));
 }
 
-/// The selected meshes, each written place of one once, with the faces that are selected at some of its
-/// places.
+/// The selected meshes, each place in a file once, with the faces that are selected in some instance.
 Chosen chosen(RandomSession& session) {
   std::map<std::tuple<std::string, std::string, std::size_t>, Chosen::value_type> all;
   for (const PlainPlace& each : session.modelled.places()) {
@@ -50,7 +49,7 @@ SelectedFaces selected_faces(RandomSession& session) {
   return {session.modelled.scene(), session.modelled.document().objects(), session.modelled.selection()};
 }
 
-/// A name that means the same, and something of this kind, for all selected faces.
+/// A name of this kind with the same meaning for all selected faces.
 template <class Body>
 std::optional<std::string> name_for_selection(RandomSession& session) {
   const SceneObjects& objects = session.modelled.document().objects();
@@ -67,7 +66,7 @@ std::optional<std::string> name_for_selection(RandomSession& session) {
                                             : std::optional(names[session.below(names.size())]);
 }
 
-/// What a mesh says before its faces is what they have where all have the same.
+/// The mesh's own surface is that of its faces if they all share one.
 void follow_faces(PlainMesh& mesh) {
   if (mesh.faces.empty()) return;
   const PlainSurface& first = mesh.faces.front().surface;
@@ -76,7 +75,7 @@ void follow_faces(PlainMesh& mesh) {
   if (is_one) mesh.own = first;
 }
 
-/// Gives the selected faces something; the action says the same of a plain surface.
+/// Edits the selected faces; the action edits a plain surface likewise.
 void edit_surfaces(RandomSession& session, const char* text, const SurfaceEdit& edit, const QString& key,
                    const std::function<void(PlainSurface&, const std::string& naming_file)>& action) {
   PlainProject after = session.modelled.state();
@@ -200,7 +199,7 @@ void subdivide(RandomSession& session) {
   for (const auto& [place, faces] : chosen(session)) {
     std::vector<PlainFace>& coarse = plain_mesh_at(after, place).faces;
     std::vector<PlainFace> fine = plain_mesh_at(found, place).faces;
-    // Where the vertices are is the business of other tests.
+    // Vertex positions are covered by other tests.
     auto child = fine.begin();
     for (const PlainFace& face : coarse) {
       for (std::size_t i = 0; i < face.corners.size() && child != fine.end(); ++i, ++child) {
@@ -224,7 +223,7 @@ void delete_faces(RandomSession& session) {
     follow_faces(plain_mesh_at(after, place));
     if (all.empty()) empty.push_back(place);
   }
-  // Objects first, and from the last on: the others stay where they are.
+  // Objects first, and backwards, so that the remaining places stay valid.
   std::sort(empty.begin(), empty.end(), [](const PlainPlace& a, const PlainPlace& b) {
     return std::pair(!a.is_definition(), a.object) > std::pair(!b.is_definition(), b.object);
   });

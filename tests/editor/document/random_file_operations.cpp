@@ -44,9 +44,9 @@ void change_outside(RandomSession& session) {
   if (session.one_in(2)) session.modelled.write(session.main_file, main_text());
 }
 
-// Results that come late.
+// Late results.
 
-/// A mesh at a place in the world.
+/// A mesh instance in world space.
 struct Placed {
   const grf::Mesh* mesh = nullptr;
   grf::Matrix44d to_world;
@@ -84,7 +84,7 @@ std::vector<Placed> placed_meshes(const grf::Scene& scene) {
   return placed;
 }
 
-/// The irradiance at the first vertex of each mesh where it stands; -1: none.
+/// The irradiance at the first vertex of each mesh instance; -1 for none.
 std::vector<float> irradiances(const std::vector<Placed>& meshes) {
   std::vector<float> values;
   for (const Placed& each : meshes) {
@@ -94,7 +94,7 @@ std::vector<float> irradiances(const std::vector<Placed>& meshes) {
   return values;
 }
 
-/// The meshes with irradiance: 1 that of the first one, 2 that of the second, and so on.
+/// The meshes with irradiance: 1 for the first one, 2 for the second, and so on.
 grf::Scene baked(const std::vector<Placed>& meshes) {
   grf::Scene scene;
   for (const Placed& each : meshes) {
@@ -128,7 +128,7 @@ void begin_bake(RandomSession& session) {
   session.scenes_at_snapshot = session.modelled.scenes();
 }
 
-/// Irradiance is for meshes whose geometry and place are those of the snapshot.
+/// Irradiance is applied to meshes whose geometry and transform equal those of the snapshot.
 void finish_bake(RandomSession& session) {
   if (!session.snapshot) return;
   const std::vector<Placed> then = placed_meshes(*session.snapshot);
@@ -151,7 +151,7 @@ void finish_bake(RandomSession& session) {
   if (session.modelled.scenes() != session.scenes_at_snapshot && result.meshes > 0) {
     session.modelled.fail("irradiance of a scene that was replaced");
   }
-  // What becomes of includes and names is the business of other tests.
+  // Includes and names are covered by other tests.
   PlainReading reading = plain_reading(result.scene, session.modelled.path());
   PlainProject& after = reading.project;
   if (result.meshes == 0 || !reading.has_one_meaning_per_name || have_unclear_names(after)) return;

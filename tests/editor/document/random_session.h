@@ -22,7 +22,7 @@ struct RandomSession {
   std::size_t below(std::size_t count) { return random() % count; }
   bool one_in(std::size_t count) { return below(count) == 0; }
   float number() { return static_cast<float>(below(8)); }
-  /// One of few, so that faces come to have what others have.
+  /// One of few colours, so that faces come to share them.
   grf::Colour colour() { return {float(below(2)), float(below(2)), float(below(2))}; }
   grf::Vec3d offset() { return {double(number()) * 2, double(number()) * 2, double(number()) * 2}; }
   QString key(const char* name) { return one_in(2) ? QString(name) : QString(); }
@@ -46,7 +46,7 @@ struct RandomSession {
   }
   bool is_full() const { return modelled.places().size() > 40; }
 
-  /// What an edit gives is to be taken.
+  /// Applies the result of an edit.
   void replace(const QString& text, std::optional<grf::Scene> scene, PlainProject after,
                const QString& key = {});
   void expect_refused(const std::optional<grf::Scene>& scene, const std::string& what);
@@ -57,8 +57,8 @@ struct RandomSession {
   ModelledDocument modelled;
   std::mt19937 random;
   grf::Diagnostics diagnostics;
-  std::optional<grf::Scene> model;     ///< that was read, and is to be merged
-  std::optional<grf::Scene> snapshot;  ///< that is baked
+  std::optional<grf::Scene> model;     ///< to merge into the scene
+  std::optional<grf::Scene> snapshot;  ///< the scene that is baked
   int scenes_at_snapshot = 0;
 };
 
@@ -72,10 +72,10 @@ struct RandomOperation {
 std::vector<RandomOperation> face_operations();
 /// Edits of objects, definitions and options.
 std::vector<RandomOperation> object_operations();
-/// Undo, redo, files, and results that come late.
+/// Undo, redo, files, and late results.
 std::vector<RandomOperation> file_operations();
 
-/// The project's file, and what may be in the file that it includes: first, and when other programs write it.
+/// The project's file, and contents of the included file: initially, and when other programs write it.
 std::string main_text();
 std::vector<std::string> part_texts();
 

@@ -29,7 +29,7 @@ const std::string TriangleLists = R"(begin vertexs
   end faces
 )";
 
-/// A scene with a texture, that includes a file with one in another folder.
+/// A scene with a texture, and an include with another texture in another folder.
 class RecoveryTest : public testing::Test {
  protected:
   RecoveryTest() {
@@ -58,7 +58,7 @@ class RecoveryTest : public testing::Test {
   Document document_;
 };
 
-/// How long, in milliseconds, what takes a moment may take on a machine that is busy.
+/// Timeout for a busy machine, milliseconds.
 constexpr int Patience = 30000;
 
 const QString TexturedBox = "/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb";
@@ -72,7 +72,7 @@ TEST_F(RecoveryTest, KeepsNothingWhereNothingIsUnsaved) {
 }
 
 TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
-  // A program of its own: a fork has none of the threads that this one has, and Qt would wait for them.
+  // A separate program: a fork would lack the threads of this one, and Qt would wait for them.
   QProcess session;
   session.start(GRANADA_BIN_DIR "/editing_session",
                 {document_.path(), sessions(), imports(), "changed inside"});
@@ -169,7 +169,7 @@ TEST_F(RecoveryTest, TakesNoWorkFromASessionThatLives) {
 }
 
 TEST_F(RecoveryTest, GivesBackWorkWhoseProcessIdIsUsedAgain) {
-  // The lock of a session that is no more, which names a process that lives: this one.
+  // The lock of a crashed session, which names a live process: this one.
   QLockFile lock(QString::fromStdString(folder_.path("lock")));
   ASSERT_TRUE(lock.tryLock());
   const std::string words = test::bytes_of(lock.fileName().toStdString());

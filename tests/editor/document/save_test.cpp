@@ -18,7 +18,7 @@ namespace {
 const std::string LoneTriangle =
     "begin mesh begin vertexs (0,0,0) (1,0,0) (0,1,0) end vertexs begin faces (0,1,2) end faces end mesh\n";
 
-/// A document is saved in parts, and edited between them.
+/// Saves a document in parts, and edits it between them.
 class Saving : public testing::Test {
  protected:
   Saving() {

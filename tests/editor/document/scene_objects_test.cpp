@@ -1,5 +1,5 @@
-// Objects of a scene whose files are included where names mean different things, and of one that is nested as
-// deep as a scene can be.
+// Flattens a scene whose files are included where names have different meanings, and one with the maximum
+// nesting depth.
 #include "editor/document/scene_objects.h"
 
 #include <string>
@@ -38,7 +38,7 @@ class SceneObjectsTest : public testing::Test {
     return objects_of(*scene, path);
   }
 
-  /// What each place in the world looks like, in the order of the scene.
+  /// The surface of each mesh instance, in the order of the scene.
   static std::vector<Look> looks_of(const SceneObjects& objects) {
     std::vector<Look> looks;
     for (const MeshInstance& instance : *objects.instances) {
@@ -47,7 +47,7 @@ class SceneObjectsTest : public testing::Test {
     return looks;
   }
 
-  /// The paths of textures from the folder of the test.
+  /// Texture paths relative to the folder of the test.
   std::vector<std::string> textures(const std::string& text) const {
     std::vector<std::string> paths;
     for (const Look& look : looks_of(objects(text))) {

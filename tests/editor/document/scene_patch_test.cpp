@@ -17,7 +17,7 @@ std::string mesh(const std::string& name, const std::string& surface, const std:
          " end faces\nend mesh\n";
 }
 
-/// Scenes that differ in one thing each from the one before, and at the end in all.
+/// Scenes that each differ in one thing from the one before; the last differs in all.
 std::vector<std::string> scenes() {
   const std::string plain = mesh("a", "", "(0, 1, 2) (1, 3, 2)");
   const std::string red = mesh("a", "rgb (1, 0, 0)", "(0, 1, 2) (1, 3, 2)");

@@ -1,6 +1,5 @@
-// Threads of an editor that read the states of a scene while it is edited on: one writes them, as saving and
-// autosave do, and one looks at their objects, as the view does. Without Qt, so that ThreadSanitizer sees
-// all.
+// Threads that read snapshots of a scene while it is edited: one writes them, as saving and autosave do, and
+// one flattens them, as the view does. Without Qt, so that ThreadSanitizer sees everything.
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -31,13 +30,13 @@ std::string mesh(const std::string& name) {
          "rgb (0,1,0) (1,2,4) end end\n";
 }
 
-/// A state of the edited scene, shared with it as far as it is not edited on.
+/// A snapshot of the edited scene, which shares unedited data with it.
 struct State {
   grf::Scene scene;
   std::shared_ptr<const SceneObjects> objects;
 };
 
-/// A thread that works on the latest state that it was given, and on the last one before it ends.
+/// A thread that works on the latest snapshot it was given, and on the last one before it ends.
 class Reader {
  public:
   explicit Reader(std::function<void(const State&)> work)
@@ -74,7 +73,7 @@ class Reader {
   std::thread thread_;
 };
 
-/// What the document does with an edit, and undo and redo of it.
+/// Applies edits, undo and redo as the document does.
 class EditedScene {
  public:
   explicit EditedScene(grf::Scene scene) : scene_(std::move(scene)) { rebuild(); }

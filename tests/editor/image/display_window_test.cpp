@@ -1,4 +1,4 @@
-// `bpt render` with BPT_DisplayWindow, where nobody listens yet: the image view comes up and shows the image.
+// Runs `bpt render` with BPT_DisplayWindow while no viewer listens: the image view opens and shows the image.
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
@@ -27,7 +27,7 @@ constexpr const char* Bpt = GRANADA_BIN_DIR "/bpt";
 constexpr int Width = 320;
 constexpr int Height = 240;
 
-/// Those on this test's screen.
+/// The processes on this test's screen.
 std::vector<pid_t> image_views() {
   std::vector<pid_t> found;
   const QByteArray screen = "DISPLAY=" + qgetenv("DISPLAY");
@@ -91,7 +91,7 @@ class DisplayWindow : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-// Both renders end before a window can be there.
+// Both renders end before a window can open.
 TEST_F(DisplayWindow, OpensTheImageViewOnce) {
   render("green", "0 1 0");
   EXPECT_TRUE(shows(qRgb(0, 255, 0)));

@@ -1,4 +1,4 @@
-// The image view as its user sees it: a window, files, keys and the mouse.
+// Tests of the image view by a window, files, keys and the mouse.
 #include "editor/image/image_browser.h"
 
 #include <QAction>
@@ -34,7 +34,7 @@ namespace {
 using reflectance::Rgb;
 using transport::Image;
 
-/// Each pixel says where it is.
+/// An image whose pixels encode their position.
 Image ramp(int width, int height, float blue = 0) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y) {
@@ -178,7 +178,7 @@ TEST_F(Browser, DrawsEachPixelWhereItIs) {
   image.pixels[0] = Rgb(std::numeric_limits<float>::quiet_NaN());
   browser_.show_image("dot", shared(image));
   EXPECT_EQ(shown({0, 0}), NanColour);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("1 NaN"); }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("1 NaN"); }));
 }
 
 TEST_F(Browser, ComparesByWipeFlipAndSide) {
@@ -213,9 +213,9 @@ TEST_F(Browser, SaysHowFarImagesAreApart) {
   browser_.show_image("b", shared(b));
   browser_.show_image("a", shared(a));
   browser_.select_reference("b");
-  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("RMSE"); }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("RMSE"); }));
   const transport::ImageError expected = transport::error_of(a, b);
-  const QString figures = text("Figures of the image");
+  const QString figures = text("Image statistics");
   EXPECT_TRUE(figures.contains("RMSE 0.125")) << figures.toStdString();
   EXPECT_TRUE(figures.contains("relMSE " + QString::number(expected.relmse, 'g', 4)))
       << figures.toStdString();
@@ -233,7 +233,7 @@ TEST_F(Browser, RefusesDifferencesOfOtherSizes) {
   browser_.show_image("a", shared(ramp(64, 48)));
   browser_.select_reference("b");
   browser_.set_comparison(Comparison::Signed);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return text("Figures of the image").contains("need one size"); }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("of the same size"); }));
   EXPECT_FALSE(browser_.pane().grab().isNull());
   browser_.remove_image("b");
   browser_.remove_image("a");
@@ -304,7 +304,7 @@ TEST(ImageSelection, KeepsTheTwoImagesApart) {
   EXPECT_EQ(images.image().image, nullptr);
 }
 
-/// The least processor time of several calls, in seconds: other work of the machine takes no part in it.
+/// The least processor time of several calls, in seconds, without other processes.
 template <typename Function>
 double least_time(const Function& function) {
   std::clock_t best = std::numeric_limits<std::clock_t>::max();
@@ -316,7 +316,7 @@ double least_time(const Function& function) {
   return static_cast<double>(best) / CLOCKS_PER_SEC;
 }
 
-// Machines differ, so the time is compared with that of the formula for each value.
+// The time is relative to that of the formula for each value, since machines differ.
 TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
   const Image image = ramp(1920, 1080);
   const double table = least_time([&](int i) {
@@ -337,7 +337,7 @@ TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
   });
   EXPECT_GT(rows.back(), 0);
   RecordProperty("share", std::to_string(table / formula));
-  // Sanitizers slow down memory, and not the power.
+  // Sanitizers slow down memory accesses more than arithmetic.
   EXPECT_LT(table, (test::HasSanitizers ? 4 : 0.6) * formula);
 }
 

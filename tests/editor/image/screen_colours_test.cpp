@@ -32,7 +32,7 @@ TEST(ScreenColours, EncodeKnownRadiancesInSrgb) {
   EXPECT_EQ(colour_of(Rgb(0.18F), {.curve = ToneCurve::Filmic}), qRgb(141, 141, 141));
 }
 
-// The table gives what the formula does, over all of the range.
+// The table equals the formula over the whole range.
 TEST(ScreenColours, TableIsTheFormula) {
   const ByteCurve curve(ToneCurve::Srgb);
   float value = 1e-6F;

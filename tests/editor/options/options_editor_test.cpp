@@ -1,4 +1,4 @@
-// The OP generator as its user sees it: a sample's file, the keyboard, and what is saved.
+// Tests of the render options by a sample's file, the keyboard, and what is saved.
 #include "editor/options/options_editor.h"
 
 #include <QApplication>
@@ -161,6 +161,9 @@ TEST_F(Editor, SearchFindsByMeaning) {
   EXPECT_TRUE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
   editor_.form().go_to(option("BPT_Seed"));
   EXPECT_FALSE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
+  editor_.form().search()->setText("spp");  // a synonym
+  EXPECT_FALSE(editor_.form().row_of(option("BPT_Samples"))->isHidden());
+  EXPECT_TRUE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
 }
 
 TEST_F(Editor, TellsOptionsThatAreRight) {
@@ -176,7 +179,7 @@ TEST_F(Editor, TellsOptionsThatAreRight) {
   EXPECT_EQ(text(), "Scene a.grf\n") << "its default";
 }
 
-// Each kind of value has a control that can be reached and that says what it is.
+// Each kind of value has a reachable control with an accessible name.
 TEST_F(Editor, EveryOptionHasAControl) {
   for (const options::OptionInfo& info : options::option_table()) {
     const OptionRow* row = editor_.form().row_of(info);

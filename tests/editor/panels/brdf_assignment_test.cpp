@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// `gold` is one BRDF for the mesh outside, and another for the mesh inside.
+/// `gold` is one BRDF for the outer mesh, and another for the inner one.
 const std::string Text = R"(def gold = brdf ward sx=0.2
 def sum = brdf combine 0.5 gold
 begin
@@ -53,7 +53,7 @@ class BrdfAssignments : public testing::Test {
     for (const FaceId& face : faces) selection.set(face);
     document_.select(selection);
   }
-  /// What a drag of the outer definition of that name carries.
+  /// The data of a drag of the outer definition of that name.
   std::unique_ptr<QMimeData> definition(const std::string& name) const {
     for (const PlacedDefinition& each :
          definitions_at(document_.scene(), document_.objects().meshes[0].path)) {
@@ -72,7 +72,7 @@ class BrdfAssignments : public testing::Test {
     diagnostics_ = {};
     return assign_brdf(document_, catalogue_, mime, diagnostics_);
   }
-  /// The BRDF of a face as it is written; empty: none.
+  /// The BRDF of a face as written; empty for none.
   std::string brdf(const FaceId& face) const {
     const auto& brdf = document_.objects().meshes[face.mesh].mesh->surface(face.face).brdf;
     if (!brdf) return {};
@@ -117,7 +117,7 @@ TEST_F(BrdfAssignments, TakeABrdfWithoutAName) {
 
 TEST_F(BrdfAssignments, SayWhyNothingIsAssigned) {
   EXPECT_FALSE(assign(*written("phong n=30")));
-  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("no face is selected"));
+  EXPECT_THAT(diagnostics_.to_text(), HasSubstr("no selected face"));
   select({{1, 0}});
   EXPECT_FALSE(assign(*written("phong n=-1")));
   EXPECT_THAT(diagnostics_.to_text(), HasSubstr("'n' of 'phong'"));

@@ -4,7 +4,7 @@
 
 namespace editor {
 
-/// A box's two sides with texture coordinates, and a mesh that is used twice; BRDFs with names.
+/// Two sides of a box with texture coordinates, and a mesh that is used twice; named BRDFs.
 inline const std::string PanelScene = R"(def gold = brdf ward sx=0.2
 def dull = brdf diffuse kd=0.3
 def red = rgb (1, 0, 0)

@@ -38,7 +38,7 @@ class SceneTrees : public testing::Test {
   }
 
   QTreeView* view() const { return tree_.view(); }
-  /// The line of that name, under the headline or line of that other name.
+  /// The item of that name, under the group or item of that other name.
   QModelIndex line(const QString& parent, const QString& name) const {
     const QAbstractItemModel& model = *view()->model();
     const QModelIndexList parents =
@@ -99,7 +99,7 @@ TEST_F(SceneTrees, ListWhatThereIs) {
   EXPECT_TRUE(line("Objects", "light").isValid());
   EXPECT_EQ(line("BRDFs", "gold").siblingAtColumn(1).data(), "1 use");
   EXPECT_EQ(line("Colours", "red").siblingAtColumn(1).data(), "unused");
-  EXPECT_EQ(line("Meshes to use", "tile").siblingAtColumn(1).data(), "2 uses");
+  EXPECT_EQ(line("Mesh definitions", "tile").siblingAtColumn(1).data(), "2 uses");
 }
 
 TEST_F(SceneTrees, SelectFacesAndShowWhereTheyAre) {
@@ -218,7 +218,7 @@ TEST_F(SceneTrees, AreQuickWithManyInstances) {
   SurfaceEdit edit;
   edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(0.5F));
   document_.edit_surfaces("Colour", edit);
-  // A tenth of this is usual; slow machines and sanitizers are not to fail.
+  // A tenth of this is usual; the limit allows for slow machines and sanitizers.
   EXPECT_LT(timer.elapsed(), 1000);
   RecordProperty("milliseconds", static_cast<int>(timer.elapsed()));
 }

@@ -50,7 +50,7 @@ class SurfacePanels : public testing::Test {
     for (const FaceId& face : faces) selection.set(face);
     document_.select(selection);
   }
-  /// The control of that accessible name.
+  /// The control with that accessible name.
   template <class Widget>
   Widget* find(const QString& name) const {
     for (Widget* widget : panel_.findChildren<Widget*>()) {
@@ -80,7 +80,7 @@ class SurfacePanels : public testing::Test {
     QTest::mouseClick(viewport, Qt::LeftButton, {}, place);
     ASSERT_TRUE(QTest::qWaitFor([box] { return !box->view()->isVisible(); }));
   }
-  /// Whether a label that is seen has the words.
+  /// Whether a visible label contains the words.
   bool says(const QString& words) const {
     const auto labels = panel_.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&words](const QLabel* label) {
@@ -102,7 +102,7 @@ TEST_F(SurfacePanels, SayWhatToDoWithoutASelection) {
 }
 
 TEST_F(SurfacePanels, MakeAWholeSurfaceAndUndoIt) {
-  QApplication::setDoubleClickInterval(1);  // the second click is one of its own
+  QApplication::setDoubleClickInterval(1);  // the second click is no double click
   const grf::Scene before = document_.scene();
   select({{1, 0}, {1, 1}});
   choose("BRDF", "new ward");
@@ -128,7 +128,7 @@ TEST_F(SurfacePanels, ShowWhatFacesHave) {
   select({{1, 1}});
   EXPECT_EQ(find<QComboBox>("BRDF")->currentText(), "gold");
   EXPECT_FALSE(find<QToolButton>("Define the BRDF")->isEnabled());
-  EXPECT_EQ(find<QToolButton>("Define the BRDF")->toolTip(), "The BRDF has a name.");
+  EXPECT_EQ(find<QToolButton>("Define the BRDF")->toolTip(), "The BRDF is a named definition already.");
   select({{1, 0}});
   EXPECT_EQ(find<QComboBox>("BRDF")->currentText(), "diffuse kd=0.8");
   select({{1, 0}, {1, 1}});
@@ -155,7 +155,7 @@ TEST_F(SurfacePanels, CopyFromAFace) {
   panel_.take_from({1, 1});
   EXPECT_EQ(find<QComboBox>("BRDF")->currentText(), "gold");
   select({{0, 0}});
-  click("Copy from a face");
+  click("Copy surface from a face");
   panel_.take_from({1, 1});
   EXPECT_EQ(find<QComboBox>("BRDF")->currentText(), "gold");
 }
@@ -210,13 +210,13 @@ TEST_F(SurfacePanels, ShowAnUnknownSamplingSchemeAsOne) {
   QApplication::setDoubleClickInterval(1);
   SurfaceEdit edit;
   edit.pdf = AttributeEdit<grf::PdfAttribute>::set(grf::PdfModel{{"Owm", {}, {}}});
-  document_.edit_surfaces("Sample by Owm", edit);
+  document_.edit_surfaces("Assign scheme Owm", edit);
   EXPECT_EQ(find<QComboBox>("Sampling scheme")->currentText(), "Owm (unknown)");
   EXPECT_TRUE(says("unknown PDF 'Owm'"));
   const grf::Scene before = document_.scene();
   choose("Sampling scheme", "Owm (unknown)");
   EXPECT_EQ(document_.scene(), before);
-  choose("Sampling scheme", "the BRDF's own");
+  choose("Sampling scheme", "BRDF default");
   EXPECT_FALSE(says("unknown PDF"));
 }
 
@@ -278,7 +278,7 @@ TEST_F(SurfacePanels, ShowTheTextureWithItsFaces) {
   const QVector<QPolygonF> outlines = uv_outlines(document_.objects(), document_.selection());
   ASSERT_EQ(outlines.size(), 1);
   EXPECT_EQ(outlines.front().boundingRect(), QRectF(0, 0, 1, 1));
-  click("Take the texture away");
+  click("Remove the texture");
   EXPECT_FALSE(preview->isVisible());
 }
 

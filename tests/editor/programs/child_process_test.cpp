@@ -12,7 +12,7 @@ namespace {
 
 using Cause = ChildEnd::Cause;
 
-/// Collects what a child says and how it ends.
+/// Collects the output and the exit of a child.
 class Heard {
  public:
   explicit Heard(ChildProcess& child) {

@@ -14,7 +14,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// A shell script in the place of `bpt`, and what comes of an image that it reads.
+/// A shell script in place of `bpt`, and the result of reading an image with it.
 class ImageProcesses : public testing::Test {
  protected:
   std::string read_by(const std::string& script, const ImageProcess::Limits& limits = {}) {
@@ -56,14 +56,14 @@ TEST_F(ImageProcesses, SayAtThePlaceThatNamesTheFileWhatIsWrong) {
 }
 
 TEST_F(ImageProcesses, OutliveADecoderThatCrashes) {
-  EXPECT_EQ(read_by("kill -SEGV $$"), "cannot read the image: it is broken (its decoder crashed)");
+  EXPECT_EQ(read_by("kill -SEGV $$"), "cannot read the image: the file is corrupt (its decoder crashed)");
 }
 
 TEST_F(ImageProcesses, EndADecoderThatHangs) {
   QElapsedTimer clock;
   clock.start();
   EXPECT_EQ(read_by("trap '' TERM INT; while :; do :; done", {0.3}),
-            "cannot read the image: it takes longer than 0.3 s");
+            "cannot read the image: decoding takes longer than 0.3 s");
   EXPECT_LT(clock.elapsed(), 5000);
 }
 
@@ -90,7 +90,7 @@ TEST_F(ImageProcesses, KeepADecoderFromTakingAllMemory) {
 #endif
 
 TEST_F(ImageProcesses, BelieveNothingThatADecoderWrites) {
-  const std::string refused = "cannot read the image: it is broken (its decoder wrote no image)";
+  const std::string refused = "cannot read the image: the file is corrupt (its decoder wrote no image)";
   EXPECT_EQ(read_by("exit 0"), refused);
   EXPECT_EQ(read_by("printf '\\002\\0\\0\\0'"), refused) << "half a size";
   EXPECT_EQ(read_by("printf '\\002\\0\\0\\0\\001\\0\\0\\0'; printf '%20s' x"), refused) << "too few pixels";
@@ -105,8 +105,8 @@ TEST_F(ImageProcesses, BelieveNothingThatADecoderWrites) {
 }
 
 TEST_F(ImageProcesses, SayThatTheProgramIsMissing) {
-  EXPECT_EQ(read(ImageProcess(QString())), "cannot read the image: the program bpt is not there");
-  EXPECT_THAT(read(ImageProcess("/no/such/program")), HasSubstr("cannot be started"));
+  EXPECT_EQ(read(ImageProcess(QString())), "cannot read the image: cannot find the program bpt");
+  EXPECT_THAT(read(ImageProcess("/no/such/program")), HasSubstr("cannot start"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// The path of a program that is this shell script, in place of one that the editor runs.
+/// Creates a program from a shell script, in place of one that the editor runs, and returns its path.
 inline QString shell_program(const TemporaryFolder& folder, const std::string& script) {
   const std::string path = folder.add("program", "#!/bin/sh\n" + script + "\n");
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);

@@ -12,14 +12,14 @@ namespace {
 
 const std::string View = "params begin dependent view (1,2,3) end\n";
 
-/// A triangle, whose vertices have an irradiance or none.
+/// A triangle, with or without irradiance at its vertices.
 std::string triangle(const std::string& irradiance = "") {
   return "begin mesh begin vertexs" + irradiance + " (0,0,0)" + irradiance + " (1,0,0)" + irradiance +
          " (0,1,0) end vertexs begin faces (0,1,2) end faces end mesh\n";
 }
 std::string irad(int value) { return " irad (" + std::to_string(value) + ",0,0)"; }
 
-/// The red irradiance at the first vertex of each mesh where it stands, in their order; -1: none.
+/// The red irradiance at the first vertex of each mesh instance, in order; -1 for none.
 std::vector<float> irradiances(const grf::Scene& scene) {
   std::vector<float> values;
   grf::SceneVisitor visitor;

@@ -17,7 +17,7 @@ using editor::IrradianceBakeResult;
 using testing::HasSubstr;
 using testing::Not;
 
-/// The scene without what a bake adds to it.
+/// The scene without the data that a bake adds.
 grf::Scene without_irradiance(grf::Scene scene) {
   std::erase_if(scene.contents.blocks,
                 [](const grf::Block& block) { return std::holds_alternative<grf::Params>(block.content); });
@@ -58,7 +58,7 @@ class IrradianceBakeTest : public testing::Test {
   test::TemporaryFolder folder_;
   IrradianceBake bake_;
   const grf::Scene corner_ = test::scene_of_text(test::Corner);
-  grf::Scene edited_;  ///< the scene, once it is baked
+  grf::Scene edited_;  ///< the scene after the bake
   std::optional<grf::Scene> scene_;
   IrradianceBakeResult result_;
   std::string why_;

@@ -72,8 +72,8 @@ TEST(PreviewObject, OutlivesDecodersThatCrash) {
   test::first_mesh(request.scene).edit().surfaces[0].texture = grf::Texture{folder.path("evil.png"), {}};
   preview.restart(request);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !preview.is_on(); }, test::Minute));
-  EXPECT_THAT(
-      text, testing::HasSubstr("evil.png: error: cannot read the image: it is broken (its decoder crashed)"));
+  EXPECT_THAT(text, testing::HasSubstr(
+                        "evil.png: error: cannot read the image: the file is corrupt (its decoder crashed)"));
   test::first_mesh(request.scene).edit().surfaces[0].texture.reset();
   request.options.environment = folder.path("evil.exr");
   preview.restart(request);

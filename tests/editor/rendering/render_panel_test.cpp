@@ -56,7 +56,7 @@ class RenderPanelTest : public testing::Test {
     document_.take(scene, scene_path, {});
   }
   const options::RenderOptions& options() const { return options_.valid_options(); }
-  /// A scene whose OP file asks for few samples of a small image.
+  /// A scene whose OP file sets few samples and a small image.
   void open(int samples) {
     folder_.add("scene.op",
                 "# keep me\nBPT_Scene scene.grf\nBPT_Image_Resolution 96 72\nBPT_Viewer 0 2 6\n"
@@ -102,11 +102,11 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   EXPECT_EQ(options().viewer, grf::Vec3f(1, 2, 5));
   QTest::keyClick(&panel_, Qt::Key_F5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.preview().is_paused(); }, test::Minute));
-  EXPECT_EQ(panel_.preview_action()->text(), "Go on");
+  EXPECT_EQ(panel_.preview_action()->text(), "Resume");
   QTest::keyClick(&panel_, Qt::Key_F5, Qt::ShiftModifier);
   EXPECT_FALSE(panel_.preview().is_on());
   EXPECT_FALSE(panel_.stop_action()->isEnabled());
-  EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("Nothing is being rendered"));
+  EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("No render is running"));
 }
 
 TEST_F(RenderPanelTest, AsksBeforeItReplacesAnImageThatItHasNotMade) {
@@ -145,7 +145,7 @@ TEST_F(RenderPanelTest, RendersByF6AndKeepsAHistory) {
   open(8);
   QSignalSpy opened(&panel_, &RenderPanel::image_opened);
   QTest::keyClick(&panel_, Qt::Key_F6);
-  EXPECT_THAT(panel_.render_action()->toolTip().toStdString(), HasSubstr("once the renders before it"));
+  EXPECT_THAT(panel_.render_action()->toolTip().toStdString(), HasSubstr("Queue a render"));
   ASSERT_TRUE(render_ends());
   EXPECT_THAT(status(), HasSubstr("Done · 8 samples"));
   EXPECT_TRUE(QFileInfo::exists(path("scene.exr")));
@@ -325,10 +325,10 @@ TEST_F(RenderPanelTest, SaysWhyASceneCannotBeRendered) {
   panel_.preview_action()->trigger();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.preview().is_on(); }, test::Minute));
   EXPECT_THAT(control<QPlainTextEdit>("Log")->toPlainText().toStdString(), HasSubstr("lost.png"));
-  EXPECT_THAT(status(), HasSubstr("No preview"));
+  EXPECT_THAT(status(), HasSubstr("Preview failed"));
   panel_.render_action()->trigger();
   ASSERT_TRUE(render_ends());
-  EXPECT_THAT(status(), HasSubstr("No image"));
+  EXPECT_THAT(status(), HasSubstr("Render failed"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// Rendering takes longer on busy machines; whoever waits goes on as soon as it is done.
+/// Timeout for renders on busy machines, milliseconds.
 constexpr int Minute = 60'000;
 
 inline editor::FinalRenderRequest final_request(const QString& path, int samples) {

@@ -1,5 +1,5 @@
-// Makes the pictures of the editor's manual, or those to be looked at: opens the real windows on a screen
-// that nobody sees and writes what they show. See editor/screenshots.
+// Makes the pictures of the editor's manual, or those for a review: opens the real windows on a virtual
+// screen and saves screenshots. See editor/screenshots.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
@@ -15,8 +15,8 @@
 namespace screenshots {
 namespace {
 
-/// Large pictures are made smaller, or at 200 % cut to their upper right part, so that text stays as it is
-/// drawn there.
+/// Scales large pictures down, or crops those at 200 % to their upper right part, so that their text is not
+/// scaled.
 QImage for_the_manual(const QPixmap& picture) {
   constexpr QSize Largest(1280, 800);
   const QImage image = picture.toImage();
@@ -28,7 +28,7 @@ QImage for_the_manual(const QPixmap& picture) {
                                          : image;
 }
 
-/// With 7 bits a channel instead of 8.
+/// Quantises to 7 bits per channel.
 QImage coarser(QImage image) {
   for (int y = 0; y < image.height(); ++y) {
     uchar* line = image.scanLine(y);
@@ -43,7 +43,7 @@ void write(const QImage& picture, const QString& file) {
   constexpr int Smallest = 0;  // file: Qt's quality of a PNG is how little it is compressed
   const QImage image = picture.convertToFormat(QImage::Format_RGB888);
   expect(image.save(file, "PNG", Smallest), file + " cannot be written");
-  // The noise of renders makes files large, and in it one bit less is not seen.
+  // Render noise makes files large, and hides the loss of one bit.
   constexpr qint64 Large = 400'000;
   if (QFileInfo(file).size() > Large) {
     expect(coarser(image).save(file, "PNG", Smallest), file + " cannot be written");

@@ -1,4 +1,4 @@
-// The pictures of the editor's manual: the real window in the states that the manual speaks of.
+// The pictures of the editor's manual: the real window in the states that the manual describes.
 #include <QApplication>
 #include <QDialog>
 #include <QDir>
@@ -75,7 +75,7 @@ QPixmap messages() {
   return stage.picture();
 }
 
-/// The eight ways to draw a scene, each with its name.
+/// The eight display modes, each with its name.
 QPixmap display_modes() {
   Stage stage({1100, 800});
   stage.hide_docks({"scene", "lights", "surface", "brdf"});

@@ -18,22 +18,22 @@ std::vector<Picture> manual_pictures();
 
 using Take = std::function<void(const QString& name, const QPixmap& picture)>;
 
-/// Pictures to be looked at, which share a window.
+/// Pictures for a review, which share a window.
 struct ReviewGroup {
   QString name;
   std::function<void(const Take& take)> make;
 };
 
-/// All docks, pages, windows and display modes, what they say when they are empty, and what has the focus.
+/// All docks, pages, windows and display modes, with their empty states and the keyboard focus.
 std::vector<ReviewGroup> review_groups();
 
-/// The options of a sample in the OP generator.
+/// The render options of a sample.
 QPixmap option_window();
-/// The viewer of scenes, with a sample in it.
+/// The GRF viewer with a sample.
 QPixmap viewer_window();
-/// All keys of the editor.
+/// The list of shortcuts.
 QPixmap shortcut_list();
-/// Two renders, one of which is wiped over the other.
+/// Two renders, compared with a wipe.
 QPixmap compared_images();
 
 }  // namespace screenshots

@@ -1,4 +1,4 @@
-// Pictures to be looked at: whether all is aligned, can be read, and says what to do next.
+// Pictures for a review of alignment, legibility and hints.
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -32,7 +32,7 @@ constexpr std::pair<BrdfEditor::View, const char*> BrdfViews[] = {{BrdfEditor::V
                                                                   {BrdfEditor::View::Plots, "plots"},
                                                                   {BrdfEditor::View::Library, "library"}};
 
-/// The BRDF dock in each of its views, and large, where it shows all of them.
+/// The BRDF dock in each of its views, and enlarged, with all of them.
 void take_brdf_dock(Stage& stage, const QString& suffix, const Take& take) {
   for (const auto& [view, name] : BrdfViews) {
     stage.show_brdf(view);
@@ -71,7 +71,7 @@ void small_window(const Take& take) {
   take("window_small_render", stage.picture());
 }
 
-/// Before a scene is open, and before anything in it is selected.
+/// Without a scene, and without a selection.
 void empty(const Take& take) {
   Stage stage;
   take("window_empty", stage.picture());
@@ -85,16 +85,16 @@ void empty(const Take& take) {
   take("images_empty", stage.picture());
 }
 
-/// A render that runs, one that waits for it, and a scene that is being written.
+/// A running render, a queued one, and a save.
 void jobs(const Take& take) {
   Stage stage;
   stage.open(Samples + "cornell_box/cornell_box.grf");
   editor::JobList& jobs = stage.window().jobs();
   const auto render = [](editor::Job& job) { job.show_progress(0.43, 75); };
-  jobs.add({"Render cornell_box.exr", "pictures", render, {}, "Stop this render, and keep its image"});
-  jobs.add({"Render cornell_box_large.exr", "pictures", render, {}, "Stop this render, and keep its image"});
+  jobs.add({"Render cornell_box.exr", "pictures", render, {}, "Stop this render and keep its image"});
+  jobs.add({"Render cornell_box_large.exr", "pictures", render, {}, "Stop this render and keep its image"});
   jobs.add({"Save cornell_box.grf", "files", [](editor::Job&) {}, {}, {}});
-  QTest::qWait(300);  // until the line at the bottom shows it
+  QTest::qWait(300);  // until the status line shows it
   take("jobs", stage.dock("jobs").grab());
   take("jobs_window", stage.picture());
 }
@@ -170,7 +170,7 @@ void windows(const Take& take) {
   take("shortcuts", shortcut_list());
 }
 
-/// All display modes of one scene that has something for each.
+/// All display modes of one scene with data for each.
 void modes(const Take& take) {
   Stage stage({1280, 800});
   stage.hide_docks({"scene", "lights", "surface", "brdf"});

@@ -39,7 +39,7 @@ QString Stage::add(const char* name, const QByteArray& bytes) const {
 }
 
 void Stage::open(const QString& file) {
-  window_->document().clear();  // so that nobody is asked about the scene before
+  window_->document().clear();  // avoids the question about unsaved changes
   QSignalSpy taken(&window_->document(), &editor::Document::taken);
   window_->files().open(file);
   expect(!taken.empty() || taken.wait(Minute), file + " did not open");
@@ -172,7 +172,7 @@ void Stage::settle() {
     return is_drawn && QThreadPool::globalInstance()->activeThreadCount() == 0 &&
            !window_->brdf_editor().lobe().is_busy() && !window_->brdf_editor().sphere().is_busy();
   };
-  // Work that is done may begin other work.
+  // Finished work may start more work.
   for (int turn = 0; turn < 5; ++turn) {
     QTest::qWait(20);
     expect(QTest::qWaitFor(is_idle, 5 * Minute), "the window has work without an end");

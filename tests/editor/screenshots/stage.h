@@ -1,4 +1,4 @@
-// What pictures of the editor are taken of.
+// Sets up windows for pictures of the editor.
 #pragma once
 
 #include <QPixmap>
@@ -18,11 +18,11 @@ namespace screenshots {
 const QString Samples = GRANADA_SOURCE_DIR "/samples/";
 constexpr int Minute = 60'000;  // in milliseconds
 
-/// A picture that is not made is a failure of the whole.
+/// Throws if a picture cannot be made.
 void expect(bool holds, const QString& what);
 
-/// A window of a size with the layout of its first start, and what is done to it for a picture. Its files are
-/// in a folder that programs take for the user's own, so that no picture shows where they really are.
+/// A window of a given size with the default layout, and operations on it for a picture. Its files are in a
+/// folder that programs take for the user's home, so that no picture shows real paths.
 class Stage {
  public:
   explicit Stage(QSize size = {1600, 1000});
@@ -30,32 +30,32 @@ class Stage {
 
   editor::MainWindow& window() { return *window_; }
   QPixmap picture() { return window_->grab(); }
-  /// Makes a file in the user's folder, and gives its path.
+  /// Creates a file in the home folder, and returns its path.
   QString add(const char* name, const QByteArray& bytes) const;
 
   void open(const QString& file);
   void act(const QString& name);
-  /// A sample as its render sees it, with its BRDFs.
+  /// Opens a sample with the render camera, in the display mode BRDF.
   void open_as_rendered(const QString& file);
   void draw_as(editor::DisplayMode mode);
-  /// Away from where the camera of renders is, so that it is seen.
+  /// Orbits away from the render camera, so that it is visible.
   void orbit(double to_the_right, double upwards, double nearer);
-  /// A click at a place of the view, in parts of its size, and rings of neighbours around the face.
+  /// Clicks at a position of the view, in fractions of its size, and grows the selection by rings.
   void select_patch(QPointF place, int rings);
-  /// Spheres of all models, with faces of one selected.
+  /// Opens the spheres of all models, with faces of one selected.
   void show_models();
   void show_brdf(editor::BrdfEditor::View view);
-  /// Shows a dock, over others at its place.
+  /// Shows a dock, in front of others that are tabbed with it.
   QDockWidget& dock(const QString& name);
   void hide_docks(const QStringList& names);
-  /// A scene with a mistake in a name, and where the message of it leads to.
+  /// Opens a scene with a misspelt name, and goes to the location of its message.
   void show_mistake();
-  /// A preview until it is done.
+  /// Runs a preview until it is done.
   void preview(QSize size, int samples);
-  /// The image of a file by `bpt`.
+  /// Renders the image file with `bpt`.
   void render(QSize size, int samples);
 
-  /// Until the view is drawn in full and no work is under way.
+  /// Waits until the view is drawn in full and no work is running.
   void settle();
 
  private:

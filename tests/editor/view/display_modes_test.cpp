@@ -1,4 +1,4 @@
-// What the view draws.
+// Tests of the display modes.
 #include <QImage>
 #include <QTemporaryDir>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using grf::Vec3d;
 using test::ShownView;
 
-/// The mean difference of two pictures' channels, 0 to 255.
+/// The mean difference of two images' channels, 0 to 255.
 double difference(const QImage& a, const QImage& b) {
   EXPECT_EQ(a.size(), b.size());
   double sum = 0;
@@ -36,7 +36,7 @@ QImage grab(ShownView& shown, DisplayMode mode) {
   return shown.view.grab().toImage();
 }
 
-/// A cube with a texture, vertices' irradiance, and a BRDF that shines.
+/// A cube with a texture, irradiance at its vertices, and a glossy BRDF.
 SceneObjects rich_cube(const QTemporaryDir& folder) {
   QImage image(2, 2, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -90,7 +90,7 @@ TEST(DisplayModes, ATextureStandsUpright) {
   const QTemporaryDir folder;
   ShownView shown(rich_cube(folder));
   const QImage image = grab(shown, DisplayMode::Textured);
-  // The image's upper left quarter is blue, which leaves nothing of the red front.
+  // The texture's upper left quarter is blue, which removes the red of the front.
   const QColor blue = image.pixelColor(shown.pixel_of(Vec3d(-0.5, 0.5, 1)));
   const QColor red = image.pixelColor(shown.pixel_of(Vec3d(0.5, -0.5, 1)));
   EXPECT_LT(blue.red(), 60);

@@ -1,4 +1,4 @@
-// Which geometry is made for the view, where and how often.
+// Tests which geometry is built for the view, where and how often.
 #include "editor/view/geometry_store.h"
 
 #include <QSemaphore>
@@ -13,7 +13,7 @@
 namespace editor {
 namespace {
 
-/// Meshes of so many faces on a side, each with arrays of its own.
+/// Meshes with so many faces per side, each with its own arrays.
 SceneObjects meshes(std::size_t count, std::uint32_t side) {
   SceneObjects objects;
   for (std::size_t i = 0; i < count; ++i) {
@@ -23,7 +23,7 @@ SceneObjects meshes(std::size_t count, std::uint32_t side) {
   return objects;
 }
 
-/// Holds back the threads of the pool while it lives, so that nothing that they make is there too soon.
+/// Blocks the threads of the pool while it lives, so that no result arrives too early.
 class HeldThreads {
  public:
   HeldThreads() {

@@ -1,4 +1,4 @@
-// What the view does where a graphics driver has less than it would like.
+// Tests of the view with graphics drivers that fail or have low limits.
 #include <QImage>
 #include <QSignalSpy>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using test::ShownView;
 
-/// Refuses programs whose fragment shader has this in its text.
+/// Fails to compile programs whose fragment shader contains this text.
 GraphicsDriver driver_without(const QByteArray& text) {
   GraphicsDriver driver;
   driver.compile = [text](const ShaderTexts& texts) -> CompiledProgram {
@@ -42,7 +42,7 @@ QImage drawn(ShownView& shown) {
   return shown.view.grab().toImage();
 }
 
-/// How many pixels are far from each other, of those that are seen in either.
+/// The fraction of clearly different pixels, of those that are covered in either image.
 double share_of_far_pixels(const QImage& a, const QImage& b) {
   int count = 0;
   for (int y = 0; y < a.height(); ++y) {
@@ -59,7 +59,7 @@ double share_of_far_pixels(const QImage& a, const QImage& b) {
 
 class RefusedShader : public testing::TestWithParam<std::string> {};
 
-/// The picture is the one that the shader draws, parts of sums and colours of faces included.
+/// The CPU image equals that of the shader, including terms of sums and colours of faces.
 TEST_P(RefusedShader, IsDoneByCpp) {
   const SceneObjects objects = test::objects_of_text(GetParam());
   ShownView by_glsl(objects, seen_from_above());
@@ -67,10 +67,11 @@ TEST_P(RefusedShader, IsDoneByCpp) {
   ShownView by_cpp(objects, seen_from_above(), driver_without("vec3 ward("));
   QSignalSpy warned(&by_cpp.view, &SceneView::warned);
   const QImage image = drawn(by_cpp);
-  EXPECT_THAT(texts(warned), testing::Contains(testing::ResultOf(
-                                 [](const QString& text) { return text.toStdString(); },
-                                 testing::AllOf(testing::HasSubstr("BRDF ward"), testing::HasSubstr("by C++"),
-                                                testing::EndsWith("error: no such thing")))));
+  EXPECT_THAT(texts(warned),
+              testing::Contains(testing::ResultOf(
+                  [](const QString& text) { return text.toStdString(); },
+                  testing::AllOf(testing::HasSubstr("BRDF ward"), testing::HasSubstr("on the CPU"),
+                                 testing::EndsWith("error: no such thing")))));
   EXPECT_LT(share_of_far_pixels(image, expected), 0.002);
   ShownView without(test::objects_of_text(test::cube_text("brdf diffuse kd=0")), seen_from_above());
   EXPECT_GT(share_of_far_pixels(drawn(without), expected), 0.1);
@@ -90,7 +91,7 @@ TEST(RefusedShaders, OfOtherModelsAreNotMissed) {
   EXPECT_TRUE(warned.isEmpty());
 }
 
-/// Without a shader that all pictures need there is none, and the window goes on.
+/// Without an indispensable shader nothing is drawn, and the window continues to work.
 TEST(RefusedShaders, OfTheViewItselfLeaveAMessage) {
   SceneView view(nullptr, driver_without("background_top"));
   QSignalSpy warned(&view, &SceneView::warned);
@@ -119,7 +120,7 @@ GraphicsDriver driver_with(const GraphicsLimits& limits) {
 
 constexpr std::size_t ManyTexels = 1'000'000;
 
-/// A red image of so many pixels in a row, and two rows.
+/// A red image of so many pixels per row, and two rows.
 std::string red_image(const test::TemporaryFolder& folder, int width) {
   std::string bytes = "PF\n" + std::to_string(width) + " 2\n-1.0\n";
   for (int i = 0; i < 2 * width; ++i) bytes += std::string("\0\0\x80\x3f\0\0\0\0\0\0\0\0", 12);
@@ -142,13 +143,13 @@ TEST(DriverLimits, MakeImagesSmallerThatAreTooLarge) {
     EXPECT_LT(middle.green(), 30) << side;
     shown.view.set_mode(DisplayMode::Solid);
     ASSERT_TRUE(shown.complete());
-    const QStringList said = texts(warned).filter("fewer pixels");
+    const QStringList said = texts(warned).filter("lower resolution");
     EXPECT_EQ(said.isEmpty(), side == 1300);
     for (const QString& text : said) EXPECT_TRUE(text.contains("red.pfm") && text.contains("1024"));
   }
 }
 
-/// A window of more pixels than the driver draws has an image of fewer, in which boxes select as in any.
+/// A window larger than the driver's limit has a downscaled image, in which boxes select as usual.
 TEST(DriverLimits, HoldForTheWindowToo) {
   const SceneObjects objects = test::objects_of_text(test::cube_text());
   const auto selected = [&](const GraphicsDriver& driver, QImage& image) {
@@ -174,7 +175,7 @@ TEST(DriverLimits, HoldForTheWindowToo) {
   }
 }
 
-/// What shaders look up behind the end of a table is undefined.
+/// Texel fetches beyond the end of a table are undefined.
 TEST(DriverLimits, LeaveMeshesOutForWhichTablesAreTooShort) {
   const SceneObjects objects = test::objects_of_text(
       test::cube_text() + "transform translation (3,0,0) begin " + test::cube_text() + " end");

@@ -1,5 +1,5 @@
-// A mesh of a million triangles stays usable: the figures of the benchmark, with room for a machine that
-// others use too.
+// A mesh of a million triangles stays interactive: the limits of the benchmark, with a margin for a shared
+// machine.
 #include <QElapsedTimer>
 #include <QImage>
 #include <algorithm>
@@ -16,12 +16,12 @@ namespace {
 
 using grf::Vec3d;
 
-/// How much slower than promised a shared machine may be. Sanitizers cost several times as much again.
+/// Factor for a slower, shared machine. Sanitizers cost several times as much again.
 constexpr double Room = test::HasSanitizers ? 20 : 2;
 
 double milliseconds(const QElapsedTimer& clock) { return double(clock.nsecsElapsed()) * 1e-6; }
 
-/// Says the longest time in which the event loop did not come round.
+/// Measures the longest turn of the event loop.
 class Watchdog {
  public:
   Watchdog() {
@@ -63,7 +63,7 @@ class LargeMesh : public testing::Test {
   static inline SceneObjects* objects_ = nullptr;  // NOLINT(readability-identifier-naming): a member
 };
 
-/// Counts how often a widget paints itself.
+/// Counts the paint events of a widget.
 class Paints : public QObject {
  public:
   explicit Paints(QWidget& widget) { widget.installEventFilter(this); }
@@ -85,7 +85,7 @@ TEST_F(LargeMesh, TurnsAndComesToRestInTime) {
   QElapsedTimer clock;
   clock.start();
   QTest::mousePress(&shown.view, Qt::MiddleButton, Qt::NoModifier, {400, 300});
-  shown.move({380, 280}, Qt::MiddleButton, Qt::NoModifier);  // no click any more
+  shown.move({380, 280}, Qt::MiddleButton, Qt::NoModifier);  // no longer a click
   for (int i = 0; i < Frames; ++i) {
     const Paints paints(shown.view);
     shown.move({400 + 4 * i, 300 + i}, Qt::MiddleButton, Qt::NoModifier);
@@ -140,7 +140,7 @@ TEST_F(LargeMesh, KeepsItsGeometryWhileSurfacesChange) {
   shown.view.show(std::make_shared<const SceneObjects>(edited));
   report("showing other surfaces", milliseconds(clock), "ms");
   EXPECT_LE(milliseconds(clock), 100 * Room);
-  // What was there is still there: no time without a picture.
+  // The former image stays until there is a new one.
   ASSERT_TRUE(test::wait_for([&] { return shown.view.is_full(); }));
   EXPECT_TRUE(shown.complete());
 }

@@ -14,7 +14,7 @@ namespace {
 
 using grf::Vec3d;
 
-/// The nearest hit by the plane of each triangle and the sides of its edges, over all of them.
+/// The nearest hit over all triangles, by their planes and edge tests.
 std::optional<MeshHit> brute_force(const TriangleArrays& arrays, const ViewRay& ray) {
   std::optional<MeshHit> nearest;
   for (std::uint32_t i = 0; i < arrays.triangles.size(); ++i) {
@@ -49,7 +49,7 @@ TEST(MeshGeometry, RaysMeetTheNearestTriangle) {
     if (!hit) continue;
     ++hits;
     EXPECT_NEAR(hit->distance, expected->distance, 1e-9);
-    // Two may be met at an edge that they share.
+    // Two triangles may be hit at their common edge.
     if (hit->triangle != expected->triangle) {
       EXPECT_NEAR(hit->distance, expected->distance, 1e-12);
     }

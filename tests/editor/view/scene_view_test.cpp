@@ -1,4 +1,4 @@
-// The view in a window: what gestures and keys do.
+// Tests of the gestures and keys of the view in a window.
 #include "editor/view/scene_view.h"
 
 #include <QImage>
@@ -28,7 +28,7 @@ constexpr FaceId Top = {0, 4};
 
 SceneObjects cube() { return test::objects_of_text(test::cube_text()); }
 
-/// Two cubes side by side: the second mesh stands four units to the right.
+/// Two cubes side by side: the second mesh is four units to the right.
 SceneObjects two_cubes() {
   return test::objects_of_text(test::cube_text() + "transform translation (4,0,0) begin " +
                                test::cube_text() + " end");
@@ -118,7 +118,7 @@ TEST(SceneView, ABoxSelectsWhatWasSeenWhereItWasMade) {
   const QPoint to = shown.pixel_of(Vec3d(0.5, -0.5, 1));
   QTest::mousePress(&shown.view, Qt::LeftButton, Qt::NoModifier, from);
   for (const QPoint& point : {(from + to) / 2, to}) shown.move(point, Qt::LeftButton, Qt::NoModifier);
-  // The thread is busy with another picture when the box comes, and the view goes on before it is read.
+  // The thread renders another image when the box arrives, and the view changes before it is evaluated.
   shown.view.set_mode(DisplayMode::Brdf);
   QTest::qWait(1);
   QTest::mouseRelease(&shown.view, Qt::LeftButton, Qt::NoModifier, to);
@@ -199,7 +199,7 @@ TEST(SceneView, PickingIsExact) {
       const QPoint pixel(int(random() % 800), int(random() % 600));
       shown.view.set_selection(FaceSelection(objects));
       QTest::mouseClick(&shown.view, Qt::LeftButton, Qt::NoModifier, pixel);
-      // Each triangle by itself, by the volumes that its edges span with the ray.
+      // Each triangle separately, by the volumes that its edges span with the ray.
       const grf::Vec2d place(2 * pixel.x() / 800.0 - 1, 1 - 2 * pixel.y() / 600.0);
       const ViewRay ray = camera.ray(place, 800.0 / 600);
       std::optional<std::pair<double, FaceId>> nearest;
@@ -328,7 +328,7 @@ TEST(SceneView, SaysWhatIsUnderThePointer) {
   QSignalSpy spy(&shown.view, &SceneView::hovered);
   shown.move(shown.pixel_of(Vec3d(0.3, 0.2, 1)), Qt::NoButton, Qt::NoModifier);
   ASSERT_TRUE(test::wait_for([&] { return spy.count() > 0; }));
-  EXPECT_EQ(spy.last().front().toString(), "cube · face 0 · diffuse by default");
+  EXPECT_EQ(spy.last().front().toString(), "cube · face 0 · default diffuse");
 }
 
 TEST(SceneView, ALightIsDraggedInThePlaneOfTheView) {
@@ -379,7 +379,7 @@ TEST(SceneView, AMissingTextureIsSaid) {
   EXPECT_TRUE(spy.front().front().toString().contains("nowhere.png"));
 }
 
-/// A texture whose decoder crashes is said, and the view draws what else there is.
+/// A texture whose decoder crashes is reported, and the rest is drawn.
 TEST(SceneView, OutlivesADecoderOfTexturesThatCrashes) {
   const test::TemporaryFolder folder;
   const ImageProcess crashing(test::shell_program(folder, "kill -SEGV $$"));
@@ -393,7 +393,8 @@ TEST(SceneView, OutlivesADecoderOfTexturesThatCrashes) {
   view.show();
   EXPECT_TRUE(test::wait_for([&] { return view.is_complete(); }));
   ASSERT_EQ(spy.count(), 1);
-  EXPECT_TRUE(spy.front().front().toString().contains("evil.png: cannot read the image: it is broken (its"));
+  EXPECT_TRUE(
+      spy.front().front().toString().contains("evil.png: cannot read the image: the file is corrupt (its"));
   EXPECT_EQ(view.face_at({150, 100}), Front);
 }
 

@@ -1,4 +1,4 @@
-// A view in a window, and what tests do with it.
+// A view in a window, and helpers for its tests.
 #pragma once
 
 #include <QApplication>
@@ -13,7 +13,7 @@
 
 namespace test {
 
-/// Comes back when the condition holds, or after so many seconds; says whether it does.
+/// Waits until the condition holds, or for so many seconds; returns whether it does.
 template <class Condition>
 bool wait_for(const Condition& condition, int seconds = 120) {
   return QTest::qWaitFor(condition, seconds * 1000);
@@ -51,7 +51,7 @@ inline std::string cube_text(const std::string& attributes = {}) {
 )";
 }
 
-/// From in front, so that the whole scene is seen.
+/// A camera in front of the origin that sees the whole scene.
 inline editor::ViewCamera front_camera(double distance = 8) {
   transport::View view;
   view.eye = grf::Vec3d(0, 0, distance);

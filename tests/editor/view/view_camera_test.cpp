@@ -28,7 +28,7 @@ void expect_near(const Vec3d& a, const Vec3d& b, double tolerance = 1e-9) {
 
 void expect_near(const Vec2d& a, const Vec2d& b) { EXPECT_LT((a - b).length(), 1e-9); }
 
-/// Where OpenGL draws a point.
+/// The position at which OpenGL draws a point.
 Vec2d drawn_at(const ViewCamera& camera, const Vec3d& point) {
   const grf::Box3d box(Vec3d(-5), Vec3d(5));
   const Vec3d clip = point * (camera.world_to_camera() * camera.camera_to_clip(Aspect, box));

@@ -1,4 +1,4 @@
-// What every action and every control of the editor's windows has: words, and a way to them without a mouse.
+// Tests that every action and control of the editor's windows has texts and can be reached by keyboard.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -57,7 +58,7 @@ std::string described(const QWidget& widget) {
 
 QString plain(QString text) { return text.remove('&').remove("..."); }
 
-/// Qt's own: the switches of docks and tool bars, and what line edits have inside.
+/// Actions of Qt itself: toggles of docks and tool bars, and those inside line edits.
 bool is_of_qt(const QAction& action) {
   const QObject* owner = action.parent();
   if (const auto* dock = qobject_cast<const QDockWidget*>(owner)) return dock->toggleViewAction() == &action;
@@ -74,7 +75,7 @@ void expect_words_of_actions(const QWidget& window) {
     const std::string text = action->text().toStdString();
     if (const auto* entry = qobject_cast<const QMenu*>(action->parent());
         entry != nullptr && !action->isEnabled())
-      continue;  // what an empty menu says
+      continue;  // the text of an empty menu
     EXPECT_FALSE(text.empty()) << "of " << action->parent()->metaObject()->className();
     EXPECT_NE(plain(action->toolTip()), plain(action->text())) << text;
     bool has_place = !action->shortcut().isEmpty();
@@ -91,7 +92,7 @@ void expect_words_of_actions(const QWidget& window) {
   }
 }
 
-/// Its own, or that of what it is a part of, which Qt shows in its place.
+/// Its own tool tip, or that of its parent, which Qt shows instead.
 bool has_tool_tip(const QWidget& widget) {
   for (const QWidget* each = &widget; each != nullptr && !each->isWindow(); each = each->parentWidget()) {
     if (qobject_cast<const QDockWidget*>(each) != nullptr) return false;
@@ -100,13 +101,13 @@ bool has_tool_tip(const QWidget& widget) {
   return false;
 }
 
-/// Pictures that fill a page: a tool tip would cover what one looks at, and the status line says it.
+/// Pictures that fill a page, whose tool tip would cover them; the status line has their text.
 bool is_picture(const QWidget& widget) {
   return qobject_cast<const SceneView*>(&widget) != nullptr ||
          qobject_cast<const ImagePane*>(&widget) != nullptr;
 }
 
-/// Whether a widget is one that people use, and no part of another.
+/// Whether a widget is used directly, and is not a part of another control.
 bool is_control(const QWidget& widget) {
   if (!widget.isVisible() || widget.focusPolicy() == Qt::NoFocus || widget.focusProxy() != nullptr)
     return false;
@@ -117,13 +118,13 @@ bool is_control(const QWidget& widget) {
          qobject_cast<const QAbstractSpinBox*>(owner) == nullptr && !widget.isWindow();
 }
 
-/// Whether Tab has to lead there. Of buttons of which one is chosen it leads to that one, and arrows lead to
-/// the others: Qt takes their policy away once one has the focus.
+/// Whether Tab has to reach it. In a group of exclusive buttons Tab reaches the checked one, and arrows the
+/// others: Qt changes their focus policy once one has the focus.
 bool is_led_to(const QWidget& widget) {
   return is_control(widget) && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0;
 }
 
-/// The dock where a control is, or another part of the window.
+/// The dock that contains a control, or another part of the window.
 const QWidget* part_of(const QWidget& widget) {
   const QWidget* each = &widget;
   while (qobject_cast<const QDockWidget*>(each) == nullptr && !each->parentWidget()->isWindow())
@@ -131,7 +132,7 @@ const QWidget* part_of(const QWidget& widget) {
   return each;
 }
 
-/// On the right of another one or under it, as one reads, or at the top of the next column.
+/// Right of another one or under it in reading order, or at the top of the next column.
 bool is_read_after(const QWidget& next, const QWidget& before) {
   const auto place = [](const QWidget& widget) {
     return QRect(widget.mapTo(widget.window(), QPoint()), widget.size());
@@ -139,14 +140,14 @@ bool is_read_after(const QWidget& next, const QWidget& before) {
   return place(next).top() >= place(before).center().y() || place(next).left() >= place(before).center().x();
 }
 
-/// Whether the window's last control is before one.
+/// Whether the window's last control precedes this one, so that the tab order starts again.
 bool begins_anew(const QWidget& next, const QWidget& before) {
   const QWidget* each = &before;
   while (each != &next && !each->isWindow()) each = each->nextInFocusChain();
   return each != &next;
 }
 
-/// What Tab leads to, once around, in the order of reading within each dock; or Tab with Shift.
+/// The full cycle of Tab, or of Shift+Tab, in reading order within each dock.
 std::vector<QWidget*> tab_around(QWidget& start, Qt::KeyboardModifiers modifiers = {}) {
   std::vector<QWidget*> way;
   const auto most = start.window()->findChildren<QWidget*>().size();
@@ -166,7 +167,7 @@ std::vector<QWidget*> tab_around(QWidget& start, Qt::KeyboardModifiers modifiers
   return way;
 }
 
-/// From a control to all that is seen, dock after dock, and with Shift back again.
+/// Checks that Tab reaches everything visible, dock after dock, and Shift+Tab the reverse.
 void expect_tab_leads_to_all(QWidget& start) {
   QTest::qWait(1);
   const std::vector<QWidget*> way = tab_around(start);
@@ -179,7 +180,7 @@ void expect_tab_leads_to_all(QWidget& start) {
   for (std::size_t i = 1; i < way.size(); ++i) {
     if (part_of(*way[i]) == part_of(*way[i - 1])) continue;
     left.insert(part_of(*way[i - 1]));
-    const bool is_of_the_first = part_of(*way[i]) == part_of(start);  // which began in its middle
+    const bool is_of_the_first = part_of(*way[i]) == part_of(start);  // which started in its middle
     EXPECT_TRUE(is_of_the_first || !left.contains(part_of(*way[i])))
         << described(*way[i]) << " comes apart from what is beside it";
   }
@@ -188,7 +189,7 @@ void expect_tab_leads_to_all(QWidget& start) {
   EXPECT_TRUE(back == way) << "Shift and Tab do not lead the same way";
 }
 
-/// No two of the letters that lead with Alt to a menu or to the field of a label are the same.
+/// Checks that the mnemonics of menus and labels are unique.
 void expect_letters_apart(const QMainWindow& window) {
   std::map<QString, QString> known;
   const auto add = [&known](const QString& text) {
@@ -207,7 +208,7 @@ class Accessibility : public testing::Test {
  protected:
   Accessibility() { QSettings().clear(); }
 
-  /// The controls that are seen now have names and tool tips, and Tab leads to each of them.
+  /// Checks that visible controls have names and tool tips, and are reached by Tab.
   void check_controls(QWidget& window) {
     QTest::qWait(1);
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
@@ -230,7 +231,7 @@ class Accessibility : public testing::Test {
     }
   }
 
-  /// With each tab of what is seen.
+  /// Checks each tab of the window.
   void check_tabs(QWidget& window) {
     check_controls(window);
     for (QTabWidget* tabs : window.findChildren<QTabWidget*>()) {
@@ -335,7 +336,29 @@ TEST_F(Accessibility, OfTheListOfShortcuts) {
   }
 }
 
-/// Faces whose rows of the docks are as different as they can be.
+TEST_F(Accessibility, OfActionsBySynonyms) {
+  const test::TemporaryFolder folder;
+  MainWindow window(QString::fromStdString(folder.path("sessions")));
+  test::action(window, "Keyboard shortcuts").trigger();
+  auto* dialog = window.findChild<QDialog*>("shortcuts");
+  ASSERT_NE(dialog, nullptr);
+  auto* search = dialog->findChild<QLineEdit*>();
+  for (const auto& [query, name] :
+       {std::pair("merge", "Append..."), std::pair("glossy", "BRDF"), std::pair("tumble", "Orbit")}) {
+    search->setText(query);
+    const auto rows =
+        dialog->findChild<QTreeWidget*>()->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, 1);
+    ASSERT_FALSE(rows.isEmpty()) << name;
+    EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const auto* row) { return !row->isHidden(); }))
+        << query;
+  }
+  search->setText("zyzzyva");
+  for (const QTreeWidgetItem* row : dialog->findChild<QTreeWidget*>()->findItems("", Qt::MatchContains)) {
+    EXPECT_TRUE(row->isHidden());
+  }
+}
+
+/// Faces whose rows in the docks differ as much as possible.
 const std::string ManyRows = R"(def gold = brdf ward sx=0.2
 def dull = brdf diffuse kd=0.3
 def red = rgb (1, 0, 0)
@@ -362,7 +385,7 @@ end mesh
 end
 )";
 
-/// What Tab leads to in the whole window.
+/// Tests of the tab order in the whole window.
 class TabOrder : public Accessibility {
  protected:
   TabOrder() : window_(QString::fromStdString(folder_.path("sessions"))) {
@@ -413,7 +436,7 @@ TEST_F(TabOrder, LeadsToAllOfWhatFacesHave) {
   expect_tab_leads_to_all(window_.view());
   test::action(window_, "All").trigger();
   expect_tab_leads_to_all(window_.view());
-  for (std::uint32_t face = 0; face < 4; ++face) {  // each with a form of its own, which comes and goes
+  for (std::uint32_t face = 0; face < 4; ++face) {  // each with its own form, which is created and removed
     SCOPED_TRACE(face);
     select_face(face);
     check_controls(window_);
@@ -479,7 +502,7 @@ TEST_F(TabOrder, StaysWhereDocksAreMoved) {
   }
   window_.tabifyDockWidget(&dock("scene"), &dock("surface"));
   expect_tab_leads_to_all(window_.view());
-  test::action(window_, "Reset the layout").trigger();
+  test::action(window_, "Reset layout").trigger();
   expect_tab_leads_to_all(window_.view());
 }
 

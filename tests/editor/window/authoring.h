@@ -12,7 +12,7 @@
 
 namespace editor {
 
-/// A test begins with an empty window on the screen, and a folder for its files.
+/// A test fixture with an empty window on the screen, and a folder for its files.
 class Authoring : public testing::Test {
  protected:
   Authoring() : window_(QString::fromStdString(folder_.path("sessions"))) {

@@ -1,4 +1,4 @@
-// The way of an author through the whole window: from a model to an image, with the mouse and the keyboard.
+// A user's workflow through the whole window: from a model to an image, by mouse and keyboard.
 #include "tests/editor/window/authoring.h"
 
 #include <QAbstractItemView>
@@ -122,7 +122,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   ASSERT_EQ(document().objects().faces, 69666U);
   const grf::Scene imported = document().scene();
 
-  // Ward on the faces of a box.
+  // Assigns Ward to the faces of a box.
   const QPoint middle = window_.view().rect().center();
   test::drag(window_.view(), middle, middle + QPoint(90, 70));
   ASSERT_TRUE(QTest::qWaitFor([this] { return !window_.view().is_selecting(); }, Minute));
@@ -132,7 +132,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   choose(test::named<QComboBox>(window_.surface_panel(), "BRDF"), "ward");
   EXPECT_EQ(faces_where(is_ward), in_box);
 
-  // A parameter, dragged: one step of undo.
+  // Drags a parameter: one undo step.
   const int steps = document().undo_stack().count();
   std::vector<grf::BrdfModel> models = window_.brdf_editor().models();
   ASSERT_EQ(models.size(), 1U);
@@ -143,7 +143,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   emit window_.brdf_editor().edited(models);
   EXPECT_EQ(document().undo_stack().count(), steps + 1);
 
-  // Two faces that emit.
+  // Makes two faces emit.
   select_two_faces();
   ASSERT_EQ(document().selection().count(), 2U);
   auto& power = test::named<QAbstractSpinBox>(window_.surface_panel(), "Power");
@@ -153,7 +153,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
   QTest::keyClick(&power, Qt::Key_Return);
   EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.emission.has_value(); }), 2U);
 
-  // A texture on all.
+  // Assigns a texture to all faces.
   test::action(window_, "All").trigger();
   ASSERT_EQ(document().selection().count(), 69666U);
   auto& texture = test::named<QComboBox>(window_.surface_panel(), "Texture");
@@ -171,7 +171,7 @@ TEST_F(Authoring, GoesFromAModelToASceneAndBack) {
     test::action(window_, "Redo " + document().undo_stack().redoText()).trigger();
   EXPECT_TRUE(document().scene() == done);
 
-  // Save, reopen, equal.
+  // Save, reopen, compare.
   const QString file = path("bunny.grf");
   window_.files().save_as(file);
   ASSERT_TRUE(are_jobs_done());
@@ -221,7 +221,7 @@ TEST_F(Authoring, KeepsOptionsAsStepsOfUndo) {
   EXPECT_FALSE(document().is_modified());
   window_.view().setFocus();
   QTest::keyClick(&window_.view(), Qt::Key_Left);
-  test::action(window_, "Camera from the view").trigger();
+  test::action(window_, "Align camera to view").trigger();
   ASSERT_TRUE(document().is_modified());
   EXPECT_FALSE(document().options().valid_options() == before);
   document().undo_stack().undo();
@@ -318,7 +318,7 @@ TEST_F(Authoring, GivesAFaceABrdfThatIsDroppedOnIt) {
             1U);
 }
 
-/// What a person presses goes to what has the focus, in the list or dialog that is open.
+/// Presses a key in the focused widget, an open list or a dialog.
 void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
   const QWidget* open = QApplication::activePopupWidget();
   if (open == nullptr) open = QApplication::activeModalWidget();
@@ -339,7 +339,7 @@ TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   press(Qt::Key_A, Qt::ControlModifier);
   ASSERT_EQ(document().selection().count(), 18U);
-  // To the Surface dock, and in it to the list of BRDFs.
+  // Focuses the Surface dock, and in it the list of BRDFs.
   press(Qt::Key_3, Qt::ControlModifier);
   const auto* list = &test::named<QComboBox>(window_.surface_panel(), "BRDF");
   for (int i = 0; i < 3 && QApplication::focusWidget() != list; ++i) press(Qt::Key_Tab);
@@ -365,12 +365,12 @@ TEST_F(Authoring, CanBeUsedByKeyboardAlone) {
   EXPECT_THAT(test::bytes_of(folder_.path("box.grf")), HasSubstr("ward"));
 }
 
-/// Without a BRDF.
+/// A scene without a BRDF.
 const char OneFace[] =
     "begin mesh begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces (0, 1, 2) end faces end "
     "mesh\n";
 
-/// From the BRDF dock's library: Ctrl+4, arrows to its page, Tab to its list, Return.
+/// Assigns a BRDF of the library: Ctrl+4, arrows to its page, Tab to its list, Return.
 TEST_F(Authoring, TakesABrdfOutOfTheLibraryByKeyboardAlone) {
   folder_.add("one.grf", OneFace);
   open(path("one.grf"));

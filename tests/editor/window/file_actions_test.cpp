@@ -55,7 +55,7 @@ class FileActionsTest : public testing::Test {
     document_.edit_surfaces("Colour", edit);
   }
 
-  /// Until no job is left.
+  /// Waits until no job is left.
   void wait() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return jobs_.jobs().empty(); }, 20000));
   }
@@ -223,7 +223,7 @@ TEST_F(FileActionsTest, ExportThroughEveryWriter) {
   EXPECT_EQ(failed_.count(), 1);
 }
 
-/// A mesh that takes some time to be written.
+/// A mesh that is slow to write.
 std::string large_mesh() {
   std::string text = "begin mesh \"a\"\n  begin vertexs\n";
   for (int i = 0; i < 100'000; ++i) text += "    (" + std::to_string(i) + ", 0.5, 0)\n";
@@ -281,7 +281,7 @@ TEST_F(FileActionsTest, AskWhereAnotherStateHasTheSameIndexOfUndo) {
   const QString second = file("second.grf");
   test::answer(QMessageBox::Discard);
   actions_.open(second);
-  // While it is read, one step is undone and another one made.
+  // During the read, one step is undone and another one made.
   document_.undo_stack().undo();
   document_.replace("Empty it", {});
   ASSERT_EQ(document_.undo_stack().index(), 1);

@@ -1,4 +1,4 @@
-// What an author has made is not lost: to a bake, to another program, to the end of the window.
+// Tests that no work is lost: to a bake, to another program, to closing the window.
 #include <QAbstractButton>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -143,7 +143,7 @@ TEST_F(KeepingWork, AsksBeforeClosingEndsARenderOrABake) {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     if (question == nullptr) return;
     asked << question->text();
-    // The bake may be ready by then, and is not saved.
+    // The bake may have finished by then, and is not saved.
     QAbstractButton* answer = question->button(button);
     (answer != nullptr ? answer : question->button(QMessageBox::Discard))->click();
   });
@@ -175,7 +175,7 @@ TEST_F(KeepingWork, GivesNoIrradianceToASceneThatWasOpenedMeanwhile) {
   EXPECT_EQ(document().scene(), *other);
   EXPECT_EQ(document().path(), path("other.grf"));
   EXPECT_FALSE(document().is_modified());
-  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("irradiance that was baked is left out"));
+  EXPECT_THAT(window_.notice().text().toStdString(), HasSubstr("baked irradiance was discarded"));
 }
 
 }  // namespace

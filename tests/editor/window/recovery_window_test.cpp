@@ -1,4 +1,4 @@
-// The editor dies with unsaved work, and gives it back when it is started again.
+// Tests that the editor recovers unsaved work after it is killed and restarted.
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -23,7 +23,7 @@ namespace {
 using test::BunnyFile;
 using test::Minute;
 
-/// The program with settings and data in a folder of its own.
+/// The program with settings and data in a separate folder.
 class Program {
  public:
   explicit Program(const QString& home) {
@@ -40,7 +40,7 @@ class Program {
     return process_.waitForStarted(Minute);
   }
   bool is_running() const { return process_.state() == QProcess::Running; }
-  /// By SIGKILL.
+  /// Sends SIGKILL.
   bool kill() {
     process_.kill();
     return process_.waitForFinished(Minute) && process_.exitStatus() == QProcess::CrashExit;
@@ -50,13 +50,13 @@ class Program {
   QProcess process_;
 };
 
-/// Where the program keeps its sessions if its data are in this folder.
+/// The folder of sessions if the program's data are in this folder.
 QString sessions_in(const QString& home) {
   const QString here = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
   return home + Recovery::default_folder().mid(here.size());
 }
 
-/// Whether a session has kept something, all of it: the record is written last.
+/// Whether a session has a complete autosave: the record is written last.
 bool has_kept_work(const QString& sessions) {
   for (const QString& session : QDir(sessions).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     if (QFile::exists(sessions + "/" + session + "/work.json")) return true;
@@ -110,7 +110,7 @@ TEST(RecoveryOfTheProgram, GivesBackWhatWasUnsavedWhenItDied) {
   window.files().save_as(QString::fromStdString(folder.path("bunny.grf")));
   ASSERT_TRUE(settle());
   EXPECT_FALSE(window.document().is_modified());
-  // What the dead session kept goes once this one has it.
+  // The autosave of the killed session is removed once this session has its own.
   EXPECT_TRUE(QTest::qWaitFor([&] { return !has_kept_work(sessions); }, Minute));
   window.notice().hide();
   window.offer_lost_work();

@@ -1,4 +1,4 @@
-// Nothing that an author does with a scene of 100,000 triangles stops the window for long.
+// Tests that no action on a scene of 100,000 triangles blocks the window for long.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
@@ -26,7 +26,7 @@ namespace {
 
 using test::Minute;
 
-/// Milliseconds for which the event loop may not come round. Sanitizers make all several times as slow.
+/// Limit of a turn of the event loop, milliseconds. Sanitizers make everything several times slower.
 constexpr qint64 Limit = 50;
 constexpr int Tries = test::HasSanitizers ? 1 : 3;
 const QString Texture = GRANADA_SOURCE_DIR "/samples/garden/paving.png";
@@ -58,8 +58,8 @@ class Responsiveness : public testing::Test {
         [this] { return view().is_complete() && window_.message_panel().check().is_up_to_date(); }, Minute);
   }
 
-  /// Does something and what follows from it some times, each from where `before` brings the window, and
-  /// wants that once the event loop came round in time: others may use the machine.
+  /// Repeats an action and its consequences, each time after `before`, and expects that at least one run
+  /// keeps the limit, since the machine may be shared.
   void expect_quick(
       const std::string& what, const std::function<void()>& action,
       const std::function<void()>& before = [] {}) {
@@ -130,12 +130,12 @@ TEST_F(Responsiveness, OfSelections) {
       },
       trigger("None"));
   expect_quick("all", trigger("All"), trigger("None"));
-  expect_quick("inverse", trigger("Inverse"), half);
+  expect_quick("inverse", trigger("Invert"), half);
   expect_quick("grow", trigger("Grow"), half);
   expect_quick("shrink", trigger("Shrink"), half);
   expect_quick("connected", trigger("Connected"), one);
   expect_quick("coplanar", trigger("Within 15°"), one);
-  expect_quick("whole meshes", trigger("Whole meshes"), one);
+  expect_quick("whole meshes", trigger("Expand to whole mesh"), one);
   expect_quick("alike", trigger("BRDF"), one);
 }
 
@@ -223,7 +223,7 @@ TEST_F(Responsiveness, OfViews) {
   expect_quick("orbit", [this] {
     const QPoint middle = view().rect().center();
     QTest::mousePress(&view(), Qt::MiddleButton, {}, middle);
-    // By the event loop, as from a hand.
+    // Driven by the event loop, like a hand.
     int step = 0;
     QTimer hand;
     hand.callOnTimeout([&] {

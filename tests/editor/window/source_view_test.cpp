@@ -28,7 +28,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Hears what is opened on the desktop.
+/// Records what is opened on the desktop.
 class Desktop : public QObject {
   Q_OBJECT
 
@@ -69,7 +69,7 @@ class SourceViewTest : public testing::Test {
   }
   std::string text() const { return view_.text()->toPlainText().toStdString(); }
   std::string selected() const { return view_.text()->textCursor().selectedText().toStdString(); }
-  /// Of all labels that are seen.
+  /// The texts of all visible labels.
   std::string labels() const {
     QString all;
     for (const QLabel* label : view_.findChildren<QLabel*>()) {
@@ -77,7 +77,7 @@ class SourceViewTest : public testing::Test {
     }
     return all.toStdString();
   }
-  /// The formats of a line, by the text that has them.
+  /// The format of a text in a line.
   QTextCharFormat format_of(int line, const QString& words) const {
     const QTextBlock block = view_.text()->document()->findBlockByNumber(line - 1);
     for (const QTextLayout::FormatRange& range : block.layout()->formats()) {
@@ -85,7 +85,7 @@ class SourceViewTest : public testing::Test {
     }
     return {};
   }
-  /// How far the marked line is from the middle of the text, in lines.
+  /// The distance of the marked line from the middle of the text, in lines.
   double distance_from_middle() const {
     const QRect caret = view_.text()->cursorRect();
     return std::abs(caret.center().y() - view_.text()->viewport()->height() / 2.0) / caret.height();
@@ -96,10 +96,10 @@ class SourceViewTest : public testing::Test {
 };
 
 TEST_F(SourceViewTest, SaysWhatToDoWhileThereIsNoFile) {
-  EXPECT_THAT(labels(), HasSubstr("Choose a message"));
+  EXPECT_THAT(labels(), HasSubstr("Select a message"));
   for (const QToolButton* button : view_.findChildren<QToolButton*>()) {
     EXPECT_FALSE(button->isEnabled());
-    EXPECT_THAT(button->toolTip().toStdString(), HasSubstr("choose a message"));
+    EXPECT_THAT(button->toolTip().toStdString(), HasSubstr("select a message"));
   }
   view_.show(grf::SourceLocation());
   view_.read_again();
@@ -175,7 +175,7 @@ TEST_F(SourceViewTest, ReadsTheFileAgain) {
   QFile::remove(path);
   auto* again = view_.findChildren<QToolButton*>()[1];
   ASSERT_TRUE(comes([&] { QTest::mouseClick(again, Qt::LeftButton); }));
-  EXPECT_THAT(labels(), HasSubstr("scene.grf cannot be read: No such file"));
+  EXPECT_THAT(labels(), HasSubstr("scene.grf: No such file"));
   ASSERT_TRUE(shows(QString::fromStdString(folder_.path())));
   EXPECT_THAT(labels(), HasSubstr("is not a file"));
 }
@@ -195,7 +195,7 @@ TEST_F(SourceViewTest, ShowsThePartOfALongFileThatMatters) {
     for (int i = 1; i <= Lines; ++i) stream << fmt::format("({}, 0.123456789, 0.123456789)\n", i);
   }
   const QString path = QString::fromStdString(folder_.path("long.grf"));
-  // The window answers meanwhile. Its thread's own time is measured: other programs may be busy.
+  // The window stays responsive. Its thread's own time is measured, since other programs may be busy.
   double begin = thread_seconds();
   double longest = 0;
   QTimer beat;

@@ -1,4 +1,4 @@
-// From the start of the program to a window that answers.
+// Measures the time from the program's start to a responsive window.
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QSettings>
@@ -15,7 +15,7 @@
 namespace editor {
 namespace {
 
-/// The best of them counts: others may use the machine.
+/// The best of these counts, since the machine may be shared.
 constexpr int Tries = test::HasSanitizers ? 1 : 3;
 constexpr int Minute = 60'000;
 
@@ -24,7 +24,7 @@ std::optional<int> startup_time(const QStringList& files) {
   std::optional<int> best;
   for (int i = 0; i < Tries; ++i) {
     QProcess program;
-    // At its end the driver of OpenGL is unloaded, and what that leaked could not be named any more.
+    // The driver of OpenGL is unloaded at exit, after which its leaks could not be attributed.
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("ASAN_OPTIONS", "detect_leaks=0");
     program.setProcessEnvironment(environment);

@@ -41,7 +41,7 @@ class ViewerWindowTest : public testing::Test {
   QString file(const std::string& name, const std::string& bytes = test::cube_text()) {
     return QString::fromStdString(folder_.add(name, bytes));
   }
-  /// Whether the window shows a file, and says so, after an action.
+  /// Whether the window shows a file and emits `opened` after an action.
   bool shows(const std::function<void()>& action) { return comes(&ViewerWindow::opened, action); }
   bool fails(const std::function<void()>& action) { return comes(&ViewerWindow::failed, action); }
   bool opens(const QString& path) {
@@ -54,7 +54,7 @@ class ViewerWindowTest : public testing::Test {
     return !spy.empty() || spy.wait(20000);
   }
 
-  /// The pointer in the view, wherever that of the screen is.
+  /// Moves the pointer in the view, independently of the screen's pointer.
   void move(const QPoint& to, Qt::MouseButton button) {
     SceneView& view = window_.view();
     QMouseEvent event(QEvent::MouseMove, QPointF(to), QPointF(view.mapToGlobal(to)), Qt::NoButton, button,
@@ -70,7 +70,7 @@ class ViewerWindowTest : public testing::Test {
     }
     return all.toStdString();
   }
-  /// The window with the text of a file; null: there is none.
+  /// The window with the source text; null if there is none.
   static const SourceView* shown_source() {
     for (const QWidget* widget : QApplication::topLevelWidgets()) {
       const auto* source = qobject_cast<const SourceView*>(widget);
@@ -100,7 +100,7 @@ TEST_F(ViewerWindowTest, ShowsAScene) {
   EXPECT_THAT(status(), HasSubstr("6 faces, 12 triangles"));
   EXPECT_FALSE(window_.notice().isVisible());
   ASSERT_TRUE(test::wait_for([&] { return window_.view().is_complete(); }));
-  // It is framed: seen in the middle, and not at the edge.
+  // The scene is framed: visible in the middle, and not at the edge.
   SceneView& view = window_.view();
   QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.rect().center());
   EXPECT_EQ(view.selection().count(), 1U);
@@ -159,7 +159,7 @@ TEST_F(ViewerWindowTest, KeepsTheSceneWhenItsFileIsBroken) {
   ASSERT_TRUE(fails([&] { file("cube.grf", "begin mesh\n  brdf 7\n"); }));
   EXPECT_TRUE(window_.notice().isVisible());
   EXPECT_THAT(notice(), HasSubstr("cube.grf:2:8: error:"));
-  EXPECT_THAT(notice(), HasSubstr("shown as it was before"));
+  EXPECT_THAT(notice(), HasSubstr("previous version is still shown"));
   EXPECT_EQ(objects().meshes.size(), 1U);
   EXPECT_TRUE(window_.view().isVisible());
 

@@ -1,4 +1,4 @@
-// A main window on the test's screen, and ways to use it as somebody in front of it would.
+// A main window on the test's screen, and helpers that use it as a user does.
 #pragma once
 
 #include <QAction>
@@ -20,12 +20,12 @@
 
 namespace test {
 
-/// How long to wait for what takes seconds, in milliseconds.
+/// Timeout for slow operations, milliseconds.
 inline constexpr int Minute = 60'000;
 /// A model of 70,000 faces of the package glmark2-data.
 inline const QString BunnyFile = "/usr/share/glmark2/models/bunny.obj";
 
-/// The visible widget of a kind that assistive technology knows by this name.
+/// The visible widget of a type with this accessible name.
 template <class Widget>
 Widget& named(const QWidget& where, const QString& name) {
   for (Widget* each : where.findChildren<Widget*>()) {
@@ -34,7 +34,7 @@ Widget& named(const QWidget& where, const QString& name) {
   throw std::runtime_error("no visible control is called " + name.toStdString());
 }
 
-/// The action of a window with this text, mnemonics aside.
+/// The action of a window with this text, without mnemonics.
 inline QAction& action(const QWidget& window, const QString& text) {
   for (QAction* each : window.findChildren<QAction*>()) {
     if (each->text().remove('&') == text) return *each;
@@ -42,7 +42,7 @@ inline QAction& action(const QWidget& window, const QString& text) {
   throw std::runtime_error("no action is called " + text.toStdString());
 }
 
-/// Where in the view a face is seen.
+/// The position of a visible face in the view.
 inline QPoint place_of(const editor::SceneView& view, editor::FaceId face) {
   const editor::SceneObjects& objects = view.objects();
   const grf::Mesh& mesh = *objects.meshes[face.mesh].mesh;
@@ -69,7 +69,7 @@ inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers 
   QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
 }
 
-/// Names a file in the dialog that comes up, and returns when it is gone.
+/// Types a file name into the next dialog, and waits until it is closed.
 class FileTyping {
  public:
   explicit FileTyping(const QString& file) {
@@ -91,7 +91,7 @@ class FileTyping {
   QTimer timer_;
 };
 
-/// How long the window did not answer, at most: the longest time between two turns of its event loop.
+/// Measures how long the window was blocked, at most: the longest time between two turns of its event loop.
 class Watchdog : public QObject {
  public:
   Watchdog() {
@@ -99,7 +99,7 @@ class Watchdog : public QObject {
     since_.start();
     timer_.start(1);
   }
-  /// Milliseconds since the last call, once nothing is left to do.
+  /// Milliseconds since the last call, once the event queue is empty.
   qint64 longest() {
     QTest::qWait(20);
     since_.restart();
