@@ -50,8 +50,8 @@ std::unique_ptr<QWidget> open_window(const QString& tool_name, const QStringList
     return window;
   }
   const std::vector<editor::Tool> tools = editor::tools();
-  const auto tool = std::find_if(tools.begin(), tools.end(),
-                                 [&](const editor::Tool& each) { return each.name == tool_name; });
+  const auto tool =
+      std::ranges::find_if(tools, [&](const editor::Tool& each) { return each.name == tool_name; });
   if (tool == tools.end()) return nullptr;
   std::unique_ptr<QWidget> window(tool->open(files));
   window->show();

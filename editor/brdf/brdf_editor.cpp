@@ -22,11 +22,6 @@ namespace {
 
 constexpr int UnfoldedWidth = 110 * Grid;
 
-QHBoxLayout* new_row(QWidget* parent) {
-  auto* row = tight_layout<QHBoxLayout>(parent);
-  return row;
-}
-
 /// The hint of views that cannot show an invalid BRDF.
 QString hint_of(const std::vector<QString>& mistakes) {
   if (mistakes.empty()) return {};
@@ -75,7 +70,7 @@ BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(Grid, Grid, Grid, Grid);
   column->setSpacing(Grid);
   bar_ = new QWidget(this);
-  new_row(bar_);
+  tight_layout<QHBoxLayout>(bar_);
   buttons_ = new QButtonGroup(this);
   column->addWidget(bar_);
   splitter_ = new QSplitter(Qt::Vertical, this);

@@ -195,9 +195,8 @@ void BrdfLibrary::set_folder(const QString& path) {
   reload();
 }
 
-void BrdfLibrary::set_current(const std::optional<grf::BrdfModel>& brdf, const QString& name) {
+void BrdfLibrary::set_current(const std::optional<grf::BrdfModel>& brdf) {
   current_ = brdf;
-  current_name_ = name;
   show_state();
 }
 
@@ -286,8 +285,7 @@ void BrdfLibrary::show_state() {
 
 void BrdfLibrary::add() {
   if (!current_) return;
-  const QString wanted = current_name_.isEmpty() ? QString::fromStdString(current_->keyword) : current_name_;
-  const QString name = folder_.free_name(wanted);
+  const QString name = folder_.free_name(QString::fromStdString(current_->keyword));
   const QString problem = folder_.add(name, *current_);
   if (!problem.isEmpty()) return fail(problem);
   set_folder(folder_.path());
@@ -326,10 +324,7 @@ void BrdfLibrary::choose_folder() {
   auto* dialog = new QFileDialog(window(), "Folder of the library", folder_.path());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    set_folder(path);
-    emit folder_changed(path);
-  });
+  connect(dialog, &QFileDialog::fileSelected, this, &BrdfLibrary::set_folder);
   dialog->open();
 }
 

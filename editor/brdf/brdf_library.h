@@ -59,7 +59,7 @@ class BrdfLibrary : public QWidget {
   /// Sets the folder, which is watched for external changes.
   void set_folder(const QString& path);
   /// Sets the BRDF that the Save button adds; without one the button is disabled.
-  void set_current(const std::optional<grf::BrdfModel>& brdf, const QString& name = {});
+  void set_current(const std::optional<grf::BrdfModel>& brdf);
 
   LibraryList& list() { return *list_; }
   bool is_busy() const { return pictures_job_.is_busy() || !waiting_.empty(); }
@@ -67,7 +67,6 @@ class BrdfLibrary : public QWidget {
  signals:
   /// Emitted on double click or Return. The name is that of the definition, for entries of the scene.
   void chosen(const grf::BrdfModel& brdf, const QString& definition_name);
-  void folder_changed(const QString& path);
   void failed(const QString& message);
 
  private:
@@ -85,7 +84,6 @@ class BrdfLibrary : public QWidget {
   Definitions definitions_;
   LibraryFolder folder_;
   std::optional<grf::BrdfModel> current_;
-  QString current_name_;
   std::vector<QString> problems_;
   bool is_filling_ = false;
 

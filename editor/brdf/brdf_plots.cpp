@@ -165,15 +165,6 @@ void BrdfPlots::set_kind(Kind kind) {
   draw();
 }
 
-void BrdfPlots::set_views(const std::vector<double>& views) {
-  views_ = views;
-  QStringList words;
-  for (const double view : views) words << number_text(view);
-  view_line_->setText(words.join(", "));
-  curves_are_old_ = true;
-  compute();
-}
-
 void BrdfPlots::take_views() {
   const auto views = read_views(view_line_->text());
   QPalette look = palette();
@@ -267,9 +258,8 @@ void BrdfPlots::draw_lobes() {
     add_mirror_lines(chart, curves_.curves, style().channel);
     editor::draw(*plot_, chart);
   }
-  const bool has_mirror =
-      std::any_of(curves_.curves.begin(), curves_.curves.end(),
-                  [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
+  const bool has_mirror = std::ranges::any_of(
+      curves_.curves, [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
   QStringList words;
   if (!curves_.scheme_mistake.isEmpty()) words << "No pdf: " + curves_.scheme_mistake + ".";
   if (has_mirror)

@@ -35,9 +35,6 @@ class BrdfPlots : public QWidget {
   void set_scheme(const std::optional<grf::PdfModel>& scheme);
   void set_kind(Kind kind);
   Kind kind() const { return kind_; }
-  /// Sets the view angles in degrees from the normal, from 0 to below 90.
-  void set_views(const std::vector<double>& views);
-  const std::vector<double>& views() const { return views_; }
 
   /// The curves that are drawn now.
   const LobeCurves& curves() const { return curves_; }
@@ -71,7 +68,7 @@ class BrdfPlots : public QWidget {
   plot::LobeStyle style() const;
 
   SharedBrdf brdf_;
-  std::vector<double> views_ = {0, 30, 60, 80};
+  std::vector<double> views_ = {0, 30, 60, 80};  // degrees from the normal, from 0 to under 90
   Kind kind_ = Kind::Polar;
   LobeCurves curves_;
   plot::AlbedoCurve albedo_;

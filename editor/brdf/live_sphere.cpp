@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/gesture.h"
 
 namespace editor {
 namespace {
@@ -17,8 +18,7 @@ constexpr int LargestSide = 640;  // in pixels; larger ones are scaled
 
 }  // namespace
 
-LiveSphere::LiveSphere(QWidget* parent, const GraphicsDriver& driver)
-    : QWidget(parent), renderer_(SphereRenderer::Way::Best, driver) {
+LiveSphere::LiveSphere(QWidget* parent, const GraphicsDriver& driver) : QWidget(parent), renderer_(driver) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Sphere with the BRDF");
@@ -115,34 +115,16 @@ void LiveSphere::move_highlight(const QPointF& pointer) {
 }
 
 void LiveSphere::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Plus) return set_exposure(exposure_ + 0.5);
+  if (event->key() == Qt::Key_Minus) return set_exposure(exposure_ - 0.5);
+  const QPoint way = arrow_way(event->key());
+  if (way.isNull()) return QWidget::keyPressEvent(event);
   constexpr float Step = 5 * reflectance::Pi / 180;
-  const auto turned = [&](float across, float up) {
-    const Vec3f& l = scene_.light;
-    const float azimuth = std::atan2(l.x, l.z) + across;
-    const float height = std::clamp(std::asin(std::clamp(l.y, -1.0F, 1.0F)) + up, -1.55F, 1.55F);
-    set_light({std::cos(height) * std::sin(azimuth), std::sin(height), std::cos(height) * std::cos(azimuth)});
-  };
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return turned(-Step, 0);
-    case Qt::Key_Right:
-      return turned(Step, 0);
-    case Qt::Key_Up:
-      return turned(0, Step);
-    case Qt::Key_Down:
-      return turned(0, -Step);
-    case Qt::Key_Plus:
-      return set_exposure(exposure_ + 0.5);
-    case Qt::Key_Minus:
-      return set_exposure(exposure_ - 0.5);
-    default:
-      QWidget::keyPressEvent(event);
-  }
-}
-
-void LiveSphere::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) update();
-  QWidget::changeEvent(event);
+  const Vec3f& l = scene_.light;
+  const float azimuth = std::atan2(l.x, l.z) + Step * static_cast<float>(way.x());
+  const float risen = std::asin(std::clamp(l.y, -1.0F, 1.0F)) + Step * static_cast<float>(way.y());
+  const float height = std::clamp(risen, -1.55F, 1.55F);
+  set_light({std::cos(height) * std::sin(azimuth), std::sin(height), std::cos(height) * std::cos(azimuth)});
 }
 
 }  // namespace editor

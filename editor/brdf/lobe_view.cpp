@@ -5,13 +5,13 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "editor/appearance/theme.h"
 #include "editor/brdf/lobe_painter.h"
 #include "editor/controls/expression.h"
+#include "editor/controls/gesture.h"
 
 namespace editor {
 namespace {
@@ -220,22 +220,11 @@ void LobeView::wheelEvent(QWheelEvent* event) {
 
 void LobeView::keyPressEvent(QKeyEvent* event) {
   constexpr double Step = 5;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return turn(-Step, 0);
-    case Qt::Key_Right:
-      return turn(Step, 0);
-    case Qt::Key_Up:
-      return turn(0, Step);
-    case Qt::Key_Down:
-      return turn(0, -Step);
-    case Qt::Key_PageUp:
-      return set_view(view_ + Step);
-    case Qt::Key_PageDown:
-      return set_view(view_ - Step);
-    default:
-      QWidget::keyPressEvent(event);
-  }
+  if (event->key() == Qt::Key_PageUp) return set_view(view_ + Step);
+  if (event->key() == Qt::Key_PageDown) return set_view(view_ - Step);
+  const QPoint way = arrow_way(event->key());
+  if (way.isNull()) return QWidget::keyPressEvent(event);
+  turn(Step * way.x(), Step * way.y());
 }
 
 void LobeView::changeEvent(QEvent* event) {

@@ -41,18 +41,6 @@ grf::Scene scene_of(const grf::BrdfModel& model, const Definitions& definitions)
   return scene;
 }
 
-/// The scope of definitions, with the data that keeps it valid.
-class Scoped {
- public:
-  explicit Scoped(const Definitions& definitions) {
-    for (const grf::Definition& one : definitions) stack_.enter(one);
-  }
-  grf::Scope scope() const { return stack_.scope(); }
-
- private:
-  grf::ScopeStack stack_;
-};
-
 bool is_right(const grf::BrdfModel& model, const Definitions& definitions, grf::Diagnostics& diagnostics) {
   return grf::check(scene_of(model, definitions), catalogue(), diagnostics);
 }
@@ -75,7 +63,7 @@ std::vector<QString> brdf_names(const Definitions& definitions) {
     const bool is_new = seen.insert(name.toLower()).second;
     if (is_new && std::holds_alternative<grf::BrdfModel>(one->body)) names.push_back(name);
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -83,8 +71,9 @@ MadeBrdf made_brdf(const grf::BrdfModel& model, const Definitions& definitions) 
   grf::Diagnostics diagnostics;
   MadeBrdf made;
   if (is_right(model, definitions, diagnostics)) {
-    const Scoped scoped(definitions);
-    auto brdf = reflectance::BrdfMaker(diagnostics).make(model, scoped.scope());
+    grf::ScopeStack stack;
+    for (const grf::Definition& one : definitions) stack.enter(one);
+    auto brdf = reflectance::BrdfMaker(diagnostics).make(model, stack.scope());
     if (brdf) made.brdf = std::make_shared<const reflectance::Brdf>(*std::move(brdf));
   }
   made.mistakes = error_messages(diagnostics);
@@ -94,10 +83,10 @@ MadeBrdf made_brdf(const grf::BrdfModel& model, const Definitions& definitions) 
 bool reads_data(const grf::BrdfModel& model, const Definitions& definitions) {
   grf::Diagnostics unheard;
   reflectance::BrdfMaker maker(unheard);
-  const Scoped scoped(definitions);
-  const auto leaves = maker.models_of(model, scoped.scope());
-  return std::any_of(leaves.begin(), leaves.end(),
-                     [](const grf::BrdfModel* leaf) { return !leaf->data_file.empty(); });
+  grf::ScopeStack stack;
+  for (const grf::Definition& one : definitions) stack.enter(one);
+  const auto leaves = maker.models_of(model, stack.scope());
+  return std::ranges::any_of(leaves, [](const grf::BrdfModel* leaf) { return !leaf->data_file.empty(); });
 }
 
 std::vector<QString> mistakes_of(const grf::BrdfModel& model, const Definitions& definitions) {

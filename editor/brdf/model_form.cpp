@@ -82,9 +82,8 @@ void BrdfForm::build_chooser() {
 std::string BrdfForm::common_keyword() const {
   if (models_.empty()) return {};
   const std::string& keyword = models_.front().keyword;
-  const bool is_common = std::all_of(models_.begin(), models_.end(), [&](const grf::BrdfModel& model) {
-    return grf::same_keyword(model.keyword, keyword);
-  });
+  const bool is_common = std::ranges::all_of(
+      models_, [&](const grf::BrdfModel& model) { return grf::same_keyword(model.keyword, keyword); });
   return is_common ? keyword : std::string();
 }
 
@@ -171,8 +170,7 @@ void BrdfForm::refresh_chooser() {
                                            : unknown.isEmpty() ? "mixed"
                                                                : unknown + " (unknown)");
   const QString paper = info_ != nullptr ? text_of(info_->paper) : QString();
-  paper_->setText(paper);
-  paper_->setVisible(!paper.isEmpty());
+  show_problem(paper_, paper);
   QString hint;
   if (models_.empty())
     hint = "Select faces to see and edit their BRDF.";
@@ -182,8 +180,7 @@ void BrdfForm::refresh_chooser() {
     hint = "The faces have different models. Choose one here to assign it to all.";
   else if (info_->parameters.empty() && info_->takes == grf::ModelInfo::Takes::Parameters)
     hint = "This model has no parameters.";
-  hint_->setText(hint);
-  hint_->setVisible(!hint.isEmpty());
+  show_problem(hint_, hint);
 }
 
 void BrdfForm::refresh_rows() {
@@ -191,7 +188,7 @@ void BrdfForm::refresh_rows() {
   for (const grf::BrdfModel& model : models_) models.push_back(&model);
   parameters_->show_models(info_, models);
   const auto have_one = [this](const auto& value) {
-    return std::all_of(models_.begin(), models_.end(), [&](const grf::BrdfModel& model) {
+    return std::ranges::all_of(models_, [&](const grf::BrdfModel& model) {
       return std::invoke(value, model) == std::invoke(value, models_.front());
     });
   };
@@ -211,8 +208,7 @@ void BrdfForm::check_models() {
   mistakes_.clear();
   for (const grf::BrdfModel& model : models_) {
     for (const QString& mistake : mistakes_of(model, definitions_)) {
-      if (std::find(mistakes_.begin(), mistakes_.end(), mistake) == mistakes_.end())
-        mistakes_.push_back(mistake);
+      if (std::ranges::find(mistakes_, mistake) == mistakes_.end()) mistakes_.push_back(mistake);
     }
   }
   parameters_->show_mistakes(mistakes_);

@@ -1,7 +1,6 @@
 #include "editor/brdf/model_values.h"
 
 #include <QStringList>
-#include <algorithm>
 
 #include "editor/controls/expression.h"
 #include "editor/controls/text.h"

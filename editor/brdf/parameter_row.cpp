@@ -22,7 +22,7 @@ using grf::ParameterKind;
 using grf::Value;
 
 bool are_equal(const std::vector<Value>& values) {
-  return std::all_of(values.begin(), values.end(), [&](const Value& one) { return one == values.front(); });
+  return std::ranges::all_of(values, [&](const Value& one) { return one == values.front(); });
 }
 
 /// The upper end of the slider of an unbounded parameter.
@@ -192,15 +192,15 @@ void ParameterRow::show_number(const std::vector<Value>& values) {
 }
 
 void ParameterRow::show_colour(const std::vector<Value>& values) {
-  const bool is_rgb = std::any_of(values.begin(), values.end(),
-                                  [](const Value& one) { return std::holds_alternative<grf::Colour>(one); });
+  const bool is_rgb =
+      std::ranges::any_of(values, [](const Value& one) { return std::holds_alternative<grf::Colour>(one); });
   show_channels(is_rgb);
   rgb_ = colour_of(values.front());
   if (colour_ != nullptr) colour_->set_colour(are_equal(values) ? std::optional(rgb_) : std::nullopt);
   if (!is_rgb) return show_number(values);
   for (int i = 0; i < 3; ++i) {
-    const bool is_same = std::all_of(values.begin(), values.end(),
-                                     [&](const Value& one) { return colour_of(one)[i] == rgb_[i]; });
+    const bool is_same =
+        std::ranges::all_of(values, [&](const Value& one) { return colour_of(one)[i] == rgb_[i]; });
     NumberBox* box = channels_[static_cast<std::size_t>(i)];
     if (is_same) {
       box->set_value(rgb_[i]);

@@ -46,9 +46,8 @@ void ParameterRows::show_models(const grf::ModelInfo* info, const std::vector<co
   for (ParameterRow* row : rows_) {
     std::vector<grf::Value> values;
     for (const grf::Model* model : models) values.push_back(value_of(*model, *info_, row->parameter()));
-    const bool all_default = std::all_of(models.begin(), models.end(), [row](const grf::Model* model) {
-      return is_default(*model, row->parameter());
-    });
+    const bool all_default = std::ranges::all_of(
+        models, [row](const grf::Model* model) { return is_default(*model, row->parameter()); });
     row->show_values(values, all_default);
   }
 }
@@ -56,8 +55,8 @@ void ParameterRows::show_models(const grf::ModelInfo* info, const std::vector<co
 void ParameterRows::show_mistakes(const std::vector<QString>& mistakes) {
   for (ParameterRow* row : rows_) {
     const QString begin = QString("'%1' of ").arg(text_of(row->parameter().name));
-    const auto found = std::find_if(mistakes.begin(), mistakes.end(),
-                                    [&](const QString& mistake) { return mistake.startsWith(begin); });
+    const auto found =
+        std::ranges::find_if(mistakes, [&](const QString& mistake) { return mistake.startsWith(begin); });
     row->set_message(found == mistakes.end() ? QString() : *found);
   }
 }

@@ -1,5 +1,7 @@
 #include "editor/brdf/sphere_renderer.h"
 
+#include <utility>
+
 namespace editor {
 namespace {
 
@@ -8,8 +10,8 @@ constexpr int FineSamples = 128;
 
 }  // namespace
 
-SphereRenderer::SphereRenderer(Way way, const GraphicsDriver& driver, QObject* parent)
-    : QObject(parent), way_(way), driver_(driver), thread_("sphere", [this] { shader_.reset(); }) {}
+SphereRenderer::SphereRenderer(const GraphicsDriver& driver, QObject* parent)
+    : QObject(parent), driver_(driver), thread_("sphere", [this] { shader_.reset(); }) {}
 
 SphereRenderer::~SphereRenderer() { stop(); }
 
@@ -34,9 +36,8 @@ void SphereRenderer::request(const SphereScene& scene) {
 
 SphereImage SphereRenderer::picture(const SphereScene& scene, int samples, const StopFlag& stop,
                                     QOpenGLContext* context) {
-  if (way_ == Way::Best && !was_tried_) {
-    was_tried_ = true;
-    if (context != nullptr) shader_ = SphereShader::create(*context, driver_);
+  if (!std::exchange(was_tried_, true) && context != nullptr) {
+    shader_ = SphereShader::create(*context, driver_);
   }
   if (shader_) {
     if (auto image = shader_->shade(scene, samples, stop)) return *std::move(image);

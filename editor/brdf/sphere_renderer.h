@@ -13,9 +13,7 @@ class SphereRenderer : public QObject {
   Q_OBJECT
 
  public:
-  enum class Way { Best, CppAlone };
-
-  explicit SphereRenderer(Way way = Way::Best, const GraphicsDriver& driver = {}, QObject* parent = nullptr);
+  explicit SphereRenderer(const GraphicsDriver& driver = {}, QObject* parent = nullptr);
   ~SphereRenderer() override;
 
   void request(const SphereScene& scene);
@@ -33,7 +31,6 @@ class SphereRenderer : public QObject {
   void warn_of_refusal();
   void report(const SphereImage& image, bool is_final, int number);
 
-  Way way_;
   const GraphicsDriver driver_;
   StopFlag stop_;
   int number_ = 0;  // of the latest request

@@ -107,11 +107,10 @@ void TermsEditor::add_row(std::size_t index) {
 void TermsEditor::add_term() {
   // Prefers a BRDF that is not in the sum yet.
   const auto is_new = [this](const QString& name) {
-    return std::none_of(terms_.begin(), terms_.end(), [&](const grf::CombineTerm& term) {
-      return QString::fromStdString(term.brdf.name) == name;
-    });
+    return std::ranges::none_of(
+        terms_, [&](const grf::CombineTerm& term) { return QString::fromStdString(term.brdf.name) == name; });
   };
-  const auto found = std::find_if(names_.begin(), names_.end(), is_new);
+  const auto found = std::ranges::find_if(names_, is_new);
   const QString name = found == names_.end() ? names_.front() : *found;
   terms_.push_back({terms_.empty() ? 1.0F : 0.5F, {name.toStdString(), {}}});
   are_mixed_ = false;

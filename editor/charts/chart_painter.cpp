@@ -176,8 +176,8 @@ void draw(QCustomPlot& plot, const plot::Chart& chart) {
     graph->setName(text_of(series.name));
     if (series.name.empty()) graph->removeFromLegend();
   }
-  plot.legend->setVisible(std::any_of(chart.series.begin(), chart.series.end(),
-                                      [](const plot::Series& series) { return !series.name.empty(); }));
+  plot.legend->setVisible(
+      std::ranges::any_of(chart.series, [](const plot::Series& series) { return !series.name.empty(); }));
   lay_out(*plot.xAxis, chart.x, ends_of(chart.x, chart.series, &plot::Point::x));
   lay_out(*plot.yAxis, chart.y, ends_of(chart.y, chart.series, &plot::Point::y));
 }

@@ -2,11 +2,8 @@
 
 #include <QColorDialog>
 #include <QPainter>
-#include <QScopedValueRollback>
 #include <QSignalBlocker>
-#include <QStyleOptionToolButton>
 #include <algorithm>
-#include <cmath>
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/gesture.h"

@@ -255,10 +255,7 @@ bool NumberBox::event(QEvent* event) {
 }
 
 void NumberBox::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && lineEdit()->text() != shown_) {
-    show_text(full_text_);
-    return;
-  }
+  if (event->key() == Qt::Key_Escape && lineEdit()->text() != shown_) return show_text(full_text_);
   QAbstractSpinBox::keyPressEvent(event);
 }
 

@@ -2,7 +2,9 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <QMimeData>
 #include <QToolButton>
+#include <QUrl>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
@@ -85,6 +87,14 @@ void connect_number(NumberBox* box, QObject* context, const std::function<void(d
     take(number);
     done();
   });
+}
+
+QStringList local_files(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls()) {
+    if (url.isLocalFile()) files << url.toLocalFile();
+  }
+  return files;
 }
 
 QLabel* hint_label(const QString& text, QWidget* parent) {

@@ -8,6 +8,7 @@
 #include "editor/appearance/theme.h"
 
 class QComboBox;
+class QMimeData;
 class QObject;
 class QToolButton;
 class QWidget;
@@ -67,6 +68,9 @@ NumberBox* number_box(const NumberInfo& info, QWidget* parent);
 /// Calls `take` with each new number, and then `done` unless more steps of the same edit may follow.
 void connect_number(NumberBox* box, QObject* context, const std::function<void(double)>& take,
                     const std::function<void()>& done);
+
+/// The local files among dragged data.
+QStringList local_files(const QMimeData& data);
 
 /// A label for an empty widget that says what to do next.
 QLabel* hint_label(const QString& text, QWidget* parent);

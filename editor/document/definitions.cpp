@@ -140,11 +140,10 @@ bool has_its_terms(const grf::Definition::Body& body, const std::vector<PlacedDe
   const auto* brdf = std::get_if<grf::BrdfModel>(&body);
   if (brdf == nullptr) return true;
   for (const grf::CombineTerm& term : brdf->terms) {
-    const bool is_there =
-        std::any_of(in_force.begin(), in_force.end(), [&term](const PlacedDefinition& each) {
-          return each.definition->name == term.brdf.name &&
-                 std::holds_alternative<grf::BrdfModel>(each.definition->body);
-        });
+    const bool is_there = std::ranges::any_of(in_force, [&term](const PlacedDefinition& each) {
+      return each.definition->name == term.brdf.name &&
+             std::holds_alternative<grf::BrdfModel>(each.definition->body);
+    });
     if (is_there) continue;
     diagnostics.error(location, fmt::format("no BRDF '{}' is defined in that scope", term.brdf.name));
     return false;
@@ -264,8 +263,8 @@ std::optional<grf::Scene> rename_definition(const grf::Scene& scene, grf::SceneP
   if (definition->name == name) return scene;
   const References before = references_of(scene);
   const auto& around = std::get<grf::DefinitionScope>(block_at(scene, path.first(path.size() - 1))->content);
-  const bool is_taken = std::any_of(around.definitions.begin(), around.definitions.end(),
-                                    [&name](const grf::Definition& other) { return other.name == name; });
+  const bool is_taken = std::ranges::any_of(
+      around.definitions, [&name](const grf::Definition& other) { return other.name == name; });
   grf::Scene changed = scene;
   for (const grf::ScenePath& place : before.places.at(definition)) {
     grf::find(changed, place).definition->name = name;

@@ -196,17 +196,10 @@ void Document::select(FaceSelection selection) {
 void Document::replace(const QString& text, grf::Scene scene, const QString& key) {
   grf::Diagnostics diagnostics;
   const std::size_t places = edit_all_places(scene_, scene, diagnostics);
-  if (diagnostics.error_count() > 0) {
-    emit told(QString::fromStdString(diagnostics.entries().front().message));
-    return;
-  }
+  if (diagnostics.error_count() > 0)
+    return emit told(QString::fromStdString(diagnostics.entries().front().message));
   push(text, ScenePatch::between(scene_, scene), key);
   if (places > 0) tell_of_places(places);
-}
-
-void Document::edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key) {
-  edit_surfaces(
-      text, [&edit](const grf::Surface&) { return edit; }, key);
 }
 
 void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key) {

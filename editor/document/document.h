@@ -87,8 +87,6 @@ class Document : public QObject {
   /// Replaces the scene by an edited one.
   void replace(const QString& text, grf::Scene scene, const QString& key = {});
   /// Edits the surfaces of the selected faces. Does nothing if none is selected.
-  void edit_surfaces(const QString& text, const SurfaceEdit& edit, const QString& key = {});
-  /// The same, where the edit depends on the present surface.
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
   /// Ends the merging of steps: a slider was released.
   void finish_gesture();

@@ -130,11 +130,7 @@ void FaceSelection::set(FaceId face, bool is_selected) {
 }
 
 void FaceSelection::set_mesh(std::uint32_t mesh, bool is_selected) {
-  if (is_selected) {
-    faces_[mesh].set();
-  } else {
-    faces_[mesh].reset();
-  }
+  is_selected ? faces_[mesh].set() : faces_[mesh].reset();
   count_faces(mesh);
 }
 
@@ -194,7 +190,7 @@ FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects)
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     const auto edges = grf::edges_of_faces(*mesh.geometry, grf::first_at_place(*mesh.geometry));
     grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
-      const bool is_selected = std::any_of(of_faces.begin(), of_faces.end(), [&](const grf::FaceEdge& edge) {
+      const bool is_selected = std::ranges::any_of(of_faces, [&](const grf::FaceEdge& edge) {
         return selection.has({i, edge.face});
       });
       if (!is_selected) return;

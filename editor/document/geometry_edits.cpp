@@ -13,7 +13,6 @@
 #include "converters/mesh_operations/smooth.h"
 #include "converters/mesh_operations/subdivide.h"
 #include "editor/document/scene_places.h"
-#include "editor/document/surface_edits.h"
 #include "grf/scene_path.h"
 #include "grf/visit.h"
 
@@ -103,21 +102,6 @@ grf::OptionalVertexValues<Value> same_at_all(std::size_t vertices, const std::op
   for (std::size_t i = 0; i < vertices; ++i) values.set(i, *value);
   return values;
 }
-
-/// Accumulates an optional vertex attribute that may be common to all.
-struct Common {
-  bool is_first = true;
-  bool is_mixed = false;
-  std::optional<grf::Colour> value;
-
-  void meet(const std::optional<grf::Colour>& other) {
-    if (!std::exchange(is_first, false)) {
-      is_mixed = is_mixed || other != value;
-    } else {
-      value = other;
-    }
-  }
-};
 
 /// All `use` blocks of the definitions at these paths.
 std::vector<grf::ScenePath> uses_of(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths) {
@@ -211,8 +195,7 @@ grf::Scene without_faces(const SelectedFaces& faces) {
 
 CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection& selection) {
   CommonVertices common;
-  Common colour;
-  Common irradiance;
+  bool is_first_vertex = true;
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     const auto& colours = mesh.geometry->colours;
@@ -225,18 +208,16 @@ CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection&
       is_first = false;
       for (const std::uint32_t corner : mesh.face(face)) {
         common.have_normals = common.have_normals || mesh.geometry->normals.has(corner);
-        colour.meet(colours.has(corner) ? std::optional(colours[corner]) : std::nullopt);
+        common.colour.meet(colours.has(corner) ? std::optional(colours[corner]) : std::nullopt,
+                           is_first_vertex);
         const auto* value = mesh.irradiance->has(corner) ? &(*mesh.irradiance)[corner] : nullptr;
         const auto* single = value == nullptr ? nullptr : std::get_if<grf::Colour>(value);
-        irradiance.meet(single == nullptr ? std::nullopt : std::optional(*single));
-        if (value != nullptr && single == nullptr) irradiance.is_mixed = true;
+        common.irradiance.meet(single == nullptr ? std::nullopt : std::optional(*single), is_first_vertex);
+        if (value != nullptr && single == nullptr) common.irradiance.is_mixed = true;
+        is_first_vertex = false;
       }
     }
   }
-  common.colour = colour.value;
-  common.are_colours_mixed = colour.is_mixed;
-  common.irradiance = irradiance.value;
-  common.are_irradiances_mixed = irradiance.is_mixed;
   return common;
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "editor/document/face_selection.h"
 #include "editor/document/scene_objects.h"
+#include "editor/document/surface_edits.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -47,11 +47,9 @@ grf::Scene without_faces(const SelectedFaces& faces);
 
 /// The vertex attributes that all selected faces share.
 struct CommonVertices {
-  bool have_normals = false;       ///< at least one
-  bool are_colours_mixed = false;  ///< else `colour` is that of all
-  std::optional<grf::Colour> colour;
-  bool are_irradiances_mixed = false;  ///< also if there are values from several directions
-  std::optional<grf::Colour> irradiance;
+  bool have_normals = false;  ///< at least one
+  CommonValue<grf::Colour> colour;
+  CommonValue<grf::Colour> irradiance;  ///< mixed also if there are values from several directions
 };
 CommonVertices common_vertices(const SceneObjects& objects, const FaceSelection& selection);
 

@@ -62,7 +62,7 @@ std::map<std::string, std::string> copy_images(const grf::Scene& scene, const st
   const QDir destination = QFileInfo(QString::fromStdString(to)).dir();
   for (const std::string& name : texture_names(scene, from)) {
     const QFileInfo file(QString::fromStdString(grf::path_beside(from, name)));
-    const bool is_ours = std::any_of(folders.begin(), folders.end(), [&](const auto& folder) {
+    const bool is_ours = std::ranges::any_of(folders, [&](const auto& folder) {
       return QFileInfo(folder->path()).canonicalFilePath() == file.canonicalPath();
     });
     if (!is_ours) continue;
@@ -82,7 +82,7 @@ bool is_copied(const ImportFolder& folder, const std::string& from,
   std::set<std::string> originals;
   for (const auto& [name, copy] : copied) originals.insert(grf::canonical_path(grf::path_beside(from, name)));
   const QStringList images = QDir(folder.path()).entryList(QDir::Files);
-  return std::all_of(images.begin(), images.end(), [&](const QString& image) {
+  return std::ranges::all_of(images, [&](const QString& image) {
     return originals.contains(grf::canonical_path((folder.path() + "/" + image).toStdString()));
   });
 }

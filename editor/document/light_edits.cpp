@@ -3,7 +3,6 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "editor/document/scene_places.h"
@@ -133,14 +132,6 @@ std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathVi
   if (there == nullptr) return nothing_there("light", diagnostics);
   *there = light;
   return changed;
-}
-
-grf::AreaLight scaled(const grf::AreaLight& light, float factor) {
-  grf::AreaLight result = light;
-  result.corner += (light.edge1 + light.edge2) * ((1 - factor) / 2);
-  result.edge1 *= factor;
-  result.edge2 *= factor;
-  return result;
 }
 
 grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position) {

@@ -51,8 +51,6 @@ grf::Scene add_light(const grf::Scene& scene, const grf::AreaLight& light);
 /// Sets corner, edges and radiance of a light, in its local coordinates.
 std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathView path,
                                        const grf::AreaLight& light, grf::Diagnostics& diagnostics);
-/// Scales the edges of the light about its centre. The radiance is unchanged.
-grf::AreaLight scaled(const grf::AreaLight& light, float factor);
 
 /// Adds an observer at a position in world space.
 grf::Scene add_observer(const grf::Scene& scene, const grf::Vec3d& position);

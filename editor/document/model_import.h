@@ -5,7 +5,6 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
-#include <vector>
 
 #include "editor/document/import_folder.h"
 #include "editor/programs/child_process.h"

@@ -121,9 +121,8 @@ std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vec
                                          const std::vector<ObserverObject>& observers,
                                          grf::Diagnostics& diagnostics) {
   for (const auto& [definition, uses] : count_uses(scene, paths)) {
-    const bool goes = std::any_of(paths.begin(), paths.end(), [&scene, used = definition](const auto& path) {
-      return definition_at(scene, path) == used;
-    });
+    const bool goes = std::ranges::any_of(
+        paths, [&scene, used = definition](const auto& path) { return definition_at(scene, path) == used; });
     if (!goes) continue;
     diagnostics.error(definition->location, fmt::format("'{}' is used {}", definition->name,
                                                         uses == 1 ? "once" : fmt::format("{} times", uses)));
@@ -152,9 +151,8 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
   ++copy.back();
   const grf::Block block = *block_at(changed, place);
   auto& blocks = grf::find_blocks(changed, around)->blocks;
-  const auto here = std::find_if(
-      blocks.begin(), blocks.end(),
-      [original = grf::find(changed, place).block](const grf::Block& each) { return &each == original; });
+  const auto here = std::ranges::find_if(blocks, [original = grf::find(changed, place).block](
+                                                     const grf::Block& each) { return &each == original; });
   blocks.insert(here + 1, block)->comments = {};
   move(changed, copy, offset);
   return changed;

@@ -13,10 +13,10 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "editor/document/document.h"
+#include "editor/document/scene_places.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/text_file.h"
@@ -28,20 +28,6 @@ namespace {
 const QString SceneFile = QStringLiteral("scene.grf");
 const QString RecordFile = QStringLiteral("work.json");
 const QString LockFile = QStringLiteral("lock");
-
-/// Calls `action` for each include of the blocks, outer ones before inner ones.
-template <class Action>
-void for_each_include(grf::BlockList& list, const Action& action) {
-  for (grf::Block& block : list.blocks) {
-    if (auto* include = std::get_if<grf::Include>(&block.content)) {
-      action(*include);
-    } else if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
-      for_each_include(transform->body, action);
-    } else if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
-      for_each_include(scope->body, action);
-    }
-  }
-}
 
 /// Converts the references of a file's blocks to another file.
 grf::BlockList moved(const grf::BlockList& list, const std::string& from, const std::string& to) {
@@ -65,8 +51,7 @@ class Packing {
  private:
   grf::BlockList packed(const grf::BlockList& list, const std::string& path, const std::string& to) {
     std::vector<std::string> files;
-    grf::BlockList original = list;
-    for_each_include(original, [&](const grf::Include& include) { files.push_back(include.file); });
+    for_each_include(list, [&](const grf::Include& include) { files.push_back(include.file); });
     grf::BlockList result = moved(list, path, to);
     std::size_t number = 0;
     for_each_include(result, [&](grf::Include& include) {
@@ -153,8 +138,8 @@ const grf::Include* find_alike(const IncludesOfFiles& includes, const std::strin
                                const grf::BlockList& contents) {
   const auto of_file = includes.find(file);
   if (of_file == includes.end()) return nullptr;
-  const auto alike = std::find_if(of_file->second.begin(), of_file->second.end(),
-                                  [&](const grf::Include& other) { return *other.contents == contents; });
+  const auto alike = std::ranges::find_if(
+      of_file->second, [&](const grf::Include& other) { return *other.contents == contents; });
   return alike == of_file->second.end() ? nullptr : &*alike;
 }
 
@@ -172,8 +157,7 @@ void take_origins(grf::BlockList& list, const std::string& path, const IncludesO
 }
 
 void collect(const grf::BlockList& list, const std::string& path, IncludesOfFiles& includes) {
-  grf::BlockList blocks = list;
-  for_each_include(blocks, [&](const grf::Include& include) {
+  for_each_include(list, [&](const grf::Include& include) {
     const std::string file = grf::path_beside(path, include.file);
     if (find_alike(includes, file, *include.contents) != nullptr) return;
     includes[file].push_back(include);
@@ -229,7 +213,7 @@ std::vector<LostWork> Recovery::lost_work() const {
                     QDateTime::fromString(record["saved"].toString(), Qt::ISODateWithMs),
                     record["imports"].toVariant().toStringList()});
   }
-  std::sort(lost.begin(), lost.end(), [](const LostWork& a, const LostWork& b) { return a.saved > b.saved; });
+  std::ranges::sort(lost, [](const LostWork& a, const LostWork& b) { return a.saved > b.saved; });
   return lost;
 }
 

@@ -1,10 +1,10 @@
 #include "editor/document/save.h"
 
 #include <utility>
-#include <variant>
 
 #include "editor/document/image_files.h"
 #include "editor/document/op_files.h"
+#include "editor/document/scene_places.h"
 #include "grf/relocate.h"
 #include "grf/text_file.h"
 #include "grf/write.h"
@@ -13,18 +13,12 @@ namespace editor {
 namespace {
 
 void collect(const grf::BlockList& list, const std::string& path, bool only_changed, QStringList& files) {
-  for (const grf::Block& block : list.blocks) {
-    if (const auto* transform = std::get_if<grf::Transform>(&block.content)) {
-      collect(transform->body, path, only_changed, files);
-    } else if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
-      collect(scope->body, path, only_changed, files);
-    } else if (const auto* include = std::get_if<grf::Include>(&block.content)) {
-      const std::string file = grf::canonical_path(grf::path_beside(path, include->file));
-      const bool is_as_read = include->origin.path == file && include->origin.contents == include->contents;
-      if (!only_changed || !is_as_read) files.append(QString::fromStdString(file));
-      collect(*include->contents, file, only_changed, files);
-    }
-  }
+  for_each_include(list, [&](const grf::Include& include) {
+    const std::string file = grf::canonical_path(grf::path_beside(path, include.file));
+    const bool is_as_read = include.origin.path == file && include.origin.contents == include.contents;
+    if (!only_changed || !is_as_read) files.append(QString::fromStdString(file));
+    collect(*include.contents, file, only_changed, files);
+  });
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ class Collector {
 }  // namespace
 
 std::optional<std::uint32_t> SceneObjects::mesh_at(grf::ScenePathView path) const {
-  const auto found = std::find_if(meshes.begin(), meshes.end(), [path](const MeshObject& mesh) {
+  const auto found = std::ranges::find_if(meshes, [path](const MeshObject& mesh) {
     return std::equal(path.begin(), path.end(), mesh.path.begin(), mesh.path.end());
   });
   if (found == meshes.end()) return std::nullopt;

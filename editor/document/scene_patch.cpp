@@ -224,7 +224,7 @@ void put(const HeadPart& part, bool is_forward, grf::Scene& scene) {
 }
 
 bool name_anything(const std::vector<grf::Surface>& surfaces) {
-  return std::any_of(surfaces.begin(), surfaces.end(), names_a_definition);
+  return std::ranges::any_of(surfaces, names_a_definition);
 }
 
 void add_to(Change& change, const MeshPart& part) {
@@ -246,8 +246,8 @@ void add_to(Change& change, const ListPart<grf::Block>& part) {
            std::holds_alternative<grf::Params>(block.content);
   };
   const bool are_lights = part.before.size() == part.after.size() &&
-                          std::all_of(part.before.begin(), part.before.end(), is_light) &&
-                          std::all_of(part.after.begin(), part.after.end(), is_light);
+                          std::ranges::all_of(part.before, is_light) &&
+                          std::ranges::all_of(part.after, is_light);
   (are_lights ? change.lights : change.is_structural) = true;
 }
 

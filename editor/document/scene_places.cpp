@@ -1,9 +1,7 @@
 #include "editor/document/scene_places.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <span>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -158,9 +156,8 @@ std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
       continue;
     }
     std::erase_if(common, [&here](const PlacedDefinition& each) {
-      return std::none_of(here.begin(), here.end(), [&each](const PlacedDefinition& other) {
-        return other.definition == each.definition;
-      });
+      return std::ranges::none_of(
+          here, [&each](const PlacedDefinition& other) { return other.definition == each.definition; });
     });
   }
   return common;
@@ -192,7 +189,7 @@ const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path) {
 
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path) {
   const Way way = way_to(scene, path);
-  return std::any_of(way.blocks.begin(), way.blocks.end(), [](const grf::Block* block) {
+  return std::ranges::any_of(way.blocks, [](const grf::Block* block) {
     return std::holds_alternative<grf::Include>(block->content);
   });
 }
@@ -270,7 +267,7 @@ grf::ScenePath DefinitionInsertion::definition_path() const {
 }
 
 void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths) {
-  std::sort(paths.begin(), paths.end());
+  std::ranges::sort(paths);
   // Descendants of a removed object follow it, and are removed with it.
   paths.erase(std::unique(paths.begin(), paths.end(),
                           [](const auto& first, const auto& later) { return begins_with(later, first); }),
@@ -299,18 +296,16 @@ using Texts = std::map<std::string, grf::Shared<grf::BlockList>>;
 
 /// Visits each include, and descends into those for which the action returns true.
 template <class Action>
-void for_each_include(const grf::BlockList& list, const Action& action) {
-  for (const grf::Block& block : list.blocks) {
-    const auto* include = std::get_if<grf::Include>(&block.content);
-    const bool goes_on = include == nullptr || action(*include);
-    if (const grf::BlockList* inside = goes_on ? list_in(block) : nullptr) for_each_include(*inside, action);
-  }
+void for_each_nested_include(const grf::BlockList& list, const Action& action) {
+  for_each_include(list, [&action](const grf::Include& include) {
+    if (action(include)) for_each_nested_include(*include.contents, action);
+  });
 }
 
 /// The texts of included files as they were read; if included at several places, the first.
 Texts texts_of(const grf::Scene& scene) {
   Texts texts;
-  for_each_include(scene.contents, [&texts](const grf::Include& include) {
+  for_each_nested_include(scene.contents, [&texts](const grf::Include& include) {
     return include.origin.path.empty() || texts.emplace(include.origin.path, include.contents).second;
   });
   return texts;
@@ -319,7 +314,7 @@ Texts texts_of(const grf::Scene& scene) {
 /// The texts of edited files; reports an error if a file would have two.
 Texts changed_texts(const grf::Scene& scene, const Texts& before, grf::Diagnostics& diagnostics) {
   Texts changed;
-  for_each_include(scene.contents, [&](const grf::Include& include) {
+  for_each_nested_include(scene.contents, [&](const grf::Include& include) {
     const auto known = before.find(include.origin.path);
     if (known == before.end()) return true;
     if (include.contents == known->second) return false;
@@ -338,23 +333,17 @@ Texts changed_texts(const grf::Scene& scene, const Texts& before, grf::Diagnosti
 /// Replaces the contents of all includes of edited files; returns the number of those that differed.
 std::size_t put_texts(grf::BlockList& list, const Texts& changed) {
   std::size_t places = 0;
-  for (grf::Block& block : list.blocks) {
-    if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
-      places += put_texts(transform->body, changed);
-    } else if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
-      places += put_texts(scope->body, changed);
-    } else if (auto* include = std::get_if<grf::Include>(&block.content)) {
-      const auto text = changed.find(include->origin.path);
-      if (text != changed.end() && !(include->contents == text->second)) {
-        include->contents = text->second;
-        ++places;
-      }
-      grf::BlockList inside = *include->contents;
-      const std::size_t places_inside = put_texts(inside, changed);
-      if (places_inside > 0) include->contents = std::move(inside);
-      places += places_inside;
+  for_each_include(list, [&](grf::Include& include) {
+    const auto text = changed.find(include.origin.path);
+    if (text != changed.end() && !(include.contents == text->second)) {
+      include.contents = text->second;
+      ++places;
     }
-  }
+    grf::BlockList inside = *include.contents;
+    const std::size_t places_inside = put_texts(inside, changed);
+    if (places_inside > 0) include.contents = std::move(inside);
+    places += places_inside;
+  });
   return places;
 }
 
@@ -381,7 +370,7 @@ std::optional<WrittenPlace> written_place(const grf::Scene& scene, grf::ScenePat
 
 std::map<std::string, std::size_t> included_files(const grf::Scene& scene) {
   std::map<std::string, std::size_t> counts;
-  for_each_include(scene.contents, [&counts](const grf::Include& include) {
+  for_each_nested_include(scene.contents, [&counts](const grf::Include& include) {
     if (!include.origin.path.empty()) ++counts[include.origin.path];
     return true;
   });

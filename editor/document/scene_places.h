@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -74,6 +73,19 @@ void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths);
 /// The list to which new objects of the scene are added: inside the scope around the whole scene, if there is
 /// one.
 grf::BlockList& outermost_blocks(grf::Scene& scene);
+
+/// Calls an action for each include among blocks, except for nested ones. `List` may be const.
+template <class List, class Action>
+void for_each_include(List& list, const Action& action) {
+  for (auto& block : list.blocks) {
+    if (auto* include = std::get_if<grf::Include>(&block.content)) action(*include);
+    if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      for_each_include(transform->body, action);
+    } else if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) {
+      for_each_include(scope->body, action);
+    }
+  }
+}
 
 /// The number of includes of each file that was read, also by other included files; by canonical path.
 std::map<std::string, std::size_t> included_files(const grf::Scene& scene);

@@ -11,15 +11,6 @@
 namespace editor {
 namespace {
 
-template <class Value>
-void meet(CommonValue<Value>& common, const std::optional<Value>& value, bool is_first) {
-  if (is_first) {
-    common.value = value;
-  } else if (common.value != value) {
-    common.is_mixed = true;
-  }
-}
-
 /// Converts an edit to one of a mesh light, whose only attribute is a radiance, stored as its colour.
 SurfaceEdit of_mesh_light(const SurfaceEdit& edit) {
   SurfaceEdit radiance;
@@ -53,8 +44,8 @@ bool are_different(const std::vector<grf::Surface>& surfaces) {
   const auto hash = [](const grf::Surface* surface) { return grf::hash_value(*surface); };
   const auto equal = [](const grf::Surface* a, const grf::Surface* b) { return *a == *b; };
   std::unordered_set<const grf::Surface*, decltype(hash), decltype(equal)> known(surfaces.size());
-  return std::all_of(surfaces.begin(), surfaces.end(),
-                     [&known](const grf::Surface& surface) { return known.insert(&surface).second; });
+  return std::ranges::all_of(surfaces,
+                             [&known](const grf::Surface& surface) { return known.insert(&surface).second; });
 }
 
 /// A mesh in which faces are assigned to other surfaces.
@@ -83,8 +74,7 @@ class Reassignment {
     const std::vector<std::size_t> uses = uses_of_surfaces(mesh_);
     std::vector<std::size_t> selected(uses.size());
     selection.for_each_face(number, [&](std::size_t face) { ++selected[(*mesh_.surface_of_face)[face]]; });
-    const bool is_own_replaced =
-        uses[0] == 0 && std::count(uses.begin(), uses.end(), 0U) + 1 == std::ssize(uses);
+    const bool is_own_replaced = uses[0] == 0 && std::ranges::count(uses, 0U) + 1 == std::ssize(uses);
     if (is_own_replaced) return false;
     std::vector<grf::Surface> changed = surfaces_;
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -142,7 +132,7 @@ void remove_unused_surfaces(std::vector<grf::Surface>& surfaces,
                             std::vector<std::uint32_t>& surface_of_face) {
   std::vector<bool> used(surfaces.size());
   for (const std::uint32_t surface : surface_of_face) used[surface] = true;
-  const bool keeps_own = std::count(used.begin(), used.end(), true) != 1;
+  const bool keeps_own = std::ranges::count(used, true) != 1;
   std::vector<std::uint32_t> places(used.size(), 0);
   std::vector<grf::Surface> kept;
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -164,11 +154,11 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
       if (!has[k]) continue;
       const grf::Surface& surface =
           object.is_light ? seen_as_mesh(object.looks[k]) : object.mesh->surfaces[k];
-      meet(common.colour, surface.colour, is_first);
-      meet(common.brdf, surface.brdf, is_first);
-      meet(common.pdf, surface.pdf, is_first);
-      meet(common.texture, surface.texture, is_first);
-      meet(common.emission, surface.emission, is_first);
+      common.colour.meet(surface.colour, is_first);
+      common.brdf.meet(surface.brdf, is_first);
+      common.pdf.meet(surface.pdf, is_first);
+      common.texture.meet(surface.texture, is_first);
+      common.emission.meet(surface.emission, is_first);
       is_first = false;
     }
   }
@@ -199,11 +189,6 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
     });
   }
   return area;
-}
-
-std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
-                               const SurfaceEdit& edit) {
-  return edited(objects, selection, [&edit](const grf::Surface&) { return edit; });
 }
 
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "editor/document/face_selection.h"
@@ -45,9 +44,11 @@ struct SurfaceEdit {
   AttributeEdit<grf::Colour> emission;
 
   void apply(grf::Surface& surface) const;
+  /// Faces of any surface get the same.
+  const SurfaceEdit& operator()(const grf::Surface&) const { return *this; }
 };
 
-/// A function from the present surface to its edit.
+/// A function from the present surface to its edit. A SurfaceEdit is one, too.
 using SurfaceEdits = std::function<SurfaceEdit(const grf::Surface&)>;
 
 /// The edit that copies a whole surface from face to face.
@@ -58,6 +59,15 @@ template <class Value>
 struct CommonValue {
   bool is_mixed = false;
   std::optional<Value> value;  ///< absent if no face has one; undefined if mixed
+
+  /// Accumulates the value of another face.
+  void meet(const std::optional<Value>& other, bool is_first) {
+    if (is_first) {
+      value = other;
+    } else if (value != other) {
+      is_mixed = true;
+    }
+  }
 };
 
 struct CommonSurface {
@@ -88,8 +98,6 @@ double selected_area(const SceneObjects& objects, const FaceSelection& selection
 void remove_unused_surfaces(std::vector<grf::Surface>& surfaces, std::vector<std::uint32_t>& surface_of_face);
 
 /// Returns the meshes with selected faces after the edits. Mesh lights get only their emission.
-std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
-                               const SurfaceEdit& edit);
 std::vector<PlacedMesh> edited(const SceneObjects& objects, const FaceSelection& selection,
                                const SurfaceEdits& edits);
 

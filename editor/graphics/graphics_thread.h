@@ -1,12 +1,32 @@
 #pragma once
 
+#include <QOffscreenSurface>
 #include <QString>
 #include <QThread>
 #include <functional>
+#include <memory>
 
-#include "editor/graphics/offscreen_context.h"
+class QOpenGLContext;
 
 namespace editor {
+
+/// An OpenGL 3.3 core context without a window. It is created and destroyed in the GUI thread, and used in
+/// one thread.
+class OffscreenContext {
+ public:
+  OffscreenContext();
+  ~OffscreenContext();
+
+  /// Creates the context on the first call. Null without OpenGL 3.3.
+  QOpenGLContext* make_current();
+  /// Releases the context in the thread that uses it, after its objects are destroyed.
+  void end();
+
+ private:
+  QOffscreenSurface surface_;
+  std::unique_ptr<QOpenGLContext> context_;
+  bool is_refused_ = false;
+};
 
 /// A thread that draws images with OpenGL, which widgets then show: rendering is slow, above all in software,
 /// and must not block the window.

@@ -36,14 +36,6 @@ void run_aside(QObject* receiver, const Work& work, const Take& take) {
   watcher->setFuture(QtConcurrent::run(work));
 }
 
-QStringList paths_of(const QMimeData* data) {
-  QStringList paths;
-  for (const QUrl& url : data->urls()) {
-    if (url.isLocalFile()) paths << url.toLocalFile();
-  }
-  return paths;
-}
-
 QString absolute(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 
 QString title_of(const QString& letter, const ImageEntry& entry) {
@@ -189,11 +181,11 @@ void ImageBrowser::copy() const {
 }
 
 void ImageBrowser::dragEnterEvent(QDragEnterEvent* event) {
-  if (!paths_of(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!local_files(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void ImageBrowser::dropEvent(QDropEvent* event) {
-  open_files(paths_of(event->mimeData()));
+  open_files(local_files(*event->mimeData()));
   event->acceptProposedAction();
 }
 
@@ -257,11 +249,7 @@ void ImageBrowser::take_analysis(const ImageAnalysis& made) {
   analysis_ = made;
   show_on_pane();
   figures_->setText(figures_text(made));
-  if (is_current(made)) {
-    emit analysed();
-  } else {
-    start_analysis();
-  }
+  if (!is_current(made)) start_analysis();
 }
 
 void ImageBrowser::show_pixel(const std::optional<QPoint>& pixel) {

@@ -43,15 +43,12 @@ class ImageBrowser : public QWidget {
   ScreenControls& controls() { return tools_->controls(); }
   /// The controls and their actions, for menus.
   const ImageTools& tools() const { return *tools_; }
-  /// The last analysis; it is up to date once `analysed` was emitted after the last change.
-  const ImageAnalysis& analysis() const { return analysis_; }
 
  signals:
   void opened(const QString& path);
   void saved(const QString& path);
   /// Emitted with the diagnostics of a file, which the browser also shows itself.
   void reported(const grf::Diagnostics& diagnostics);
-  void analysed();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

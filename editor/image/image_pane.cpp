@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/gesture.h"
 
 namespace editor {
 namespace {
@@ -167,7 +168,6 @@ void ImagePane::set_wipe(double share) {
   const double wipe = std::clamp(share, 0.0, 1.0);
   if (wipe == wipe_) return;
   wipe_ = wipe;
-  emit wiped(wipe_);
   update();
 }
 
@@ -328,22 +328,11 @@ void ImagePane::leaveEvent(QEvent*) {
 }
 
 void ImagePane::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return move_by({KeyStep, 0});
-    case Qt::Key_Right:
-      return move_by({-KeyStep, 0});
-    case Qt::Key_Up:
-      return move_by({0, KeyStep});
-    case Qt::Key_Down:
-      return move_by({0, -KeyStep});
-    case Qt::Key_BracketLeft:
-      return set_wipe(wipe_ - 0.05);
-    case Qt::Key_BracketRight:
-      return set_wipe(wipe_ + 0.05);
-    default:
-      QWidget::keyPressEvent(event);
-  }
+  if (event->key() == Qt::Key_BracketLeft) return set_wipe(wipe_ - 0.05);
+  if (event->key() == Qt::Key_BracketRight) return set_wipe(wipe_ + 0.05);
+  const QPoint way = arrow_way(event->key());
+  if (way.isNull()) return QWidget::keyPressEvent(event);
+  move_by(KeyStep * QPointF(-way.x(), way.y()));
 }
 
 }  // namespace editor

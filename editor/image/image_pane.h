@@ -66,7 +66,6 @@ class ImagePane : public QWidget {
   /// Emitted with the pixel under the pointer, if any.
   void hovered(const std::optional<QPoint>& pixel);
   void zoomed(double zoom);
-  void wiped(double share);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

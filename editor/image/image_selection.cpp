@@ -8,8 +8,8 @@ namespace editor {
 
 const ImageEntry& ImageSelection::named(const QString& name) const {
   static const ImageEntry none;
-  const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const ImageEntry& entry) { return entry.name == name; });
+  const auto found =
+      std::ranges::find_if(entries_, [&](const ImageEntry& entry) { return entry.name == name; });
   return found == entries_.end() ? none : *found;
 }
 

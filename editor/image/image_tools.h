@@ -10,7 +10,6 @@
 
 class QAction;
 class QComboBox;
-class QLabel;
 class QToolBar;
 
 namespace editor {

@@ -1,6 +1,5 @@
 #include "editor/image/scale_bar.h"
 
-#include <QEvent>
 #include <QPainter>
 #include <cmath>
 

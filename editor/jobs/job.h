@@ -19,10 +19,10 @@ class Job;
 /// Description and functions of a job.
 struct JobTask {
   QString title;
-  QString queue;                    ///< jobs of one queue run one after another
-  std::function<void(Job&)> begin;  ///< starts the work, which calls `end` when it is done
-  std::function<void()> cancel;     ///< asks the running work to stop; empty: its result is dropped
-  QString cancel_tip;  ///< effect of cancelling the running work; empty if it cannot be cancelled
+  QString queue;                      ///< jobs of one queue run one after another
+  std::function<void(Job&)> begin;    ///< starts the work, which calls `end` when it is done
+  std::function<void()> cancel = {};  ///< asks the running work to stop; empty: its result is dropped
+  QString cancel_tip = {};  ///< effect of cancelling the running work; empty if it cannot be cancelled
 };
 
 /// A background job with progress, which can be cancelled. It works on a snapshot, and its result is applied

@@ -14,15 +14,7 @@ void JobList::add(JobTask task) {
 }
 
 bool JobList::is_busy(const QString& queue) const {
-  return std::any_of(jobs_.begin(), jobs_.end(), [&](const Job* job) { return job->queue() == queue; });
-}
-
-/// Cancels queued jobs first, so that none of them starts when a running one ends.
-void JobList::cancel(const QString& queue) {
-  const std::vector<Job*> all = jobs_;
-  for (auto job = all.rbegin(); job != all.rend(); ++job) {
-    if ((*job)->queue() == queue) (*job)->cancel();
-  }
+  return std::ranges::any_of(jobs_, [&](const Job* job) { return job->queue() == queue; });
 }
 
 void JobList::remove(Job* job, const QString& problem) {
@@ -36,8 +28,7 @@ void JobList::remove(Job* job, const QString& problem) {
 }
 
 void JobList::begin_next(const QString& queue) {
-  const auto first =
-      std::find_if(jobs_.begin(), jobs_.end(), [&](const Job* job) { return job->queue() == queue; });
+  const auto first = std::ranges::find_if(jobs_, [&](const Job* job) { return job->queue() == queue; });
   if (first != jobs_.end() && (*first)->state() == Job::State::Waiting) (*first)->begin();
 }
 

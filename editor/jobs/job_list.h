@@ -19,7 +19,6 @@ class JobList : public QObject {
   const std::vector<Job*>& jobs() const { return jobs_; }
   /// Whether jobs of a queue are queued or running.
   bool is_busy(const QString& queue) const;
-  void cancel(const QString& queue);
 
  signals:
   /// Emitted when jobs are added, change or end.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QPlainTextEdit>
-#include <memory>
 
 #include "editor/document/op_document.h"
 

@@ -177,7 +177,7 @@ class ListField : public OptionField {
     if (words) set_option(shown, option_, given);
     const std::vector<std::string>& chosen = shown.*value_.field;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      boxes_[i]->setChecked(std::find(chosen.begin(), chosen.end(), value_.words[i]) != chosen.end());
+      boxes_[i]->setChecked(std::ranges::find(chosen, value_.words[i]) != chosen.end());
     }
   }
 

@@ -160,10 +160,6 @@ void OptionsEditor::follow_message(int row) {
   if (entry.location.line > 0) text_->go_to(entry.location.line, entry.location.column);
 }
 
-void OptionsEditor::go_to(const options::OptionInfo& option) { form_->go_to(option); }
-
-void OptionsEditor::start_search() { form_->search()->setFocus(Qt::ShortcutFocusReason); }
-
 /// Disables the undo steps of text fields, which would interfere with those of the document.
 bool OptionsEditor::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {

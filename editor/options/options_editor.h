@@ -31,11 +31,6 @@ class OptionsEditor : public QWidget {
   bool save();
   bool save_as();
 
-  /// Shows and focuses an option.
-  void go_to(const options::OptionInfo& option);
-
-  void start_search();
-
   QListWidget& messages() { return *messages_; }
   OptionsForm& form() { return *form_; }
   /// Actions for menus; they have no shortcuts, which belong to the window.

@@ -1,6 +1,5 @@
 #include "editor/options/options_form.h"
 
-#include <QAction>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,11 +14,8 @@
 #include "editor/options/option_row.h"
 
 namespace editor {
-namespace {
 
 using options::OptionInfo;
-
-}  // namespace
 
 const OptionInfo* option_of(const grf::Diagnostic& diagnostic, const options::OpText& text) {
   if (const OptionInfo* option = text.option_at(diagnostic.location.line)) return option;

@@ -3,10 +3,12 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 
 #include "editor/appearance/theme.h"
+#include "editor/options/options_form.h"
 
 namespace editor {
 
@@ -43,7 +45,8 @@ void OptionsWindow::make_menus() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(edit, editor_->undo_action(), QKeySequence::Undo);
   add(edit, editor_->redo_action(), QKeySequence::Redo);
-  QAction* search = edit->addAction(tr("&Search options"), this, [this] { editor_->start_search(); });
+  QAction* search = edit->addAction(tr("&Search options"), this,
+                                    [this] { editor_->form().search()->setFocus(Qt::ShortcutFocusReason); });
   search->setShortcut(QKeySequence::Find);
   search->setToolTip(tr("Find options by name or meaning"));
 }

@@ -3,7 +3,6 @@
 #include "editor/options/option_field.h"
 
 class QCompleter;
-class QFileSystemModel;
 class QLineEdit;
 
 namespace editor {

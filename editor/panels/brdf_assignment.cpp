@@ -16,7 +16,7 @@ namespace {
 /// Whether the name refers to the dragged BRDF at all these paths. A name from another scene, or from a scope
 /// that the faces are not in, may refer to something else there.
 bool means_it(const std::string& name, const QMimeData& mime, const std::vector<PlacedDefinition>& in_scope) {
-  return std::any_of(in_scope.begin(), in_scope.end(), [&](const PlacedDefinition& each) {
+  return std::ranges::any_of(in_scope, [&](const PlacedDefinition& each) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&each.definition->body);
     return brdf != nullptr && each.definition->name == name &&
            grf::to_text(standing_alone(*brdf)) == mime.data(BrdfMimeType).toStdString();

@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 
-#include "editor/appearance/theme.h"
 #include "editor/controls/colour_button.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/parts.h"
@@ -11,9 +10,7 @@ namespace editor {
 
 ColourFields::ColourFields(const QString& name, const QString& help, double maximum, QWidget* parent)
     : QWidget(parent), button_(new ColourButton(this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 2);
+  auto* layout = tight_layout<QHBoxLayout>(this);
   button_->setAccessibleName(name);
   button_->setToolTip(tr("Choose a colour: %1").arg(help));
   layout->addWidget(button_);

@@ -32,16 +32,9 @@ QString text_of(double number) {
 }
 
 QString name_of(const Emitter& emitter) {
-  QString name = QString::fromStdString(emitter.name);
-  switch (emitter.kind) {
-    case Emitter::Kind::AreaLight:
-      return LightPanel::tr("light");
-    case Emitter::Kind::MeshLight:
-      return LightPanel::tr("mesh light");
-    case Emitter::Kind::Faces:
-      return name.isEmpty() ? LightPanel::tr("faces of a mesh") : name;
-  }
-  return name;
+  if (emitter.kind == Emitter::Kind::AreaLight) return LightPanel::tr("light");
+  if (emitter.kind == Emitter::Kind::MeshLight) return LightPanel::tr("mesh light");
+  return emitter.name.empty() ? LightPanel::tr("faces of a mesh") : QString::fromStdString(emitter.name);
 }
 
 /// An area light above the centre of the bounds, facing down.
@@ -180,15 +173,15 @@ void LightPanel::choose(grf::ScenePathView path) {
 }
 
 const Emitter* LightPanel::chosen_emitter() const {
-  const auto found = std::find_if(emitters_.begin(), emitters_.end(),
-                                  [this](const Emitter& emitter) { return path_ && emitter.path == *path_; });
+  const auto found = std::ranges::find_if(
+      emitters_, [this](const Emitter& emitter) { return path_ && emitter.path == *path_; });
   return found == emitters_.end() ? nullptr : &*found;
 }
 
 const LightObject* LightPanel::chosen_light() const {
   const auto& lights = document_.objects().lights;
-  const auto found = std::find_if(lights.begin(), lights.end(),
-                                  [this](const LightObject& light) { return path_ && light.path == *path_; });
+  const auto found = std::ranges::find_if(
+      lights, [this](const LightObject& light) { return path_ && light.path == *path_; });
   return found == lights.end() ? nullptr : &*found;
 }
 
@@ -196,7 +189,7 @@ bool LightPanel::concerns_lights(const Change& change) const {
   if (change.is_structural || change.lights || change.definitions) return true;
   std::set<grf::ScenePath> emitted;
   for (const Emitter& emitter : emitters_) emitted.insert(emitter.path);
-  return std::any_of(change.meshes.begin(), change.meshes.end(), [&](std::uint32_t i) {
+  return std::ranges::any_of(change.meshes, [&](std::uint32_t i) {
     const MeshObject& mesh = document_.objects().meshes[i];
     return emits(mesh) || emitted.contains(mesh.path);
   });

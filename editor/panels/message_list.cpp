@@ -1,11 +1,10 @@
 #include "editor/panels/message_list.h"
 
-#include <QApplication>
 #include <QFileInfo>
 #include <QFontDatabase>
-#include <QListView>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "editor/appearance/icons.h"
@@ -17,16 +16,17 @@ namespace {
 constexpr int IconSize = 2 * Grid;
 constexpr int Left = Grid + IconSize + Grid;  // of the text
 
-QString words_of(grf::Severity severity) {
-  switch (severity) {
-    case grf::Severity::Error:
-      return MessageModel::tr("error");
-    case grf::Severity::Warning:
-      return MessageModel::tr("warning");
-    case grf::Severity::Note:
-      return MessageModel::tr("note");
-  }
-  return {};
+/// How a severity is told: its icon has the same name.
+struct SeverityStyle {
+  const char* name;
+  QColor ThemeColours::*colour;
+};
+
+const SeverityStyle& style_of(grf::Severity severity) {
+  static constexpr std::array<SeverityStyle, 3> Styles = {{{"note", &ThemeColours::faint_text},
+                                                           {"warning", &ThemeColours::warning},
+                                                           {"error", &ThemeColours::error}}};
+  return Styles[static_cast<std::size_t>(severity)];
 }
 
 QFont fixed_font(const QFont& like) {
@@ -76,30 +76,16 @@ const grf::Diagnostic& message_of(const QModelIndex& index) {
   return static_cast<const MessageModel*>(index.model())->message(index.row());
 }
 
-QColor colour_of(grf::Severity severity, const ThemeColours& colours) {
-  switch (severity) {
-    case grf::Severity::Error:
-      return colours.error;
-    case grf::Severity::Warning:
-      return colours.warning;
-    case grf::Severity::Note:
-      return colours.faint_text;
-  }
-  return colours.text;
-}
-
 void draw_severity(QPainter& painter, grf::Severity severity, const ThemeColours& colours) {
-  const char* name = severity == grf::Severity::Error     ? "error"
-                     : severity == grf::Severity::Warning ? "warning"
-                                                          : "note";
+  const SeverityStyle& style = style_of(severity);
   const qreal ratio = painter.device()->devicePixelRatioF();
   QPixmap pixmap(QSize(IconSize, IconSize) * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   QPainter drawing(&pixmap);
-  icon(name).paint(&drawing, QRect(0, 0, IconSize, IconSize));
+  icon(style.name).paint(&drawing, QRect(0, 0, IconSize, IconSize));
   drawing.setCompositionMode(QPainter::CompositionMode_SourceIn);
-  drawing.fillRect(QRect(0, 0, IconSize, IconSize), colour_of(severity, colours));
+  drawing.fillRect(QRect(0, 0, IconSize, IconSize), colours.*style.colour);
   drawing.end();
   painter.drawPixmap(QPoint(Grid, Grid / 2), pixmap);
 }
@@ -111,7 +97,7 @@ void draw_excerpt(QPainter& painter, const QRect& place, const grf::Diagnostic& 
   const QString text = QString::fromStdString(message.excerpt).replace('\t', ' ');
   painter.setPen(colours.faint_text);
   painter.drawText(line, Qt::AlignLeft | Qt::TextSingleLine, text);
-  painter.setPen(colour_of(message.severity, colours));
+  painter.setPen(colours.*style_of(message.severity).colour);
   const auto before = static_cast<qsizetype>(std::max(message.excerpt_column, 1U)) - 1;
   painter.drawText(line.translated(0, height), Qt::AlignLeft, QString(before, ' ') + "^");
 }
@@ -141,7 +127,8 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
   const QString text = QString::fromStdString(each.message);
   const QString place = place_text(each.location);
   if (role == Qt::DisplayRole) return place.isEmpty() ? text : place + ": " + text;
-  if (role == Qt::AccessibleTextRole) return QString("%1: %2: %3").arg(words_of(each.severity), place, text);
+  if (role == Qt::AccessibleTextRole)
+    return QString("%1: %2: %3").arg(tr(style_of(each.severity).name), place, text);
   if (role != Qt::ToolTipRole || !each.location.file) return {};
   return tr("%1\nDouble-click to go to the line and select its faces")
       .arg(QString::fromStdString(each.location.file->path));

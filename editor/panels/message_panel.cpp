@@ -47,9 +47,7 @@ MessagePanel::MessagePanel(Document& document, grf::Catalogue catalogue, QWidget
   pages_->addWidget(hint_label(
       tr("The scene has no errors or warnings.\n\nProblems are listed here while you edit."), pages_));
   pages_->addWidget(view_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = tight_layout<QVBoxLayout>(this, 0);
   summary_->setContentsMargins(Grid, Grid / 2, Grid, Grid / 2);
   layout->addWidget(summary_);
   layout->addWidget(pages_, 1);
@@ -84,20 +82,17 @@ void MessagePanel::resizeEvent(QResizeEvent* event) {
 void MessagePanel::show_all() {
   std::vector<grf::Diagnostic> messages = of_file_.entries();
   const auto add = [&messages](const grf::Diagnostic& found) {
-    const bool is_known =
-        std::any_of(messages.begin(), messages.end(),
-                    [&found](const grf::Diagnostic& known) { return is_same(known, found); });
+    const bool is_known = std::ranges::any_of(
+        messages, [&found](const grf::Diagnostic& known) { return is_same(known, found); });
     if (!is_known) messages.push_back(found);
   };
   for (const grf::Diagnostic& found : check_.diagnostics().entries()) add(found);
   for (const grf::Diagnostic& found : of_display_.entries()) add(found);
-  std::stable_sort(messages.begin(), messages.end(), [](const grf::Diagnostic& a, const grf::Diagnostic& b) {
-    return a.severity > b.severity;
-  });
+  std::ranges::stable_sort(
+      messages, [](const grf::Diagnostic& a, const grf::Diagnostic& b) { return a.severity > b.severity; });
   const auto count = [&messages](grf::Severity severity) {
-    return static_cast<std::size_t>(
-        std::count_if(messages.begin(), messages.end(),
-                      [severity](const grf::Diagnostic& each) { return each.severity == severity; }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        messages, [severity](const grf::Diagnostic& each) { return each.severity == severity; }));
   };
   errors_ = count(grf::Severity::Error);
   warnings_ = count(grf::Severity::Warning);

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <variant>
@@ -67,10 +66,9 @@ QComboBox* choice_list(const QString& name, QWidget* parent) {
 }  // namespace
 
 BrdfRow::BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent)
-    : QWidget(parent), document_(document), catalogue_(catalogue), choice_(choice_list(tr("BRDF"), this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 4);
+    : SurfaceRow(document, parent), catalogue_(catalogue), choice_(choice_list(tr("BRDF"), this)) {
+  field_ = choice_;
+  auto* layout = tight_layout<QHBoxLayout>(this, Grid / 4);
   layout->addWidget(choice_, 1);
   edit_ = tool_button(
       "edit", tr("Edit the BRDF"), {}, [this] { emit edit_requested(); }, this);
@@ -86,8 +84,6 @@ BrdfRow::BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* p
   for (QToolButton* button : {edit_, define_, pick_, reset_}) layout->addWidget(button);
   connect(choice_, &QComboBox::activated, this, &BrdfRow::choose);
 }
-
-QWidget* BrdfRow::field() const { return choice_; }
 
 void BrdfRow::show_facts(const SurfaceFacts& facts) {
   common_ = facts.surface.brdf;
@@ -161,10 +157,7 @@ void BrdfRow::define_common() {
   const auto& model = std::get<grf::BrdfModel>(*common_.value);
   grf::Diagnostics diagnostics;
   auto defined = define(document_.scene(), "my_" + grf::lower_case(model.keyword), model, diagnostics);
-  if (!defined) {
-    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
-    return;
-  }
+  if (!defined) return emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
   // The order of meshes is unchanged, so the selection is valid in the new scene too.
   SurfaceEdit edit;
   edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{defined->name, {}});
@@ -176,15 +169,13 @@ void BrdfRow::define_common() {
 }
 
 PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
+    : SurfaceRow(document, parent),
       catalogue_(catalogue),
       choice_(choice_list(tr("Sampling scheme"), this)),
       parameters_(new ParameterRows(this)),
       problem_(problem_label(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 2);
+  field_ = choice_;
+  auto* layout = tight_layout<QVBoxLayout>(this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
   line->addWidget(choice_, 1);
@@ -198,8 +189,6 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
   connect(choice_, &QComboBox::activated, this, &PdfRow::choose);
   connect(parameters_, &ParameterRows::edited, this, &PdfRow::edit_parameters);
 }
-
-QWidget* PdfRow::field() const { return choice_; }
 
 void PdfRow::show_facts(const SurfaceFacts& facts) {
   show_problem(problem_, {});

@@ -1,11 +1,10 @@
 // The rows of the Surface dock that choose a BRDF or a sampling scheme.
 #pragma once
 
-#include <QWidget>
 #include <functional>
 #include <optional>
 
-#include "editor/panels/surface_facts.h"
+#include "editor/panels/surface_row.h"
 #include "grf/catalogue.h"
 
 class QComboBox;
@@ -17,14 +16,12 @@ namespace editor {
 class ParameterRows;
 
 /// Chooses a named BRDF of the scene, or a new inline one of a model.
-class BrdfRow : public QWidget {
+class BrdfRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  signals:
   void edit_requested();
@@ -37,7 +34,6 @@ class BrdfRow : public QWidget {
   void assign(const QString& text, const AttributeEdit<grf::BrdfAttribute>& brdf);
   void define_common();
 
-  Document& document_;
   const grf::Catalogue& catalogue_;
   CommonValue<grf::BrdfAttribute> common_;
   QComboBox* choice_;
@@ -48,14 +44,12 @@ class BrdfRow : public QWidget {
 };
 
 /// Chooses a named sampling scheme, or an inline one with a row for each parameter.
-class PdfRow : public QWidget {
+class PdfRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  private:
   void fill(const SurfaceFacts& facts);
@@ -66,7 +60,6 @@ class PdfRow : public QWidget {
   void show_parameters();
   void edit_parameters(const std::function<void(grf::Model&)>& edit, bool is_done);
 
-  Document& document_;
   const grf::Catalogue& catalogue_;
   std::optional<grf::PdfModel> model_;  ///< the inline scheme that the rows show
   QComboBox* choice_;

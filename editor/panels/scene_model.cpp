@@ -17,7 +17,7 @@ namespace {
 /// Visits all entries, parents before their children, until the action returns false.
 template <class Entry, class Action>
 bool for_each_entry(Entry& entry, const Action& action) {
-  return std::all_of(entry.children.begin(), entry.children.end(), [&action](const auto& child) {
+  return std::ranges::all_of(entry.children, [&action](const auto& child) {
     return action(*child) && for_each_entry(*child, action);
   });
 }

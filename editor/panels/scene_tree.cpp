@@ -2,12 +2,9 @@
 
 #include <QAction>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QScopedValueRollback>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -122,9 +119,8 @@ void SceneTree::update_actions() {
   rename_->setEnabled(entries.size() == 1 && entries.front()->can_be_renamed());
   duplicate_->setEnabled(entries.size() == 1 && stands(entries.front()) &&
                          entries.front()->kind != SceneEntry::Kind::Observer);
-  remove_->setEnabled(std::any_of(entries.begin(), entries.end(), [](const SceneEntry* entry) {
-    return entry->kind != SceneEntry::Kind::Group;
-  }));
+  remove_->setEnabled(std::ranges::any_of(
+      entries, [](const SceneEntry* entry) { return entry->kind != SceneEntry::Kind::Group; }));
 }
 
 QSize SceneTree::sizeHint() const { return {280, 640}; }
@@ -167,8 +163,8 @@ void SceneTree::show_selection() {
   if (is_selecting_) return;
   const QScopedValueRollback guard(is_selecting_, true);
   const auto entries = chosen_entries();
-  const bool is_shown = std::any_of(entries.begin(), entries.end(),
-                                    [](const SceneEntry* entry) { return entry->has_selection; });
+  const bool is_shown =
+      std::ranges::any_of(entries, [](const SceneEntry* entry) { return entry->has_selection; });
   if (is_shown) return;
   const QModelIndex first = filter_->mapFromSource(model_->first_with_selection());
   if (!first.isValid()) {

@@ -24,8 +24,8 @@ SurfaceFacts facts_of(const Document& document) {
   if (facts.faces == 0) return facts;
   facts.meshes = selected_meshes(document);
   const std::vector<std::uint32_t> meshes = selection.meshes();
-  facts.are_all_of_mesh_lights = std::all_of(
-      meshes.begin(), meshes.end(), [&objects](std::uint32_t i) { return objects.meshes[i].is_light; });
+  facts.are_all_of_mesh_lights =
+      std::ranges::all_of(meshes, [&objects](std::uint32_t i) { return objects.meshes[i].is_light; });
   facts.area = selected_area(objects, selection);
   facts.surface = common_surface(objects, selection);
   facts.vertices = common_vertices(objects, selection);

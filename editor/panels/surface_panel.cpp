@@ -35,9 +35,9 @@ void write_out(std::optional<std::variant<Body, grf::Reference>>& attribute,
   const auto is_it = [reference](const PlacedDefinition& each) {
     return each.definition->name == reference->name;
   };
-  const auto meant = std::find_if(there.begin(), there.end(), is_it);
+  const auto meant = std::ranges::find_if(there, is_it);
   if (meant == there.end()) return attribute.reset();
-  const auto same = std::find_if(here.begin(), here.end(), is_it);
+  const auto same = std::ranges::find_if(here, is_it);
   if (same != here.end() && same->definition == meant->definition) return;
   const auto* body = std::get_if<Body>(&meant->definition->body);
   attribute = body == nullptr ? std::nullopt : std::optional<std::variant<Body, grf::Reference>>(*body);
@@ -61,10 +61,7 @@ SurfacePanel::SurfacePanel(Document& document, const grf::Catalogue& catalogue, 
                                   "several, or select an object in the Scene dock."),
                                pages_));
   pages_->addWidget(scroll);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(pages_);
-  connect_rows();
+  tight_layout<QVBoxLayout>(this)->addWidget(pages_);
   connect(&document_, &Document::selection_changed, this, &SurfacePanel::show_selection);
   connect(&document_, &Document::changed, this, &SurfacePanel::show_selection);
   show_selection();
@@ -100,37 +97,35 @@ QWidget* SurfacePanel::make_rows() {
   layout->setVerticalSpacing(Grid + Grid / 2);
   layout->setColumnStretch(1, 1);
   layout->addWidget(make_header(), 0, 0, 1, 2);
-  const auto add = [rows, layout](const QString& name, auto* row) {
+  const auto add = [this, rows, layout](const QString& name, auto* row) {
     auto* label = new QLabel(name, rows);
     label->setBuddy(row->field());
     label->setMinimumHeight(3 * Grid);
     const int line = layout->rowCount();
     layout->addWidget(label, line, 0, Qt::AlignTop);
     layout->addWidget(row, line, 1, Qt::AlignTop);
+    rows_.push_back(row);
     return row;
   };
-  brdf_ = add(tr("&BRDF"), new BrdfRow(document_, catalogue_, rows));
-  pdf_ = add(tr("Sam&pling"), new PdfRow(document_, catalogue_, rows));
-  colour_ = add(tr("C&olour"), new ColourRow(document_, rows));
-  texture_ = add(tr("Te&xture"), new TextureRow(document_, rows));
-  emission_ = add(tr("E&mission"), new EmissionRow(document_, rows));
-  normals_ = add(tr("&Normals"), new NormalsRow(document_, rows));
-  vertex_colours_ = add(tr("Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));
-  irradiance_ = add(tr("Irr&adiance"), new VertexRow(document_, VertexRow::Kind::Irradiance, rows));
+  auto* brdf = add(tr("&BRDF"), new BrdfRow(document_, catalogue_, rows));
+  add(tr("Sam&pling"), new PdfRow(document_, catalogue_, rows));
+  add(tr("C&olour"), new ColourRow(document_, rows));
+  add(tr("Te&xture"), new TextureRow(document_, rows));
+  add(tr("E&mission"), new EmissionRow(document_, rows));
+  add(tr("&Normals"), new NormalsRow(document_, rows));
+  add(tr("Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));
+  auto* irradiance = add(tr("Irr&adiance"), new VertexRow(document_, VertexRow::Kind::Irradiance, rows));
   problem_ = problem_label(rows);
   layout->addWidget(problem_, layout->rowCount(), 0, 1, 2);
   layout->setRowStretch(layout->rowCount(), 1);
-  return rows;
-}
-
-void SurfacePanel::connect_rows() {
-  connect(brdf_, &BrdfRow::edit_requested, this, &SurfacePanel::brdf_edit_requested);
-  connect(brdf_, &BrdfRow::pick_requested, this, [this] {
+  connect(brdf, &BrdfRow::edit_requested, this, &SurfacePanel::brdf_edit_requested);
+  connect(brdf, &BrdfRow::pick_requested, this, [this] {
     picks_ = Picks::Brdf;
     emit pick_requested();
   });
-  connect(irradiance_, &VertexRow::bake_requested, this, &SurfacePanel::bake_requested);
-  connect(brdf_, &BrdfRow::problem_found, this, &SurfacePanel::report);
+  connect(irradiance, &VertexRow::bake_requested, this, &SurfacePanel::bake_requested);
+  connect(brdf, &BrdfRow::problem_found, this, &SurfacePanel::report);
+  return rows;
 }
 
 void SurfacePanel::show_selection() {
@@ -140,14 +135,7 @@ void SurfacePanel::show_selection() {
   if (facts.faces == 0) return;
   count_->setText(counted(facts.faces, tr("1 face selected"), tr("%1 faces selected")));
   area_->setText(area_text(facts.area));
-  brdf_->show_facts(facts);
-  pdf_->show_facts(facts);
-  colour_->show_facts(facts);
-  texture_->show_facts(facts);
-  emission_->show_facts(facts);
-  irradiance_->show_facts(facts);
-  normals_->show_facts(facts);
-  vertex_colours_->show_facts(facts);
+  for (SurfaceRow* row : rows_) row->show_facts(facts);
 }
 
 void SurfacePanel::report(const QString& problem) { show_problem(problem_, problem); }

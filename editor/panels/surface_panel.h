@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "editor/document/document.h"
 #include "grf/catalogue.h"
@@ -10,14 +11,7 @@ class QStackedWidget;
 
 namespace editor {
 
-class BrdfRow;
-class ColourRow;
-class EmissionRow;
-class NormalsRow;
-class PdfRow;
-class TextureRow;
-class VertexRow;
-struct SurfaceFacts;
+class SurfaceRow;
 
 /// Shows and edits the surface of the selected faces. A BRDF that is dropped on it is assigned to them.
 class SurfacePanel : public QWidget {
@@ -48,7 +42,6 @@ class SurfacePanel : public QWidget {
  private:
   QWidget* make_rows();
   QWidget* make_header();
-  void connect_rows();
   void show_selection();
   void report(const QString& problem);
 
@@ -61,14 +54,7 @@ class SurfacePanel : public QWidget {
   QLabel* count_ = nullptr;
   QLabel* area_ = nullptr;
   QLabel* problem_ = nullptr;
-  BrdfRow* brdf_ = nullptr;
-  PdfRow* pdf_ = nullptr;
-  ColourRow* colour_ = nullptr;
-  TextureRow* texture_ = nullptr;
-  EmissionRow* emission_ = nullptr;
-  VertexRow* irradiance_ = nullptr;
-  NormalsRow* normals_ = nullptr;
-  VertexRow* vertex_colours_ = nullptr;
+  std::vector<SurfaceRow*> rows_;
 };
 
 }  // namespace editor

@@ -2,7 +2,6 @@
 
 #include <QFileInfo>
 #include <QPainter>
-#include <QPainterPath>
 #include <QtConcurrentRun>
 #include <algorithm>
 

@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -35,8 +34,7 @@ QString first_image(const Document& document) {
 }  // namespace
 
 TextureRow::TextureRow(Document& document, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
+    : SurfaceRow(document, parent),
       choice_(new QComboBox(this)),
       preview_(new TexturePreview(this)),
       hint_(problem_label(this)) {
@@ -52,9 +50,8 @@ TextureRow::TextureRow(Document& document, QWidget* parent)
   reset_ = tool_button(
       "reset", tr("Remove the texture"), {},
       [this] { assign(AttributeEdit<grf::TextureAttribute>::remove()); }, this);
-  auto* lines = new QVBoxLayout(this);
-  lines->setContentsMargins(0, 0, 0, 0);
-  lines->setSpacing(Grid / 2);
+  field_ = choice_;
+  auto* lines = tight_layout<QVBoxLayout>(this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
   line->addWidget(choice_, 1);
@@ -66,8 +63,6 @@ TextureRow::TextureRow(Document& document, QWidget* parent)
   connect(choice_, &QComboBox::activated, this, [this] { take_text(); });
   connect(choice_->lineEdit(), &QLineEdit::editingFinished, this, &TextureRow::take_text);
 }
-
-QWidget* TextureRow::field() const { return choice_; }
 
 void TextureRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.texture;

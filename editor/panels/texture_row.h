@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QWidget>
-
-#include "editor/panels/surface_facts.h"
+#include "editor/panels/surface_row.h"
 
 class QComboBox;
 class QLabel;
@@ -13,14 +11,12 @@ namespace editor {
 class TexturePreview;
 
 /// Chooses the texture of the faces: an image file, or a named texture of the scene.
-class TextureRow : public QWidget {
+class TextureRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   explicit TextureRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
   /// Assigns an image file to the selected faces.
   void assign_file(const QString& path);
@@ -30,7 +26,6 @@ class TextureRow : public QWidget {
   void browse();
   void assign(const AttributeEdit<grf::TextureAttribute>& texture);
 
-  Document& document_;
   QStringList names_;
   QString shown_;
   QComboBox* choice_;  ///< editable, for file names

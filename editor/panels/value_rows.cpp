@@ -21,20 +21,6 @@ namespace {
 
 constexpr double Largest = std::numeric_limits<float>::max();
 
-QHBoxLayout* line_of(QWidget* row) {
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 4);
-  return layout;
-}
-
-QVBoxLayout* lines_of(QWidget* row) {
-  auto* layout = new QVBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(Grid / 2);
-  return layout;
-}
-
 /// Shows a value that the faces share.
 void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::Colour>& value) {
   if (is_mixed) {
@@ -49,15 +35,16 @@ void show_common(ColourFields* fields, bool is_mixed, const std::optional<grf::C
 }  // namespace
 
 ColourRow::ColourRow(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), choice_(new QComboBox(this)) {
+    : SurfaceRow(document, parent), choice_(new QComboBox(this)) {
   fields_ = new ColourFields(tr("Colour"), tr("linear RGB factor of the BRDF"), 1, this);
+  field_ = fields_->field();
   choice_->setAccessibleName(tr("Name of the colour"));
   choice_->setToolTip(tr("A named colour of the scene, or RGB values only for these faces"));
   choice_->setFocusPolicy(Qt::StrongFocus);
   reset_ = tool_button(
       "reset", tr("Reset the colour"), {},
       [this] { assign(AttributeEdit<grf::ColourAttribute>::remove(), {}); }, this);
-  auto* lines = lines_of(this);
+  auto* lines = tight_layout<QVBoxLayout>(this);
   lines->addWidget(choice_);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
@@ -70,8 +57,6 @@ ColourRow::ColourRow(Document& document, QWidget* parent)
   });
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
-
-QWidget* ColourRow::field() const { return fields_->field(); }
 
 void ColourRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.colour;
@@ -116,11 +101,12 @@ void ColourRow::assign(const AttributeEdit<grf::ColourAttribute>& colour, const 
   document_.edit_surfaces(colour.value() ? tr("Set colour") : tr("Reset colour"), edit, key);
 }
 
-EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+EmissionRow::EmissionRow(Document& document, QWidget* parent) : SurfaceRow(document, parent) {
   power_ = number_box(
       {tr("Power"), tr("Total power of the selected faces: π × area × mean of the radiance's RGB values"), 0,
        Largest, 10, tr("W")},
       this);
+  field_ = power_;
   reset_ = tool_button(
       "reset", tr("Remove the emission"), {},
       [this] {
@@ -131,7 +117,7 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
       this);
   radiance_ =
       new ColourFields(tr("Radiance"), tr("radiance emitted by the front sides, W/(sr m²)"), Largest, this);
-  auto* lines = lines_of(this);
+  auto* lines = tight_layout<QVBoxLayout>(this);
   auto* line = new QHBoxLayout;
   line->setSpacing(Grid / 4);
   line->addWidget(power_, 1);
@@ -155,8 +141,6 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : QWidget(parent),
   connect(radiance_, &ColourFields::finished, this, finish);
 }
 
-QWidget* EmissionRow::field() const { return power_; }
-
 void EmissionRow::show_facts(const SurfaceFacts& facts) {
   const auto& common = facts.surface.emission;
   show_common(radiance_, common.is_mixed, common.value);
@@ -173,12 +157,13 @@ void EmissionRow::show_facts(const SurfaceFacts& facts) {
 }
 
 VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
-    : QWidget(parent), document_(document), kind_(kind) {
+    : SurfaceRow(document, parent), kind_(kind) {
   const bool is_colour = kind == Kind::Colour;
   fields_ = is_colour ? new ColourFields(tr("Vertex colour"),
                                          tr("linear RGB per vertex, which replaces the colour"), 1, this)
                       : new ColourFields(tr("Irradiance"), tr("irradiance per vertex, W/m²"), Largest, this);
-  auto* line = line_of(this);
+  field_ = fields_->field();
+  auto* line = tight_layout<QHBoxLayout>(this, Grid / 4);
   line->addWidget(fields_, 1);
   if (!is_colour) {
     bake_ = tool_button(
@@ -194,17 +179,14 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
 
-QWidget* VertexRow::field() const { return fields_->field(); }
-
 void VertexRow::show_facts(const SurfaceFacts& facts) {
   const bool is_colour = kind_ == Kind::Colour;
-  const bool is_mixed = is_colour ? facts.vertices.are_colours_mixed : facts.vertices.are_irradiances_mixed;
-  const auto& value = is_colour ? facts.vertices.colour : facts.vertices.irradiance;
-  show_common(fields_, is_mixed, value);
+  const auto& common = is_colour ? facts.vertices.colour : facts.vertices.irradiance;
+  show_common(fields_, common.is_mixed, common.value);
   const QString none =
       is_colour ? tr("The vertices have no colours.") : tr("The vertices have no irradiance.");
   enable(clear_, is_colour ? tr("Clear the vertex colours") : tr("Clear the irradiance of the vertices"),
-         is_mixed || value ? QString() : none);
+         common.is_mixed || common.value ? QString() : none);
 }
 
 void VertexRow::put(const std::optional<grf::Colour>& value) {
@@ -216,14 +198,15 @@ void VertexRow::put(const std::optional<grf::Colour>& value) {
 }
 
 NormalsRow::NormalsRow(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), state_(new QLabel(this)) {
+    : SurfaceRow(document, parent), state_(new QLabel(this)) {
   constexpr double CommonCrease = 30;
   angle_ =
       number_box({tr("Crease angle"), tr("Edges stay sharp where the angle between their faces is larger"), 0,
                   180, 5, "deg"},
                  this);
   angle_->set_value(CommonCrease);
-  auto* line = line_of(this);
+  field_ = angle_;
+  auto* line = tight_layout<QHBoxLayout>(this, Grid / 4);
   line->addWidget(state_, 1);
   line->addWidget(angle_, 1);
   line->addWidget(tool_button(
@@ -237,8 +220,6 @@ NormalsRow::NormalsRow(Document& document, QWidget* parent)
       "flip", tr("Flip the faces"), tr("Flip faces: reverse their orientation and their normals"),
       [this] { apply(Change::Flip); }, this));
 }
-
-QWidget* NormalsRow::field() const { return angle_; }
 
 void NormalsRow::show_facts(const SurfaceFacts& facts) {
   state_->setText(facts.vertices.have_normals ? tr("smooth") : tr("flat"));

@@ -1,9 +1,7 @@
 // The rows of the Surface dock for colours, emission, irradiance and normals.
 #pragma once
 
-#include <QWidget>
-
-#include "editor/panels/surface_facts.h"
+#include "editor/panels/surface_row.h"
 
 class QComboBox;
 class QLabel;
@@ -15,53 +13,45 @@ class ColourFields;
 class NumberBox;
 
 /// Edits the colour that multiplies the BRDF: a named one, or RGB values.
-class ColourRow : public QWidget {
+class ColourRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   explicit ColourRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  private:
   void choose(int index);
   void assign(const AttributeEdit<grf::ColourAttribute>& colour, const QString& key);
 
-  Document& document_;
   QComboBox* choice_;
   ColourFields* fields_;
   QToolButton* reset_;
 };
 
 /// Edits the emission that makes the faces an area light, by radiance or total power.
-class EmissionRow : public QWidget {
+class EmissionRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   explicit EmissionRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  private:
-  Document& document_;
   ColourFields* radiance_;
   NumberBox* power_;
   QToolButton* reset_;
 };
 
 /// Edits a vertex attribute of the faces: colour or irradiance.
-class VertexRow : public QWidget {
+class VertexRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   enum class Kind { Colour, Irradiance };
 
   VertexRow(Document& document, Kind kind, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  signals:
   void bake_requested();
@@ -69,7 +59,6 @@ class VertexRow : public QWidget {
  private:
   void put(const std::optional<grf::Colour>& value);
 
-  Document& document_;
   Kind kind_;
   ColourFields* fields_;
   QToolButton* clear_;
@@ -77,20 +66,17 @@ class VertexRow : public QWidget {
 };
 
 /// Recomputes or flips vertex normals.
-class NormalsRow : public QWidget {
+class NormalsRow : public SurfaceRow {
   Q_OBJECT
 
  public:
   explicit NormalsRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts);
-  /// The control that the row's label focuses.
-  QWidget* field() const;
+  void show_facts(const SurfaceFacts& facts) override;
 
  private:
   enum class Change { Smooth, Flat, Flip };
   void apply(Change change);
 
-  Document& document_;
   NumberBox* angle_;
   QLabel* state_;
 };

@@ -4,7 +4,6 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <array>
-#include <exception>
 
 #include <fmt/format.h>
 #include <sys/mman.h>

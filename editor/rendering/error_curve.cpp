@@ -44,8 +44,8 @@ void ErrorCurve::draw() {
   setCurrentIndex(points_.empty() ? 0 : 1);
   if (points_.empty()) return;
   const double end = points_.back().x;
-  const auto [lowest, highest] = std::minmax_element(
-      points_.begin(), points_.end(), [](const plot::Point& a, const plot::Point& b) { return a.y < b.y; });
+  const auto [lowest, highest] = std::ranges::minmax_element(
+      points_, [](const plot::Point& a, const plot::Point& b) { return a.y < b.y; });
   // The axis covers half a decade at least, so that a short curve does not look like noise.
   const double least = std::min(target_ ? std::min(lowest->y, *target_) : lowest->y, highest->y / 3);
   plot::Chart chart{{},

@@ -51,30 +51,20 @@ bool FinalRender::lock_output() {
 }
 
 void FinalRender::start(FinalRenderRequest request) {
-  if (is_running_) {
-    emit failed(tr("a render is already running: stop it first"));
-    return;
-  }
-  if (const QString why = process_.why_missing(); !why.isEmpty()) {
-    emit failed(why);
-    return;
-  }
+  if (is_running_) return emit failed(tr("a render is already running: stop it first"));
+  if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
   output_ = output_of(request);
   request.options = with_absolute_paths(std::move(request.options), request.path);
   const std::string& environment = request.options.environment;
-  if (!environment.empty() &&
-      grf::canonical_path(environment) == grf::canonical_path(output_.toStdString())) {
-    emit failed(tr("the output %1 is the scene's environment map: choose another output").arg(output_));
-    return;
-  }
-  if (!request.may_replace && is_foreign(output_)) {
-    emit failed(tr("%1 exists and was not rendered in this session: choose another output").arg(output_));
-    return;
-  }
-  if (!lock_output()) {
-    emit failed(tr("another render is writing %1: wait for it, or choose another output").arg(output_));
-    return;
-  }
+  if (!environment.empty() && grf::canonical_path(environment) == grf::canonical_path(output_.toStdString()))
+    return emit failed(
+        tr("the output %1 is the scene's environment map: choose another output").arg(output_));
+  if (!request.may_replace && is_foreign(output_))
+    return emit failed(
+        tr("%1 exists and was not rendered in this session: choose another output").arg(output_));
+  if (!lock_output())
+    return emit failed(
+        tr("another render is writing %1: wait for it, or choose another output").arg(output_));
   is_running_ = true;
   is_stopped_ = false;
   summary_.reset();

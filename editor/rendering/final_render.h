@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QFutureWatcher>
 #include <QLockFile>
 #include <QObject>

@@ -45,20 +45,13 @@ IrradianceBake::~IrradianceBake() {
 QString IrradianceBake::file(const char* extension) const { return folder_.filePath("scene.") + extension; }
 
 void IrradianceBake::start(const grf::Scene& scene, const QString& path,
-                           options::RenderOptions render_options, int directions) {
-  if (is_running_) {
-    emit failed(tr("irradiance is already being baked: stop that first"));
-    return;
-  }
-  if (const QString why = process_.why_missing(); !why.isEmpty()) {
-    emit failed(why);
-    return;
-  }
+                           options::RenderOptions render_options) {
+  if (is_running_) return emit failed(tr("irradiance is already being baked: stop that first"));
+  if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
   is_running_ = true;
   is_stopped_ = false;
   const QString named = naming_path(path);
   snapshot_ = scene;
-  directions_ = directions;
   summary_.reset();
   result_ = {};
   render_options = bake_options(std::move(render_options), named, file("grf"));
@@ -74,9 +67,7 @@ void IrradianceBake::start(const grf::Scene& scene, const QString& path,
 void IrradianceBake::run(const QString& problem) {
   if (!problem.isEmpty()) return give_up(problem);
   if (is_stopped_) return give_up(tr("stopped before any irradiance was computed"));
-  QStringList arguments = {"bake", file("op"), "-o", file("igrf"), "--progress", "json", "--json"};
-  if (directions_ > 0) arguments << "--directions" << QString::number(directions_);
-  process_.start(arguments);
+  process_.start({"bake", file("op"), "-o", file("igrf"), "--progress", "json", "--json"});
 }
 
 void IrradianceBake::stop() {

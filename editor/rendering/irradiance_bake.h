@@ -33,11 +33,9 @@ class IrradianceBake : public QObject {
 
   /// Starts a bake. The path is that of the scene's file; empty if it has none. The options used are those of
   /// light (environment, depth, sampling scheme), of effort (samples per vertex, target error, time,
-  /// threads), the seed, and the eye, which becomes the observer of a scene without one. `directions` is the
-  /// number of directions stored per vertex, up to 4096; 0 stores one value. `failed` reports why the bake
-  /// cannot start.
-  void start(const grf::Scene& scene, const QString& path, options::RenderOptions render_options = {},
-             int directions = 0);
+  /// threads), the seed, and the eye, which becomes the observer of a scene without one. `failed` reports why
+  /// the bake cannot start.
+  void start(const grf::Scene& scene, const QString& path, options::RenderOptions render_options = {});
   /// Stops the bake and keeps what was computed.
   void stop();
   bool is_running() const { return is_running_; }
@@ -69,7 +67,6 @@ class IrradianceBake : public QObject {
   bool is_running_ = false;
   bool is_stopped_ = false;
   grf::Scene snapshot_;
-  int directions_ = 0;
   QFutureWatcher<QString> writing_;
   QFutureWatcher<std::shared_ptr<Baked>> reading_;
   RendererProcess process_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QListWidget>
-#include <memory>
 
 #include "editor/rendering/final_render.h"
 

@@ -9,7 +9,6 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -17,6 +16,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
@@ -75,9 +75,7 @@ void RenderPanel::make_actions() {
 
 QWidget* RenderPanel::make_controls() {
   auto* controls = new QWidget(this);
-  auto* column = new QVBoxLayout(controls);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(Grid);
+  auto* column = tight_layout<QVBoxLayout>(controls, Grid);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(Grid);
   for (QAction* action : {preview_action_, render_action_, stop_action_, options_action_}) {

@@ -3,7 +3,6 @@
 #include <QPointer>
 #include <QString>
 #include <QWidget>
-#include <memory>
 #include <optional>
 
 #include "editor/rendering/final_render.h"
@@ -13,7 +12,6 @@ class QAction;
 class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
-class QSplitter;
 
 namespace editor {
 

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/number_box.h"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "editor/controls/gesture.h"
+
 namespace editor {
 namespace {
 
@@ -52,8 +54,6 @@ void CameraNavigation::zoom(double steps, const grf::Vec2d& place, double aspect
 }
 
 bool CameraNavigation::press(int key, bool has_shift, double aspect) {
-  static const std::map<int, QPointF> ways = {
-      {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, 1}}, {Qt::Key_Down, {0, -1}}};
   static const std::map<int, double> zooms = {{Qt::Key_Plus, 1}, {Qt::Key_Equal, 1}, {Qt::Key_Minus, -1}};
   static const std::map<int, void (*)(ViewCamera&)> views = {
       {Qt::Key_1, [](ViewCamera& camera) { camera.look_from(StandardView::Front); }},
@@ -62,8 +62,8 @@ bool CameraNavigation::press(int key, bool has_shift, double aspect) {
       {Qt::Key_9, [](ViewCamera& camera) { camera.look_from_opposite(); }},
       {Qt::Key_5, [](ViewCamera& camera) { camera.set_orthographic(!camera.is_orthographic()); }}};
   ViewCamera camera = camera_;
-  if (const auto way = ways.find(key); way != ways.end()) {
-    const QPointF step = way->second * (has_shift ? PanPerKey : OrbitPerKey);
+  if (const QPoint way = arrow_way(key); !way.isNull()) {
+    const QPointF step = QPointF(way) * (has_shift ? PanPerKey : OrbitPerKey);
     has_shift ? camera.pan(step.x(), step.y()) : camera.orbit(step.x(), step.y());
   } else if (const auto steps = zooms.find(key); steps != zooms.end()) {
     camera.zoom(std::pow(ZoomPerStep, steps->second), grf::Vec2d(0), aspect);

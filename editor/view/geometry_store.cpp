@@ -129,12 +129,11 @@ std::vector<MeshShape> GeometryStore::shapes() const {
 }
 
 bool GeometryStore::has_all_meshes() const {
-  return std::all_of(entries_.begin(), entries_.end(),
-                     [](const Entry& entry) { return entry.shape.geometry != nullptr; });
+  return std::ranges::all_of(entries_, [](const Entry& entry) { return entry.shape.geometry != nullptr; });
 }
 
 bool GeometryStore::is_complete() const {
-  return has_all_meshes() && std::all_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+  return has_all_meshes() && std::ranges::all_of(entries_, [](const Entry& entry) {
            return entry.quick_triangles == 0 || entry.has_stand_in;
          });
 }

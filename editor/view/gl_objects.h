@@ -18,6 +18,9 @@ namespace editor {
 
 using Gl = QOpenGLFunctions_3_3_Core;
 
+/// An offset in a buffer, in bytes, as OpenGL takes it.
+inline const void* gl_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT
+
 enum class GlKind { Buffer, Texture, Framebuffer, VertexArray };
 
 class GlObject {

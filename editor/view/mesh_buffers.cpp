@@ -4,13 +4,6 @@
 #include <QOpenGLFunctions>
 
 namespace editor {
-namespace {
-
-const void* at(std::size_t element, std::size_t size) {
-  return reinterpret_cast<const void*>(element * size);  // NOLINT: how OpenGL takes offsets
-}
-
-}  // namespace
 
 MeshBuffers::MeshBuffers(Gl& gl, const TriangleArrays& arrays)
     : gl_(gl),
@@ -84,13 +77,13 @@ void MeshBuffers::draw_triangles(std::size_t first, std::size_t count, VertexVal
   attribute(2, (is_colour ? colours_ : irradiance_).get(), 4, is_colour ? 1 : 0);
   attribute(3, uvs_.get(), 2);
   gl_.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                     at(first, sizeof(TriangleArrays::Triangle)));
+                     gl_offset(first * sizeof(TriangleArrays::Triangle)));
 }
 
 void MeshBuffers::draw_edges(std::size_t first, std::size_t count) {
   gl_.glBindVertexArray(edged_.name());
   gl_.glDrawElements(GL_LINES, static_cast<GLsizei>(2 * count), GL_UNSIGNED_INT,
-                     at(first, sizeof(MeshGeometry::Edge)));
+                     gl_offset(first * sizeof(MeshGeometry::Edge)));
 }
 
 void MeshBuffers::draw_vertices() {

@@ -15,8 +15,6 @@ void add_vertex(const grf::Vec3d& position, const QColor& colour, std::vector<fl
   }
 }
 
-const void* at(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: OpenGL's way
-
 }  // namespace
 
 OverlayPainter::OverlayPainter(Gl& gl, const GraphicsDriver& driver)
@@ -30,7 +28,7 @@ OverlayPainter::OverlayPainter(Gl& gl, const GraphicsDriver& driver)
   gl_.glEnableVertexAttribArray(0);
   gl_.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, Stride, nullptr);
   gl_.glEnableVertexAttribArray(1);
-  gl_.glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, Stride, at(3 * sizeof(float)));
+  gl_.glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, Stride, gl_offset(3 * sizeof(float)));
   gl_.glBindVertexArray(0);
 }
 

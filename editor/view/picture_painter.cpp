@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <QMatrix3x3>
 #include <QMatrix4x4>
 
 #include "editor/view/light_by_cpp.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QColor>
-#include <array>
 #include <functional>
 #include <map>
 #include <memory>

@@ -2,7 +2,6 @@
 
 #include <QImage>
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -99,28 +98,20 @@ void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh&
 }
 
 /// Tells whether a face smaller than a pixel lies on the face that its pixel shows.
-class SmallFaces {
- public:
-  explicit SmallFaces(const SeenScene& scene) : scene_(scene) {}
-
-  bool is_seen(const PlacedMesh& mesh, std::uint32_t face, const PlacedMesh& shown,
-               std::uint32_t shown_face) const {
-    const Vec3d centre = mesh.centre(face);
-    const double pixel = 2 * scene_.camera.half_height_at(centre) / scene_.size.height();
-    if (mesh.radius(face) > 1.5 * pixel) return false;  // else it would cover a pixel
-    const ViewCamera& camera = scene_.camera;
-    const Vec3d along = camera.is_orthographic() ? camera.forward() : (centre - camera.eye()).normalized();
-    const double cosine = along.dot(mesh.normal(face));
-    const double shown_cosine = along.dot(shown.normal(shown_face));
-    if (cosine * shown_cosine <= 0) return false;  // the back side
-    const double behind = (centre - shown.centre(shown_face)).dot(shown.normal(shown_face)) / shown_cosine;
-    const double slope = std::max(0.15, std::min(std::abs(cosine), std::abs(shown_cosine)));
-    return std::abs(behind) <= 2 * pixel / slope;
-  }
-
- private:
-  const SeenScene& scene_;
-};
+bool is_seen_small(const SeenScene& scene, const PlacedMesh& mesh, std::uint32_t face,
+                   const PlacedMesh& shown, std::uint32_t shown_face) {
+  const Vec3d centre = mesh.centre(face);
+  const ViewCamera& camera = scene.camera;
+  const double pixel = 2 * camera.half_height_at(centre) / scene.size.height();
+  if (mesh.radius(face) > 1.5 * pixel) return false;  // it would have a pixel
+  const Vec3d along = camera.is_orthographic() ? camera.forward() : (centre - camera.eye()).normalized();
+  const double cosine = along.dot(mesh.normal(face));
+  const double shown_cosine = along.dot(shown.normal(shown_face));
+  if (cosine * shown_cosine <= 0) return false;  // from the other side
+  const double behind = (centre - shown.centre(shown_face)).dot(shown.normal(shown_face)) / shown_cosine;
+  const double slope = std::max(0.15, std::min(std::abs(cosine), std::abs(shown_cosine)));
+  return std::abs(behind) <= 2 * pixel / slope;
+}
 
 }  // namespace
 
@@ -165,13 +156,12 @@ FaceSelection seen_in_region(const SeenScene& scene, const QPolygonF& region,
       selection.set({mesh, pixel.face - first_face[mesh]});
     }
   }
-  const SmallFaces small(scene);
   for (const PlacedMesh& mesh : placed) {
     for_each_centre(scene, mask, mesh, [&](std::uint32_t face, int x, int y) {
       const FacePixel pixel = pixel_at(x, y);
       if (pixel.instance == 0 || selection.has({mesh.mesh, face})) return;
       const PlacedMesh& shown = placed[pixel.instance - 1];
-      if (small.is_seen(mesh, face, shown, pixel.face - first_face[shown.mesh]))
+      if (is_seen_small(scene, mesh, face, shown, pixel.face - first_face[shown.mesh]))
         selection.set({mesh.mesh, face});
     });
   }

@@ -33,7 +33,7 @@ bool SceneBuffers::set_objects(std::shared_ptr<const SceneObjects> objects) {
   }
   std::erase_if(textures_, [this](const auto& entry) {
     const auto& named = surfaces_.textures;
-    const bool is_named = std::find(named.begin(), named.end(), entry.first) != named.end();
+    const bool is_named = std::ranges::find(named, entry.first) != named.end();
     if (!is_named) reduced_textures_.erase(entry.first);
     return !is_named;
   });

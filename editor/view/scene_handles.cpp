@@ -182,11 +182,9 @@ void HandleGesture::begin(const SceneHandle& handle, const Vec2d& pixel) {
   offset_ = Vec3d(0);
 }
 
-SceneHandle HandleGesture::drag(const Vec2d& pixel, const ViewCamera& camera, const Vec2d& size,
-                                bool along_axis) {
-  const SceneHandle& handle = handles_[*taken_];
-  offset_ = dragged(handle.grip, camera, taken_at_, pixel, size, along_axis) - handle.grip;
-  return moved(handle, offset_);
+void HandleGesture::drag(const Vec2d& pixel, const ViewCamera& camera, const Vec2d& size, bool along_axis) {
+  const Vec3d& grip = handles_[*taken_].grip;
+  offset_ = dragged(grip, camera, taken_at_, pixel, size, along_axis) - grip;
 }
 
 SceneHandle HandleGesture::end(bool stays) {

@@ -56,9 +56,8 @@ class HandleGesture {
 
   void begin(const SceneHandle& handle, const grf::Vec2d& pixel);
   /// Drags the handle with the pointer: in the view plane, or only along the world axis nearest to the
-  /// motion. Returns the moved handle.
-  SceneHandle drag(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size,
-                   bool along_axis);
+  /// motion.
+  void drag(const grf::Vec2d& pixel, const ViewCamera& camera, const grf::Vec2d& size, bool along_axis);
   /// Ends the drag; the handle stays until others are set, or returns. Returns the dragged handle.
   SceneHandle end(bool stays);
 

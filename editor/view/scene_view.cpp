@@ -349,8 +349,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     update();
   } else {
     const bool along_axis = event->modifiers().testFlag(Qt::ShiftModifier);
-    const SceneHandle handle = handles_.drag(to_vector(at), camera(), window_size(), along_axis);
-    emit object_moving(handle.id, handle.position);
+    handles_.drag(to_vector(at), camera(), window_size(), along_axis);
     draw();
   }
 }

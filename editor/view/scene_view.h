@@ -82,9 +82,8 @@ class SceneView : public QWidget {
  signals:
   void selection_made(const editor::FaceSelection& selection);
   void camera_moved();
-  /// Emitted while an object is dragged, and once on release, with its new SceneHandle::position. An
-  /// AreaLight's new corner is `position * to_world.inverse()`.
-  void object_moving(const editor::HandleId& object, const grf::Vec3d& position);
+  /// Emitted once a dragged object is released, with its new SceneHandle::position. An AreaLight's new corner
+  /// is `position * to_world.inverse()`.
   void object_moved(const editor::HandleId& object, const grf::Vec3d& position);
   /// Emitted with a description of what is under the pointer; empty for nothing.
   void hovered(const QString& text);

@@ -79,9 +79,8 @@ class Builder {
 
   /// Returns the row of the first value, or -1.
   float add_mirror(const std::vector<WeightedBrdf>& brdfs) {
-    const bool has_one = std::any_of(brdfs.begin(), brdfs.end(), [](const WeightedBrdf& term) {
-      return reflectance::has_mirror(term.brdf);
-    });
+    const bool has_one = std::ranges::any_of(
+        brdfs, [](const WeightedBrdf& term) { return reflectance::has_mirror(term.brdf); });
     if (!has_one) return -1;
     const std::size_t first = tables_.terms.size();
     for (int i = 0; i < SurfaceTables::MirrorValues; ++i) {

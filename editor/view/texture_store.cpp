@@ -26,8 +26,7 @@ void TextureStore::set_paths(const std::vector<std::string>& paths) {
 }
 
 bool TextureStore::is_complete() const {
-  return std::all_of(entries_.begin(), entries_.end(),
-                     [](const auto& entry) { return entry.second.is_read; });
+  return std::ranges::all_of(entries_, [](const auto& entry) { return entry.second.is_read; });
 }
 
 std::vector<ReadTexture> TextureStore::textures() const {

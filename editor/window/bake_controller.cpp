@@ -41,10 +41,8 @@ void BakeController::take(const BakedIrradiance& irradiance, const IrradianceBak
   if (job_) job_->end();
   IrradiatedScene irradiated =
       irradiance.applied_to(document_.scene(), naming_path(document_.path()).toStdString());
-  if (irradiated.meshes == 0) {
-    emit failed(tr("The baked irradiance was discarded: all its meshes were edited meanwhile"));
-    return;
-  }
+  if (irradiated.meshes == 0)
+    return emit failed(tr("The baked irradiance was discarded: all its meshes were edited meanwhile"));
   document_.replace(tr("Bake irradiance"), std::move(irradiated.scene));
   QStringList messages = {tr("Irradiance baked. Save the scene as IGRF to keep it.")};
   if (!result.messages.isEmpty()) messages << result.messages.trimmed();

@@ -66,7 +66,7 @@ std::vector<BrdfLink::Subject> BrdfLink::subjects_of_selection() const {
       subject.model = std::get<grf::BrdfModel>(definition->definition->body);
       subject.definition = definition->path;
     }
-    if (std::find(subjects.begin(), subjects.end(), subject) == subjects.end()) subjects.push_back(subject);
+    if (std::ranges::find(subjects, subject) == subjects.end()) subjects.push_back(subject);
   }
   return subjects;
 }
@@ -102,7 +102,7 @@ void BrdfLink::change(const std::vector<grf::BrdfModel>& models) {
   is_changing_ = true;
   const SurfaceEdits edits = [&](const grf::Surface& surface) { return edit_of(surface, models); };
   const auto is_shared = [](const Subject& subject) { return subject.definition.has_value(); };
-  if (std::any_of(subjects_.begin(), subjects_.end(), is_shared)) {
+  if (std::ranges::any_of(subjects_, is_shared)) {
     change_definitions(edits, models);
   } else {
     document_.edit_surfaces(tr("Edit the BRDF"), edits, GestureKey);

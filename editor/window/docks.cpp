@@ -59,8 +59,7 @@ void Docks::fill(QMenu& menu) const {
 }
 
 QAction* Docks::action_of(const QDockWidget* dock) const {
-  const auto entry =
-      std::find_if(entries_.begin(), entries_.end(), [dock](const Entry& each) { return each.dock == dock; });
+  const auto entry = std::ranges::find_if(entries_, [dock](const Entry& each) { return each.dock == dock; });
   return entry->action;
 }
 

@@ -242,11 +242,8 @@ void FileActions::save(const std::function<void()>& then) {
 }
 
 void FileActions::save_as(const QString& file, const std::function<void()>& then) {
-  jobs_.add({tr("Save %1").arg(QFileInfo(file).fileName()),
-             Writing,
-             [this, file](Job& job) { write(job, file); },
-             {},
-             {}});
+  jobs_.add(
+      {tr("Save %1").arg(QFileInfo(file).fileName()), Writing, [this, file](Job& job) { write(job, file); }});
   if (!then) return;
   after_saving([this, then] {
     if (is_saved_) leave(then);
@@ -329,7 +326,7 @@ void FileActions::export_to(const QString& file) {
     emit reported(diagnostics);
     emit done(tr("Exported %1").arg(name));
   };
-  jobs_.add({tr("Export %1").arg(name), Writing, [work, take](Job& job) { job.run(work, take); }, {}, {}});
+  jobs_.add({tr("Export %1").arg(name), Writing, [work, take](Job& job) { job.run(work, take); }});
 }
 
 void FileActions::leave(const std::function<void()>& then) {

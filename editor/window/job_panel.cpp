@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/render_report.h"
 
@@ -41,18 +41,15 @@ class JobRow : public QWidget {
     progress_->setTextVisible(false);
     progress_->setAccessibleName(JobPanel::tr("Progress of %1").arg(job->title()));
     state_->setFixedWidth(20 * Grid);
-    cancel_->setIcon(icon("stop"));
-    cancel_->setText(JobPanel::tr("Cancel"));
-    cancel_->setAutoRaise(true);
-    cancel_->setFocusPolicy(Qt::StrongFocus);
+    const auto cancel = [this] {
+      if (job_) job_->cancel();
+    };
+    cancel_ = tool_button("stop", JobPanel::tr("Cancel"), {}, cancel, this);
     cancel_->setAccessibleName(JobPanel::tr("Cancel %1").arg(job->title()));
     for (QWidget* part : std::initializer_list<QWidget*>{title_, progress_, state_, cancel_}) {
       row->addWidget(part);
     }
     row->addStretch();
-    connect(cancel_, &QToolButton::clicked, this, [this] {
-      if (job_) job_->cancel();
-    });
     show_job();
   }
 
@@ -70,7 +67,7 @@ class JobRow : public QWidget {
   QLabel* title_ = new QLabel(this);
   QProgressBar* progress_ = new QProgressBar(this);
   QLabel* state_ = new QLabel(this);
-  QToolButton* cancel_ = new QToolButton(this);
+  QToolButton* cancel_;
 };
 
 JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
@@ -91,9 +88,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
   area->setToolTip(tr("Running and queued jobs"));
   area->setWidgetResizable(true);
   area->setWidget(list);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(area);
+  tight_layout<QVBoxLayout>(this)->addWidget(area);
   connect(&jobs_, &JobList::changed, this, &JobPanel::show_jobs);
   show_jobs();
 }
@@ -101,7 +96,7 @@ JobPanel::JobPanel(const JobList& jobs, QWidget* parent)
 void JobPanel::show_jobs() {
   const std::vector<Job*>& jobs = jobs_.jobs();
   std::erase_if(rows_, [&jobs](const auto& entry) {
-    const bool is_gone = std::find(jobs.begin(), jobs.end(), entry.first) == jobs.end();
+    const bool is_gone = std::ranges::find(jobs, entry.first) == jobs.end();
     if (is_gone) entry.second->deleteLater();
     return is_gone;
   });

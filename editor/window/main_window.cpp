@@ -12,7 +12,6 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include "editor/appearance/icons.h"
@@ -20,6 +19,7 @@
 #include "editor/brdf/brdf_editor.h"
 #include "editor/brdf/live_sphere.h"
 #include "editor/controls/notice_bar.h"
+#include "editor/controls/parts.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/scene_tree.h"
@@ -86,9 +86,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::lay_out() {
   auto* scene_page = new QWidget;
-  auto* column = new QVBoxLayout(scene_page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = tight_layout<QVBoxLayout>(scene_page, 0);
   auto* bar = new QToolBar(tr("View"), scene_page);
   bar->setIconSize({2 * Grid + Grid / 4, 2 * Grid + Grid / 4});
   view_actions_->fill(*bar);
@@ -105,9 +103,7 @@ void MainWindow::lay_out() {
 
   pages_->add_scene(scene_page);
   auto* centre = new QWidget(this);
-  auto* rows = new QVBoxLayout(centre);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
+  auto* rows = tight_layout<QVBoxLayout>(centre, 0);
   rows->addWidget(notice_);
   rows->addWidget(pages_, 1);
   setCentralWidget(centre);
@@ -330,10 +326,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 /// Opens the first file and appends the others; with Shift appends all.
 void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList dropped;
-  for (const QUrl& url : event->mimeData()->urls()) {
-    if (url.isLocalFile()) dropped.append(url.toLocalFile());
-  }
+  const QStringList dropped = local_files(*event->mimeData());
   event->acceptProposedAction();
   if (!event->modifiers().testFlag(Qt::ShiftModifier)) return open(dropped);
   for (const QString& file : dropped) files_->merge(file);

@@ -3,8 +3,6 @@
 
 #include <QMainWindow>
 #include <QStringList>
-#include <memory>
-#include <optional>
 
 #include "editor/document/document.h"
 #include "editor/document/recovery.h"
@@ -12,7 +10,6 @@
 #include "editor/window/docks.h"
 #include "grf/catalogue.h"
 
-class QAction;
 class QMenu;
 
 namespace editor {

@@ -4,12 +4,10 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolButton>
 #include <tuple>
-#include <utility>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"

@@ -60,24 +60,15 @@ MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
                              {tr("&Delete faces"), "delete", QKeySequence("Shift+Del"),
                               tr("Delete the selected faces, and meshes that have no faces left")},
                              [this] { remove(); });
-  of_meshes_ = {
-      new_action(window,
-                 {tr("Subdivide (&Catmull-Clark)"),
-                  {},
-                  {},
-                  tr("Subdivide the meshes %1; a face with n corners becomes n quads").arg(whole)},
-                 [this] { subdivide(convert::SubdivisionScheme::CatmullClark); }),
-      new_action(
-          window,
-          {tr("Subdivide (L&oop)"),
-           {},
-           {},
-           tr("Subdivide the meshes %1; they are triangulated, and each triangle becomes four").arg(whole)},
-          [this] { subdivide(convert::SubdivisionScheme::Loop); }),
-      new_action(
-          window,
-          {tr("&Smooth vertices"), {}, {}, tr("Smooth noise and small features of the meshes %1").arg(whole)},
-          [this] { smooth(); })};
+  const auto add = [&](const QString& text, const QString& tip, const std::function<void()>& action) {
+    of_meshes_.append(new_action(window, {text, {}, {}, tip.arg(whole)}, action));
+  };
+  add(tr("Subdivide (&Catmull-Clark)"), tr("Subdivide the meshes %1; a face with n corners becomes n quads"),
+      [this] { subdivide(convert::SubdivisionScheme::CatmullClark); });
+  add(tr("Subdivide (L&oop)"),
+      tr("Subdivide the meshes %1; they are triangulated, and each triangle becomes four"),
+      [this] { subdivide(convert::SubdivisionScheme::Loop); });
+  add(tr("&Smooth vertices"), tr("Smooth noise and small features of the meshes %1"), [this] { smooth(); });
   connect(&jobs_, &JobList::changed, this, [this] {
     for (QAction* action : all()) action->setEnabled(!jobs_.is_busy(MeshQueue));
   });
@@ -94,18 +85,15 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   const FaceSelection selection = selected_or_all();
   const SelectedFaces faces = {document_.scene(), document_.objects(), selection};
   const double after = faces_after(faces, once);
-  if (after == 0) {
-    emit told(tr("The scene has no mesh"));
-    return;
-  }
+  if (after == 0) return emit told(tr("The scene has no mesh"));
   if (after > MostFaces) {
-    emit failed(tr("Cannot subdivide: the meshes would have %1 faces, too many for the editor. Subdivide the "
-                   "file with grfconvert --subdivide")
-                    .arg(QLocale().toString(after, 'f', 0)));
-    return;
+    return emit failed(
+        tr("Cannot subdivide: the meshes would have %1 faces, too many for the editor. Subdivide the "
+           "file with grfconvert --subdivide")
+            .arg(QLocale().toString(after, 'f', 0)));
   }
   const CommonVertices common = common_vertices(document_.objects(), selection);
-  const bool had_irradiance = common.irradiance || common.are_irradiances_mixed;
+  const bool had_irradiance = common.irradiance.value || common.irradiance.is_mixed;
   start(tr("Subdivide"), selection,
         [once](const SelectedFaces& selected) { return with_subdivided_meshes(selected, once); });
   if (had_irradiance) emit told(tr("Subdivided meshes lost their irradiance: bake it again"));
@@ -113,19 +101,13 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
 
 void MeshActions::smooth() {
   const FaceSelection selection = selected_or_all();
-  if (selection.empty()) {
-    emit told(tr("The scene has no mesh"));
-    return;
-  }
+  if (selection.empty()) return emit told(tr("The scene has no mesh"));
   start(tr("Smooth vertices"), selection,
         [](const SelectedFaces& selected) { return with_smooth_meshes(selected, SmoothingSteps); });
 }
 
 void MeshActions::remove() {
-  if (document_.selection().empty()) {
-    emit told(tr("No face is selected"));
-    return;
-  }
+  if (document_.selection().empty()) return emit told(tr("No face is selected"));
   start(tr("Delete faces"), document_.selection(), without_faces);
 }
 

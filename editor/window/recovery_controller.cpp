@@ -76,10 +76,7 @@ void RecoveryController::recover(const LostWork& work) {
   };
   const auto begin = [this, work, read](Job& job) {
     job.run(read, [this, work](ReadWork result) {
-      if (!result.scene) {
-        emit failed(QString::fromStdString(result.diagnostics.to_text()));
-        return;
-      }
+      if (!result.scene) return emit failed(QString::fromStdString(result.diagnostics.to_text()));
       files_.leave([this, work, result] { take(work, result); });
     });
   };

@@ -56,7 +56,7 @@ void RenderLink::make_actions(QWidget& window) {
                            tr("Move the render camera to the viewpoint of the 3D view")},
                           [this] {
                             follow_->setChecked(false);
-                            move_camera(view_.camera().view(), true);
+                            move_camera(view_.camera().view());
                           });
   look_through_ = new_action(window,
                              {tr("&Look through the camera"),
@@ -80,10 +80,10 @@ transport::View RenderLink::camera() const {
   return view;
 }
 
-void RenderLink::move_camera(const transport::View& camera, bool is_done) {
+void RenderLink::move_camera(const transport::View& camera) {
   panel_.set_view(camera);
   document_.options().set_options(tr("Move the camera"), with_camera(document_.options(), camera), "camera");
-  if (is_done) document_.finish_gesture();
+  document_.finish_gesture();
 }
 
 /// The 3D view of an opened scene starts at its render camera; for other scenes the camera is that of the

@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QString>
 
 #include "editor/document/document.h"
 #include "renderer/transport/camera.h"
@@ -32,8 +31,8 @@ class RenderLink : public QObject {
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
 
-  /// Moves the render camera; the steps of a drag are one undo step.
-  void move_camera(const transport::View& camera, bool is_done);
+  /// Moves the render camera.
+  void move_camera(const transport::View& camera);
   /// The current render camera.
   transport::View camera() const;
   /// Opens all options in a separate window.

@@ -27,10 +27,8 @@ void SceneComparison::compare(const grf::Scene& scene, const QString& file) {
   const QString theirs = folder_.filePath("file.grf");
   const QString ours = folder_.filePath("scene.grf");
   if (!on_disk || !grf::replace_file(theirs.toStdString(), grf::to_text(*on_disk), diagnostics) ||
-      !grf::replace_file(ours.toStdString(), grf::to_text(scene), diagnostics)) {
-    setPlainText(text_of(diagnostics));
-    return;
-  }
+      !grf::replace_file(ours.toStdString(), grf::to_text(scene), diagnostics))
+    return setPlainText(text_of(diagnostics));
   diff_.start("diff", {"-u", "--label", file, "--label", tr("the scene in this window"), theirs, ours});
 }
 

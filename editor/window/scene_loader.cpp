@@ -25,9 +25,8 @@ QString with_more(const QString& message, std::size_t errors) {
 
 LoadFailure failure_of(const QString& file, grf::Diagnostics diagnostics) {
   const auto& entries = diagnostics.entries();
-  const auto first = std::find_if(entries.begin(), entries.end(), [](const grf::Diagnostic& entry) {
-    return entry.severity == grf::Severity::Error;
-  });
+  const auto first = std::ranges::find_if(
+      entries, [](const grf::Diagnostic& entry) { return entry.severity == grf::Severity::Error; });
   LoadFailure failure = {file, SceneLoader::tr("Cannot read %1").arg(file), {}, {}};
   if (first != entries.end()) {
     failure.message = with_more(line_of(*first), diagnostics.error_count());

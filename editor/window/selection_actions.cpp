@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QMenu>
 #include <QToolBar>
-#include <algorithm>
 #include <numbers>
 
 #include "editor/document/document.h"
@@ -13,22 +12,12 @@
 namespace editor {
 namespace {
 
-FaceSelection all_of(const FaceSelection& selection) {
-  FaceSelection all = selection;
-  all.select_all();
-  return all;
-}
-
-FaceSelection none_of(const FaceSelection& selection) {
-  FaceSelection none = selection;
-  none.clear();
-  return none;
-}
-
-FaceSelection inverse_of(const FaceSelection& selection) {
-  FaceSelection inverse = selection;
-  inverse.invert();
-  return inverse;
+/// The selection that another one becomes by a change.
+std::function<FaceSelection(FaceSelection)> changed_by(void (FaceSelection::*change)()) {
+  return [change](FaceSelection selection) {
+    (selection.*change)();
+    return selection;
+  };
 }
 
 FaceSelection whole_meshes(const FaceSelection& selection) {
@@ -41,9 +30,12 @@ FaceSelection whole_meshes(const FaceSelection& selection) {
 
 SelectionActions::SelectionActions(Document& document, SceneView& view, QWidget& window)
     : QObject(&window), document_(document), window_(window) {
-  whole_ = {add(tr("&All"), QKeySequence::SelectAll, tr("Select all faces"), all_of),
-            add(tr("&None"), QKeySequence("Ctrl+Shift+A"), tr("Deselect all faces"), none_of),
-            add(tr("&Invert"), QKeySequence("Ctrl+I"), tr("Invert the selection"), inverse_of)};
+  whole_ = {add(tr("&All"), QKeySequence::SelectAll, tr("Select all faces"),
+                changed_by(&FaceSelection::select_all)),
+            add(tr("&None"), QKeySequence("Ctrl+Shift+A"), tr("Deselect all faces"),
+                changed_by(&FaceSelection::clear)),
+            add(tr("&Invert"), QKeySequence("Ctrl+I"), tr("Invert the selection"),
+                changed_by(&FaceSelection::invert))};
   const auto of_objects = [this](FaceSelection (*change)(const FaceSelection&, const SceneObjects&)) {
     return [this, change](const FaceSelection& selection) { return change(selection, document_.objects()); };
   };

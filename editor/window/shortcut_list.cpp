@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QDialog>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
@@ -61,9 +60,8 @@ QTreeWidgetItem* new_group(QTreeWidget& list, const QString& name) {
 /// Whether the shortcut works only in one control, and the action is in no menu.
 bool is_of_control(const QAction& action) {
   const QObjectList places = action.associatedObjects();
-  const bool has_menu = std::any_of(places.begin(), places.end(), [](const QObject* place) {
-    return qobject_cast<const QMenu*>(place) != nullptr;
-  });
+  const bool has_menu = std::ranges::any_of(
+      places, [](const QObject* place) { return qobject_cast<const QMenu*>(place) != nullptr; });
   return !has_menu && !action.shortcut().isEmpty() && action.shortcutContext() != Qt::WindowShortcut;
 }
 

@@ -32,7 +32,7 @@ qint64 count_lines(QFile& file, const std::function<bool()>& is_stopped) {
   qint64 lines = 0;
   char last = '\n';
   for_each_part(file, is_stopped, [&](std::string_view part) {
-    lines += std::count(part.begin(), part.end(), '\n');
+    lines += std::ranges::count(part, '\n');
     last = part.back();
     return true;
   });

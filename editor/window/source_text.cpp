@@ -24,7 +24,7 @@ constexpr std::array Keywords = std::to_array<std::string_view>(
      "translation", "true",    "use",   "uv",     "vertexs",  "vertices",  "view"});
 
 bool is_keyword(const std::string& word) {
-  return std::binary_search(Keywords.begin(), Keywords.end(), std::string_view(grf::lower_case(word)));
+  return std::ranges::binary_search(Keywords, std::string_view(grf::lower_case(word)));
 }
 
 }  // namespace

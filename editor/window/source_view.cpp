@@ -12,8 +12,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/parts.h"
 #include "editor/window/source_text.h"
 
 namespace editor {
@@ -58,8 +58,10 @@ QLabel* make_hint() {
 SourceView::SourceView(QWidget* parent)
     : QWidget(parent),
       title_(new QLabel),
-      open_(make_button("edit", tr("Open in text editor"))),
-      again_(make_button("reset", tr("Reload"))),
+      open_(tool_button(
+          "edit", tr("Open in text editor"), {}, [this] { open_in_text_editor(); }, this)),
+      again_(tool_button(
+          "reset", tr("Reload"), {}, [this] { read_again(); }, this)),
       note_(new QLabel),
       pages_(new QStackedWidget),
       hint_(make_hint()),
@@ -80,31 +82,17 @@ SourceView::SourceView(QWidget* parent)
   header->addWidget(title_, 1);
   header->addWidget(open_);
   header->addWidget(again_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = tight_layout<QVBoxLayout>(this, 0);
   layout->addLayout(header);
   layout->addWidget(note_);
   layout->addWidget(pages_, 1);
-  connect(open_, &QToolButton::clicked, this, &SourceView::open_in_text_editor);
-  connect(again_, &QToolButton::clicked, this, &SourceView::read_again);
+  for (QToolButton* button : {open_, again_}) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   auto* refresh = new QAction(tr("Reload"), this);
   refresh->setShortcut(QKeySequence::Refresh);
   refresh->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   connect(refresh, &QAction::triggered, this, &SourceView::read_again);
   addAction(refresh);
   show_path();
-}
-
-QToolButton* SourceView::make_button(const QString& icon_name, const QString& name) {
-  auto* button = new QToolButton;
-  button->setIcon(icon(icon_name));
-  button->setText(name);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setAutoRaise(true);
-  button->setAccessibleName(name);
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
 }
 
 QPlainTextEdit* SourceView::text() const { return text_; }
@@ -140,8 +128,7 @@ void SourceView::read() {
 void SourceView::show_excerpt(const SourceExcerpt& excerpt) {
   const bool is_read = excerpt.problem.isEmpty();
   const QString note = note_of(excerpt);
-  note_->setText(note);
-  note_->setVisible(!note.isEmpty());
+  show_problem(note_, note);
   if (is_read) {
     text_->show_excerpt(excerpt);
   } else {
@@ -156,11 +143,9 @@ void SourceView::show_path() {
   const QString path = is_there ? path_text(place_.path) : tr("No file");
   title_->setText(title_->fontMetrics().elidedText(path, Qt::ElideMiddle, title_->width()));
   title_->setToolTip(is_there ? QDir::toNativeSeparators(place_.path) : QString());
-  const QString why_not = tr("No file is shown yet: select a message first");
-  open_->setEnabled(is_there);
-  open_->setToolTip(is_there ? tr("Open the file in the default program of the desktop") : why_not);
-  again_->setEnabled(is_there);
-  again_->setToolTip(is_there ? tr("Reload the file from disk (F5)") : why_not);
+  const QString why_not = is_there ? QString() : tr("No file is shown yet: select a message first");
+  enable(open_, tr("Open the file in the default program of the desktop"), why_not);
+  enable(again_, tr("Reload the file from disk (F5)"), why_not);
 }
 
 void SourceView::resizeEvent(QResizeEvent* event) {

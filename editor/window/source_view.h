@@ -46,7 +46,6 @@ class SourceView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QToolButton* make_button(const QString& icon_name, const QString& name);
   void read();
   void show_excerpt(const SourceExcerpt& excerpt);
   void show_path();

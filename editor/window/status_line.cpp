@@ -81,8 +81,8 @@ QString StatusLine::message() const { return told_; }
 /// Shows the first running job, and the number of others.
 void StatusLine::show_job() {
   const std::vector<Job*>& jobs = jobs_.jobs();
-  const auto first = std::find_if(jobs.begin(), jobs.end(),
-                                  [](const Job* job) { return job->state() == Job::State::Running; });
+  const auto first =
+      std::ranges::find_if(jobs, [](const Job* job) { return job->state() == Job::State::Running; });
   job_ = first == jobs.end() ? nullptr : *first;
   for (QWidget* part : std::initializer_list<QWidget*>{work_, progress_}) part->setVisible(job_ != nullptr);
   cancel_->setVisible(job_ && !job_->cancel_tip().isEmpty());

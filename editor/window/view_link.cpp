@@ -25,40 +25,34 @@ ViewLink::ViewLink(Document& document, const grf::Catalogue& catalogue, SceneVie
   connect(&document_, &Document::selection_changed, this,
           [this] { view_.set_selection(document_.selection()); });
   connect(&view_, &SceneView::selection_made, &document_, &Document::select);
-  connect(
-      &view_, &SceneView::object_moving, this,
-      [this](const HandleId& object, const grf::Vec3d& position) { move_object(object, position, false); });
-  connect(&view_, &SceneView::object_moved, this, [this](const HandleId& object, const grf::Vec3d& position) {
-    move_object(object, position, true);
-  });
+  connect(&view_, &SceneView::object_moved, this, &ViewLink::move_object);
 }
 
 std::optional<grf::Scene> ViewLink::scene_with(const HandleId& object, const grf::Vec3d& position,
                                                grf::Diagnostics& diagnostics) const {
   const SceneObjects& objects = document_.objects();
   if (object.kind == HandleKind::Light) {
-    const auto light = std::find_if(objects.lights.begin(), objects.lights.end(),
-                                    [&](const LightObject& each) { return each.path == object.path; });
+    const auto light = std::ranges::find_if(
+        objects.lights, [&](const LightObject& each) { return each.path == object.path; });
     if (light == objects.lights.end()) return std::nullopt;
     grf::AreaLight moved = light->light;
     moved.corner = grf::Vec3f(position * light->to_world.inverse());
     return change_light(document_.scene(), object.path, moved, diagnostics);
   }
-  const auto observer = std::find_if(
-      objects.observers.begin(), objects.observers.end(),
-      [&](const ObserverObject& each) { return each.path == object.path && each.number == object.number; });
+  const auto observer = std::ranges::find_if(objects.observers, [&](const ObserverObject& each) {
+    return each.path == object.path && each.number == object.number;
+  });
   if (observer == objects.observers.end()) return std::nullopt;
   return move_observer(document_.scene(), *observer, position, diagnostics);
 }
 
-void ViewLink::move_object(const HandleId& object, const grf::Vec3d& position, bool is_done) {
+void ViewLink::move_object(const HandleId& object, const grf::Vec3d& position) {
   if (object.kind == HandleKind::CameraViewer || object.kind == HandleKind::CameraTarget) {
     transport::View camera = render_.camera();
     (object.kind == HandleKind::CameraViewer ? camera.eye : camera.target) = position;
-    if (camera.eye != camera.target && is_done) render_.move_camera(camera, true);
+    if (camera.eye != camera.target) render_.move_camera(camera);
     return;
   }
-  if (!is_done) return;  // meanwhile the view draws it
   grf::Diagnostics diagnostics;
   auto scene = scene_with(object, position, diagnostics);
   if (scene) {

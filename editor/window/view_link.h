@@ -38,7 +38,7 @@ class ViewLink : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void move_object(const HandleId& object, const grf::Vec3d& position, bool is_done);
+  void move_object(const HandleId& object, const grf::Vec3d& position);
   std::optional<grf::Scene> scene_with(const HandleId& object, const grf::Vec3d& position,
                                        grf::Diagnostics& diagnostics) const;
   bool drop(QDropEvent& event);

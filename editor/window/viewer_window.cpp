@@ -11,13 +11,13 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
 #include "editor/controls/notice_bar.h"
+#include "editor/controls/parts.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/source_view.h"
@@ -25,14 +25,6 @@
 
 namespace editor {
 namespace {
-
-/// The first dropped local file; empty if there is none.
-QString dropped_file(const QMimeData& data) {
-  for (const QUrl& url : data.urls()) {
-    if (url.isLocalFile()) return url.toLocalFile();
-  }
-  return {};
-}
 
 QString counts_of(const SceneObjects& objects) {
   return QString("%1, %2").arg(
@@ -90,9 +82,7 @@ void ViewerWindow::lay_out() {
   pages_->addWidget(hint_);
   pages_->addWidget(view_);
   auto* middle = new QWidget;
-  auto* layout = new QVBoxLayout(middle);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = tight_layout<QVBoxLayout>(middle, 0);
   layout->addWidget(notice_);
   layout->addWidget(pages_, 1);
   setCentralWidget(middle);
@@ -234,11 +224,11 @@ void ViewerWindow::closeEvent(QCloseEvent* event) {
 }
 
 void ViewerWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dropped_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!local_files(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void ViewerWindow::dropEvent(QDropEvent* event) {
-  const QString file = dropped_file(*event->mimeData());
+  const QString file = local_files(*event->mimeData()).value(0);
   if (file.isEmpty()) return;
   event->acceptProposedAction();
   open(file);

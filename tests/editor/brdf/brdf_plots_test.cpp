@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -101,7 +102,9 @@ TEST_F(Plots, DrawTheValuesInAllKinds) {
 
 TEST_F(Plots, TakeViewsAndScheme) {
   plots.set_brdf(made_brdf_of("ward"));
-  plots.set_views({0, 45});
+  auto* views = plots.findChild<QLineEdit*>();
+  views->setText("0, 45");
+  emit views->editingFinished();
   plots.set_scheme(pdf("hemisphere exp=20"));
   ASSERT_TRUE(settles());
   ASSERT_EQ(plots.curves().curves.size(), 2U);

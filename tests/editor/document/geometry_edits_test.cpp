@@ -102,17 +102,17 @@ TEST_F(GeometryEdits, GiveVerticesColoursAndIrradiance) {
   take(with_irradiance(selected(), grf::Colour(3)));
   EXPECT_EQ(corner().geometry->positions.size(), 8U);  // the edge is split
   CommonVertices common = common_vertices(document_.objects(), document_.selection());
-  EXPECT_EQ(common.colour, grf::Colour(1, 0, 0));
-  EXPECT_EQ(common.irradiance, grf::Colour(3));
+  EXPECT_EQ(common.colour.value, grf::Colour(1, 0, 0));
+  EXPECT_EQ(common.irradiance.value, grf::Colour(3));
   select({{1, 0}, {1, 1}});
   common = common_vertices(document_.objects(), document_.selection());
-  EXPECT_TRUE(common.are_colours_mixed);
-  EXPECT_TRUE(common.are_irradiances_mixed);
+  EXPECT_TRUE(common.colour.is_mixed);
+  EXPECT_TRUE(common.irradiance.is_mixed);
   take(with_vertex_colours(selected(), std::nullopt));
   take(with_irradiance(selected(), std::nullopt));
   EXPECT_TRUE(corner().geometry->colours.empty());
   common = common_vertices(document_.objects(), document_.selection());
-  EXPECT_FALSE(common.colour || common.are_colours_mixed || common.irradiance);
+  EXPECT_FALSE(common.colour.value || common.colour.is_mixed || common.irradiance.value);
 }
 
 TEST_F(GeometryEdits, SubdivideWholeMeshesOfSomeFaces) {

@@ -113,8 +113,8 @@ TEST_F(LightEdits, LightsAreAddedChangedAndRemoved) {
   take(add_light(document_.scene(), light));
   ASSERT_EQ(objects().lights.size(), 2U);
   EXPECT_EQ(objects().lights[1].light, light);
-  const grf::AreaLight larger = scaled(light, 2);
-  EXPECT_EQ(larger.corner, grf::Vec3f(-0.5F, 3, -1));
+  const grf::AreaLight larger = {grf::Vec3f(-0.5F, 3, -1), grf::Vec3f(2, 0, 0), grf::Vec3f(0, 0, 4),
+                                 grf::Colour(4)};
   take(change_light(document_.scene(), objects().lights[1].path, larger, diagnostics_));
   EXPECT_EQ(world_area(objects().lights[1]), 8);
   take(remove_objects(document_.scene(), {objects().lights[1].path}, {}, diagnostics_));

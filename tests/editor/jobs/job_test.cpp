@@ -47,15 +47,6 @@ TEST_F(Jobs, ThatWaitCanBeRemoved) {
   EXPECT_THAT(begun_, testing::ElementsAre("a", "c"));
 }
 
-TEST_F(Jobs, OfAQueueAreCancelledWithoutBeginningAnyOther) {
-  for (const char* title : {"a", "b", "c"}) add(title, "one");
-  add("d", "other");
-  jobs_.cancel("one");
-  EXPECT_THAT(begun_, testing::ElementsAre("a", "d"));
-  EXPECT_FALSE(jobs_.is_busy("one"));
-  EXPECT_TRUE(jobs_.is_busy("other"));
-}
-
 TEST_F(Jobs, BringTheResultOfAThreadToThisOne) {
   const QThread* worker = nullptr;
   int result = 0;

@@ -39,7 +39,7 @@ class Editor : public testing::Test {
   std::string text() { return editor_.document().op_text().text(); }
   OptionField& field(const char* key) { return editor_.form().row_of(option(key))->field(); }
   QWidget* focus(const char* key) {
-    editor_.go_to(option(key));
+    editor_.form().go_to(option(key));
     return QApplication::focusWidget();
   }
   void type(const char* key, const QString& words) {
@@ -159,7 +159,7 @@ TEST_F(Editor, SearchFindsByMeaning) {
   QTest::keyClicks(editor_.form().search(), "scattering");
   EXPECT_FALSE(editor_.form().row_of(option("BPT_Depth"))->isHidden());
   EXPECT_TRUE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
-  editor_.go_to(option("BPT_Seed"));
+  editor_.form().go_to(option("BPT_Seed"));
   EXPECT_FALSE(editor_.form().row_of(option("BPT_Seed"))->isHidden());
   editor_.form().search()->setText("spp");  // a synonym
   EXPECT_FALSE(editor_.form().row_of(option("BPT_Samples"))->isHidden());

@@ -337,7 +337,6 @@ TEST(SceneView, ALightIsDraggedInThePlaneOfTheView) {
                             "transform translation (0,2,0) begin light begin (-1,0,-1) (2,0,0) (0,0,2) "
                             "end end"));
   ASSERT_EQ(shown.view.handles().size(), 1);
-  QSignalSpy moving(&shown.view, &SceneView::object_moving);
   QSignalSpy moved(&shown.view, &SceneView::object_moved);
   const Vec3d grip = shown.view.handles().front().grip;
   const Vec3d corner = shown.view.handles().front().position;
@@ -345,7 +344,6 @@ TEST(SceneView, ALightIsDraggedInThePlaneOfTheView) {
   const QPoint from = shown.pixel_of(grip);
   const QPoint to = shown.pixel_of(grip + Vec3d(1, 0.5, 0));
   shown.drag(Qt::LeftButton, Qt::NoModifier, {from, (from + to) / 2, to});
-  EXPECT_GE(moving.count(), 2);
   ASSERT_EQ(moved.count(), 1);
   EXPECT_EQ(moved.front()[0].value<HandleId>().kind, HandleKind::Light);
   EXPECT_EQ(moved.front()[0].value<HandleId>().path, shown.view.objects().lights.front().path);
